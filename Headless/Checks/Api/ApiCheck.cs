@@ -1,0 +1,100 @@
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp;
+using Microsoft.CodeAnalysis.CSharp.Syntax;
+
+namespace Headless.Checks.Api;
+
+/// <summary>Compiles every assembly of the package as C# 9 for .NET Standard 2.1 against the real public API of a
+/// Unity line, as the Editor does and, for runtime assemblies, as a player build does.</summary>
+internal sealed class ApiCheck(string packageRoot)
+{
+    private static readonly Dictionary<string, string[]> lineDefines = new()
+    {
+        ["2022.3"] = ["UNITY_2022_3", "UNITY_2022_3_OR_NEWER", "UNITY_2022_2_OR_NEWER", "UNITY_2022_1_OR_NEWER", "UNITY_2021_3_OR_NEWER", "UNITY_5_3_OR_NEWER"],
+        ["6000.0"] = ["UNITY_6000", "UNITY_6000_0", "UNITY_6000_0_OR_NEWER", "UNITY_2023_1_OR_NEWER", "UNITY_2022_3_OR_NEWER", "UNITY_2022_2_OR_NEWER", "UNITY_2022_1_OR_NEWER", "UNITY_2021_3_OR_NEWER", "UNITY_5_3_OR_NEWER"],
+    };
+
+    private static readonly string[] obsolete = ["CS0612", "CS0618", "CS0619", "CS0672"];
+
+    // Serialised fields are assigned by the Editor.
+    private static readonly string[] ignored = ["CS0649", "CS0414", "CS1701", "CS1702"];
+
+    public IEnumerable<CheckReport> Run()
+    {
+        var editorOnly = ApiList.LoadEditorOnlyMembers();
+        foreach (var line in ApiList.Lines)
+        {
+            var references = new ReferenceAssemblies(ApiList.Load(line));
+            yield return Compile(line, references, editor: true, editorOnly);
+            yield return Compile(line, references, editor: false, editorOnly);
+        }
+    }
+
+    private CheckReport Compile(string line, ReferenceAssemblies references, bool editor, IReadOnlySet<string> editorOnly)
+    {
+        var report = new CheckReport($"API {line} {(editor ? "Editor" : "player")}");
+        var built = new Dictionary<string, CSharpCompilation>();
+        var used = new HashSet<string>();
+        foreach (var assembly in PackageAssembly.FindAll(packageRoot))
+        {
+            if (!editor && (assembly.EditorOnly || assembly.IsTest)) continue;
+            var compilation = CreateCompilation(assembly, line, references, editor, built);
+            built[assembly.Name] = compilation;
+            foreach (var diagnostic in compilation.GetDiagnostics())
+                if (IsFinding(diagnostic, assembly)) report.Findings.Add($"{assembly.Name}: {Describe(diagnostic)}");
+            CollectUsedMembers(compilation, used, editorOnly, assembly.EditorOnly || assembly.IsTest ? null : report);
+        }
+        report.Figures = $"{built.Count} assemblies compile, {used.Count} Unity members used, {references.MemberCount} known";
+        return report;
+    }
+
+    private static CSharpCompilation CreateCompilation(PackageAssembly assembly, string line, ReferenceAssemblies references, bool editor, Dictionary<string, CSharpCompilation> built)
+    {
+        var defines = new List<string>(lineDefines[line]) { "UNITY_STANDALONE", "UNITY_STANDALONE_WIN", "NET_STANDARD_2_1", "NET_STANDARD", "ENABLE_MONO" };
+        if (editor) defines.AddRange(["UNITY_EDITOR", "UNITY_EDITOR_WIN", "UNITY_INCLUDE_TESTS"]);
+        var metadata = new List<MetadataReference>(ReferenceAssemblies.NetStandard) { references.Engine };
+        if (editor) metadata.Add(references.Editor);
+        foreach (var name in assembly.References)
+        {
+            if (name == "UnityEngine.TestRunner") metadata.Add(references.EngineTestRunner);
+            else if (name == "UnityEditor.TestRunner") metadata.Add(references.EditorTestRunner);
+            else if (built.TryGetValue(name, out var dependency)) metadata.Add(dependency.ToMetadataReference());
+        }
+        if (assembly.IsTest) metadata.Add(ReferenceAssemblies.NUnit);
+        return CSharpCompilation.Create(assembly.Name, assembly.Parse(defines), metadata,
+            new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, warningLevel: 4));
+    }
+
+    private static bool IsFinding(Diagnostic diagnostic, PackageAssembly assembly)
+    {
+        if (diagnostic.Severity == DiagnosticSeverity.Error || obsolete.Contains(diagnostic.Id)) return true;
+        if (diagnostic.Severity != DiagnosticSeverity.Warning || ignored.Contains(diagnostic.Id)) return false;
+        return !(assembly.IsTest && diagnostic.Id == "CS1591");
+    }
+
+    private static string Describe(Diagnostic diagnostic)
+    {
+        var span = diagnostic.Location.GetLineSpan();
+        return $"{Path.GetFileName(span.Path)}({span.StartLinePosition.Line + 1}): {diagnostic.Id} {diagnostic.GetMessage()}";
+    }
+
+    private static void CollectUsedMembers(CSharpCompilation compilation, HashSet<string> used, IReadOnlySet<string> editorOnly, CheckReport? report)
+    {
+        foreach (var tree in compilation.SyntaxTrees)
+        {
+            var model = compilation.GetSemanticModel(tree);
+            foreach (var node in tree.GetRoot().DescendantNodes().OfType<SimpleNameSyntax>())
+            {
+                var symbol = model.GetSymbolInfo(node).Symbol;
+                if (symbol is IMethodSymbol { ReducedFrom: { } original }) symbol = original;
+                var assembly = symbol?.ContainingAssembly?.Name;
+                if (assembly is null || !(assembly.StartsWith("UnityEngine", StringComparison.Ordinal) || assembly.StartsWith("UnityEditor", StringComparison.Ordinal))) continue;
+                var id = symbol!.OriginalDefinition.GetDocumentationCommentId();
+                if (id is null) continue;
+                used.Add(id);
+                if (report is not null && editorOnly.Contains(id))
+                    report.Findings.Add($"{compilation.AssemblyName}: {Path.GetFileName(tree.FilePath)}({node.GetLocation().GetLineSpan().StartLinePosition.Line + 1}): {id} exists only in the Editor");
+            }
+        }
+    }
+}

@@ -1,0 +1,40 @@
+using System.IO.Compression;
+using System.Reflection;
+
+namespace Headless.Checks.Api;
+
+/// <summary>The public API of one Unity line ("2022.3" or "6000.0"), one entry a member.</summary>
+internal sealed class ApiList
+{
+    public static readonly string[] Lines = ["2022.3", "6000.0"];
+
+    public string Line { get; }
+    public IReadOnlyList<ApiEntry> Engine { get; }
+    public IReadOnlyList<ApiEntry> Editor { get; }
+    public IReadOnlyList<ApiEntry> TestFramework { get; }
+
+    private ApiList(string line, IReadOnlyList<ApiEntry> engine, IReadOnlyList<ApiEntry> editor, IReadOnlyList<ApiEntry> testFramework) =>
+        (Line, Engine, Editor, TestFramework) = (line, engine, editor, testFramework);
+
+    public static ApiList Load(string line) =>
+        new(line, Read($"{line}/engine.txt.gz"), Read($"{line}/editor.txt.gz"), Read($"{line}/test-framework.txt.gz"));
+
+    public static IReadOnlySet<string> LoadEditorOnlyMembers()
+    {
+        using var reader = new StreamReader(Open("EditorOnlyMembers.txt"));
+        return reader.ReadToEnd().Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries).ToHashSet();
+    }
+
+    private static List<ApiEntry> Read(string resource)
+    {
+        using var reader = new StreamReader(new GZipStream(Open(resource), CompressionMode.Decompress));
+        var entries = new List<ApiEntry>();
+        while (reader.ReadLine() is { } line)
+            if (line.Length > 2 && line[1] == ':') entries.Add(ApiEntry.Parse(line));
+        return entries;
+    }
+
+    private static Stream Open(string resource) =>
+        Assembly.GetExecutingAssembly().GetManifestResourceStream(resource.Replace('\\', '/'))
+        ?? throw new FileNotFoundException($"The API list '{resource}' is not embedded in the checks program.");
+}

@@ -1,0 +1,57 @@
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp;
+using System.Text.Json;
+
+namespace Headless.Checks.Api;
+
+/// <summary>An assembly definition of the package and its sources.</summary>
+internal sealed record PackageAssembly(string Name, string Folder, IReadOnlyList<string> References, bool EditorOnly, bool IsTest)
+{
+    public static List<PackageAssembly> FindAll(string packageRoot)
+    {
+        var found = new List<PackageAssembly>();
+        foreach (var file in Directory.GetFiles(packageRoot, "*.asmdef", SearchOption.AllDirectories).Order())
+        {
+            if (file.Contains('~')) continue;
+            using var json = JsonDocument.Parse(File.ReadAllText(file));
+            var root = json.RootElement;
+            found.Add(new PackageAssembly(
+                root.GetProperty("name").GetString()!,
+                Path.GetDirectoryName(file)!,
+                root.GetProperty("references").EnumerateArray().Select(r => r.GetString()!).ToList(),
+                root.GetProperty("includePlatforms").EnumerateArray().Any(p => p.GetString() == "Editor"),
+                root.GetProperty("defineConstraints").EnumerateArray().Any(c => c.GetString() == "UNITY_INCLUDE_TESTS")));
+        }
+        return InDependencyOrder(found);
+    }
+
+    public IEnumerable<string> SourceFiles() =>
+        Directory.GetFiles(Folder, "*.cs", SearchOption.AllDirectories).Where(f => !OwnedByNestedAssembly(f)).Order();
+
+    private bool OwnedByNestedAssembly(string file)
+    {
+        for (var folder = Path.GetDirectoryName(file)!; folder.Length > Folder.Length; folder = Path.GetDirectoryName(folder)!)
+            if (Directory.GetFiles(folder, "*.asmdef").Length > 0) return true;
+        return false;
+    }
+
+    public List<SyntaxTree> Parse(IEnumerable<string> defines)
+    {
+        var options = new CSharpParseOptions(LanguageVersion.CSharp9, DocumentationMode.Diagnose, preprocessorSymbols: defines);
+        return SourceFiles().Select(f => CSharpSyntaxTree.ParseText(File.ReadAllText(f), options, f)).ToList();
+    }
+
+    private static List<PackageAssembly> InDependencyOrder(List<PackageAssembly> assemblies)
+    {
+        var ordered = new List<PackageAssembly>();
+        void Visit(PackageAssembly a)
+        {
+            if (ordered.Contains(a)) return;
+            foreach (var r in a.References)
+                if (assemblies.FirstOrDefault(x => x.Name == r) is { } dependency) Visit(dependency);
+            ordered.Add(a);
+        }
+        foreach (var a in assemblies) Visit(a);
+        return ordered;
+    }
+}

@@ -1,0 +1,42 @@
+using Headless.Checks.Api;
+using Microsoft.CodeAnalysis.CSharp.Syntax;
+
+namespace Headless.Checks.Form;
+
+/// <summary>Every serialised field that the inspector shows carries a [Tooltip]. (XML documentation of public members
+/// is held by the API check: a missing one is warning CS1591 there.)</summary>
+internal sealed class SerializedFieldCheck(string packageRoot)
+{
+    private static readonly string[] unityBases = ["MonoBehaviour", "ScriptableObject"];
+
+    public CheckReport Run()
+    {
+        var report = new CheckReport("tooltips");
+        var fields = 0;
+        foreach (var assembly in PackageAssembly.FindAll(packageRoot).Where(a => !a.IsTest && !a.EditorOnly))
+            foreach (var tree in assembly.Parse([]))
+                foreach (var type in tree.GetRoot().DescendantNodes().OfType<TypeDeclarationSyntax>().Where(IsSerialized))
+                    foreach (var field in type.Members.OfType<FieldDeclarationSyntax>().Where(IsShown))
+                    {
+                        fields++;
+                        if (!Has(field.AttributeLists, "Tooltip"))
+                            report.Findings.Add($"{Path.GetFileName(tree.FilePath)}: {type.Identifier}.{field.Declaration.Variables[0].Identifier} has no [Tooltip]");
+                    }
+        report.Figures = $"{fields} serialised fields with a tooltip";
+        return report;
+    }
+
+    private static bool IsSerialized(TypeDeclarationSyntax type) =>
+        Has(type.AttributeLists, "Serializable") || (type.BaseList?.Types.Any(b => unityBases.Contains(b.Type.ToString())) ?? false);
+
+    private static bool IsShown(FieldDeclarationSyntax field)
+    {
+        var modifiers = field.Modifiers.Select(m => m.Text).ToList();
+        if (modifiers.Contains("static") || modifiers.Contains("const") || modifiers.Contains("readonly")) return false;
+        if (Has(field.AttributeLists, "NonSerialized") || Has(field.AttributeLists, "HideInInspector")) return false;
+        return modifiers.Contains("public") || Has(field.AttributeLists, "SerializeField");
+    }
+
+    private static bool Has(Microsoft.CodeAnalysis.SyntaxList<AttributeListSyntax> lists, string name) =>
+        lists.SelectMany(l => l.Attributes).Any(a => a.Name.ToString().Split('.')[^1] is var n && (n == name || n == name + "Attribute"));
+}

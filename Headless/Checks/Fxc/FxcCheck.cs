@@ -1,0 +1,66 @@
+using Headless.Shaders;
+
+namespace Headless.Checks.Fxc;
+
+/// <summary>Compiles every kernel, keyword variant and shader stage with Microsoft's FXC for its 5.0 profile, without
+/// warnings, and holds the result against the limits of Direct3D 11.0.</summary>
+internal sealed class FxcCheck(string projectRoot, string packageRoot, string cacheFolder)
+{
+    private const int MaxUavs = 8, MaxSharedBytes = 32 * 1024, MaxThreads = 1024;
+
+    public CheckReport Run()
+    {
+        var report = new CheckReport("FXC");
+        var jobs = new List<FxcJob>();
+        var includes = new IncludeResolver(projectRoot);
+        var files = Directory.GetFiles(packageRoot, "*", SearchOption.AllDirectories).Where(f => Path.GetExtension(f) is ".compute" or ".shader").Order().ToList();
+        foreach (var file in files)
+        {
+            try
+            {
+                jobs.AddRange(Path.GetExtension(file) == ".compute"
+                    ? FxcJob.FromCompute(ComputeSource.Parse(file, includes))
+                    : FxcJob.FromShader(ShaderLabSource.Parse(file, includes)));
+            }
+            catch (ShaderCompileException e) { report.Findings.Add(e.Message); }
+        }
+        if (jobs.Count == 0 && report.Findings.Count == 0) report.Findings.Add($"no shaders below {packageRoot}");
+        var toolchain = new FxcToolchain(cacheFolder);
+        if (toolchain.Prepare() is { } missing) { report.SkippedBecause = missing; return report; }
+        Compile(jobs, toolchain, report, files.Count);
+        return report;
+    }
+
+    private static void Compile(List<FxcJob> jobs, FxcToolchain toolchain, CheckReport report, int files)
+    {
+        var folder = Directory.CreateTempSubdirectory("fxc");
+        try
+        {
+            var lines = jobs.Select((job, i) =>
+            {
+                File.WriteAllText(Path.Combine(folder.FullName, $"{i}.hlsl"), job.Text);
+                return $"{i}\t{i}.hlsl\t{job.Entry}\t{job.Profile}";
+            });
+            var jobFile = Path.Combine(folder.FullName, "jobs.txt");
+            File.WriteAllLines(jobFile, lines);
+            var results = toolchain.Run(jobFile);
+            var slots = 0;
+            foreach (var result in results) slots = Math.Max(slots, Judge(result.Split('\t'), jobs, report));
+            if (results.Length != jobs.Count) report.Findings.Add($"{jobs.Count} jobs went in, {results.Length} results came out");
+            report.Figures = $"{results.Length} entry points and variants of {files} files compiled by d3dcompiler_47, at most {slots} instruction slots";
+        }
+        finally { folder.Delete(recursive: true); }
+    }
+
+    private static int Judge(string[] fields, List<FxcJob> jobs, CheckReport report)
+    {
+        var job = jobs[int.Parse(fields[0])];
+        var (uavs, shared, threads, slots) = (int.Parse(fields[2]), int.Parse(fields[3]), int.Parse(fields[4]), int.Parse(fields[5]));
+        var messages = fields.Length > 6 ? fields[6].Trim() : "";
+        if (fields[1] != "ok" || messages.Length > 0) report.Findings.Add($"{job.Name} ({job.Profile}): {messages}");
+        if (uavs > MaxUavs) report.Findings.Add($"{job.Name}: {uavs} UAVs, Direct3D 11.0 has {MaxUavs}");
+        if (shared > MaxSharedBytes) report.Findings.Add($"{job.Name}: {shared} bytes of groupshared memory, the limit is {MaxSharedBytes}");
+        if (threads > MaxThreads) report.Findings.Add($"{job.Name}: {threads} threads a group, the limit is {MaxThreads}");
+        return slots;
+    }
+}

@@ -1,0 +1,55 @@
+using Headless.Shaders;
+using System.Text;
+using System.Text.RegularExpressions;
+
+namespace Headless.Checks.Fxc;
+
+/// <summary>One entry point with one choice of keywords, as Unity hands it to the D3D11 compiler.</summary>
+internal sealed partial record FxcJob(string Name, string Entry, string Profile, string Text)
+{
+    public static IEnumerable<FxcJob> FromCompute(ComputeSource source)
+    {
+        foreach (var kernel in source.Kernels)
+            foreach (var keywords in Variants(source.KeywordSets))
+                yield return new FxcJob(Label(source.Path, kernel.Name, keywords), kernel.Name, "cs_5_0",
+                    Build(source.Expanded, ShaderStage.Compute, 50, kernel.Defines, keywords));
+    }
+
+    public static IEnumerable<FxcJob> FromShader(ShaderLabSource shader)
+    {
+        foreach (var pass in shader.SubShaders.SelectMany(s => s.Passes))
+            foreach (var keywords in Variants(pass.Program.KeywordSets))
+                foreach (var (stage, entry, profile) in Stages(pass.Program))
+                    yield return new FxcJob(Label(shader.Path, $"{pass.Name} {entry}", keywords), entry, profile,
+                        Build(pass.Program.Expanded, stage, pass.Program.Target, pass.Defines, keywords));
+    }
+
+    private static IEnumerable<(ShaderStage, string, string)> Stages(ShaderProgram program)
+    {
+        yield return (ShaderStage.Vertex, program.Vertex, "vs_5_0");
+        if (program.Geometry.Length > 0) yield return (ShaderStage.Geometry, program.Geometry, "gs_5_0");
+        yield return (ShaderStage.Fragment, program.Fragment, "ps_5_0");
+    }
+
+    /// <summary>Every choice of one keyword a set: the product of the sets.</summary>
+    public static IEnumerable<IReadOnlyList<string>> Variants(IReadOnlyList<KeywordSet> sets)
+    {
+        IEnumerable<IReadOnlyList<string>> variants = [[]];
+        foreach (var set in sets)
+            variants = variants.SelectMany(chosen => set.Keywords.Select(k => k.Length == 0 ? chosen : (IReadOnlyList<string>)[.. chosen, k]));
+        return variants;
+    }
+
+    private static string Label(string path, string entry, IReadOnlyList<string> keywords) =>
+        $"{Path.GetFileName(path)} {entry.Trim()}{(keywords.Count > 0 ? " [" + string.Join(' ', keywords) + "]" : "")}";
+
+    private static string Build(ExpandedSource source, ShaderStage stage, int target, IEnumerable<KeyValuePair<string, string>> defines, IEnumerable<string> keywords)
+    {
+        var text = new StringBuilder(StageText.Build(source, stage, target, defines, keywords));
+        // FXC takes a file name after #line where the other front end takes a number.
+        return LineDirective().Replace(text.ToString(), m =>
+            $"#line {m.Groups[1].Value} \"{source.FileName(int.Parse(m.Groups[2].Value)).Replace('\\', '/')}\"");
+    }
+
+    [GeneratedRegex(@"^#line (\d+) (\d+)[ \t]*$", RegexOptions.Multiline)] private static partial Regex LineDirective();
+}

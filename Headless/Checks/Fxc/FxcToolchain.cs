@@ -1,0 +1,59 @@
+using System.Diagnostics;
+
+namespace Headless.Checks.Fxc;
+
+/// <summary>Microsoft's d3dcompiler_47.dll under Wine, driven by the small program fxc_jobs.c.</summary>
+internal sealed class FxcToolchain(string cacheFolder)
+{
+    private const string CrossCompiler = "x86_64-w64-mingw32-gcc";
+    private static readonly string[] winePaths = ["/usr/lib/wine/wine64", "/usr/bin/wine64", "/usr/local/bin/wine64"];
+
+    private string Library => Path.Combine(cacheFolder, "d3dcompiler_47.dll");
+    private string Driver => Path.Combine(cacheFolder, "fxc_jobs.exe");
+
+    /// <summary>Builds the driver where needed. Returns null when all is there, else what is missing and how to get it.</summary>
+    public string? Prepare()
+    {
+        if (!File.Exists(Library))
+            return $"d3dcompiler_47.dll is not in {cacheFolder}: run ./setup.sh with a network (it comes from the npm package webgpu)";
+        if (Wine is null) return "wine64 is not installed: apt-get install wine64";
+        var source = Path.Combine(AppContext.BaseDirectory, "Fxc", "fxc_jobs.c");
+        if (File.Exists(Driver) && File.GetLastWriteTimeUtc(Driver) >= File.GetLastWriteTimeUtc(source)) return null;
+        try
+        {
+            var (code, output) = RunProcess(CrossCompiler, ["-O1", "-Wall", source, "-o", Driver], null);
+            return code == 0 ? null : $"{CrossCompiler} failed on fxc_jobs.c: {output}";
+        }
+        catch (System.ComponentModel.Win32Exception)
+        {
+            return $"{CrossCompiler} is not installed: apt-get install gcc-mingw-w64-x86-64";
+        }
+    }
+
+    private static string? Wine => Array.Find(winePaths, File.Exists);
+
+    /// <summary>Compiles the jobs in one process and returns a line a job.</summary>
+    public string[] Run(string jobFile)
+    {
+        var environment = new Dictionary<string, string>
+        {
+            ["WINEPREFIX"] = Path.Combine(cacheFolder, "prefix"),
+            ["WINEDEBUG"] = "-all",
+            ["WINEDLLOVERRIDES"] = "d3dcompiler_47=n;mscoree=;mshtml=",
+        };
+        var (code, output) = RunProcess(Wine!, [Driver, Path.GetFileName(jobFile)], environment, Path.GetDirectoryName(jobFile));
+        if (code > 100) throw new InvalidOperationException($"fxc_jobs could not start (exit code {code}): {output}");
+        return output.Split('\n', StringSplitOptions.RemoveEmptyEntries);
+    }
+
+    private static (int, string) RunProcess(string file, IEnumerable<string> arguments, Dictionary<string, string>? environment, string? folder = null)
+    {
+        var info = new ProcessStartInfo(file, arguments) { RedirectStandardOutput = true, RedirectStandardError = true, WorkingDirectory = folder ?? "" };
+        foreach (var (key, value) in environment ?? []) info.Environment[key] = value;
+        using var process = Process.Start(info)!;
+        var errors = process.StandardError.ReadToEndAsync();
+        var output = process.StandardOutput.ReadToEnd();
+        process.WaitForExit();
+        return (process.ExitCode, process.ExitCode is 0 or <= 100 ? output : output + errors.Result);
+    }
+}

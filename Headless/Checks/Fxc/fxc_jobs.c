@@ -1,0 +1,107 @@
+/* Compiles a list of HLSL jobs with Microsoft's d3dcompiler_47.dll in one process.
+ *
+ * usage: fxc_jobs.exe JOBS
+ * JOBS is a text file, one job a line: id <TAB> source file <TAB> entry point <TAB> target profile.
+ * For each job one line goes to stdout:
+ *   id <TAB> ok|failed <TAB> uavs <TAB> groupshared bytes <TAB> threads <TAB> instruction slots <TAB> messages
+ * Line breaks in the messages become " | ". The exit code is the number of failed jobs, at most 100.
+ */
+#include <windows.h>
+#include <d3dcompiler.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef HRESULT(WINAPI *compile_fn)(LPCVOID, SIZE_T, LPCSTR, const D3D_SHADER_MACRO *, ID3DInclude *, LPCSTR, LPCSTR, UINT, UINT, ID3DBlob **, ID3DBlob **);
+typedef HRESULT(WINAPI *disassemble_fn)(LPCVOID, SIZE_T, UINT, LPCSTR, ID3DBlob **);
+
+typedef struct { int uavs, shared_bytes, threads, slots; } figures;
+
+static char *read_file(const char *path, size_t *size)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file) return NULL;
+    fseek(file, 0, SEEK_END);
+    *size = (size_t)ftell(file);
+    rewind(file);
+    char *text = malloc(*size + 1);
+    *size = fread(text, 1, *size, file);
+    text[*size] = 0;
+    fclose(file);
+    return text;
+}
+
+/* The declarations of a D3D assembly listing, for example
+ *   dcl_uav_structured u0, 8
+ *   dcl_tgsm_structured g0, 8, 1024      (stride, count)
+ *   dcl_thread_group 1024, 1, 1
+ *   // Approximately 45 instruction slots used */
+static figures read_listing(const char *listing)
+{
+    figures f = {0, 0, 0, 0};
+    for (const char *line = listing; line && *line; line = strchr(line, '\n')) {
+        if (*line == '\n') line++;
+        int a, b, c;
+        if (!strncmp(line, "dcl_uav", 7)) f.uavs++;
+        if (sscanf(line, "dcl_tgsm_structured g%d, %d, %d", &a, &b, &c) == 3) f.shared_bytes += b * c;
+        if (sscanf(line, "dcl_tgsm_raw g%d, %d", &a, &b) == 2) f.shared_bytes += b;
+        if (sscanf(line, "dcl_thread_group %d, %d, %d", &a, &b, &c) == 3) f.threads = a * b * c;
+        sscanf(line, "// Approximately %d instruction slots", &f.slots);
+        if (!*line) break;
+    }
+    return f;
+}
+
+static void print_one_line(const char *text)
+{
+    for (; *text; text++) {
+        if (*text == '\r') continue;
+        if (*text == '\n') { if (text[1]) fputs(" | ", stdout); }
+        else putchar(*text == '\t' ? ' ' : *text);
+    }
+}
+
+static int run_job(compile_fn compile, disassemble_fn disassemble, char *line)
+{
+    char *id = strtok(line, "\t"), *path = strtok(NULL, "\t"), *entry = strtok(NULL, "\t"), *target = strtok(NULL, "\t\r\n");
+    if (!target) { printf("%s\tfailed\t0\t0\t0\t0\tmalformed job line\n", id ? id : "?"); return 1; }
+    size_t size;
+    char *source = read_file(path, &size);
+    if (!source) { printf("%s\tfailed\t0\t0\t0\t0\tcannot read %s\n", id, path); return 1; }
+    ID3DBlob *code = NULL, *messages = NULL, *listing = NULL;
+    const UINT optimise = 1 << 15, ieee_strictness = 0;
+    HRESULT hr = compile(source, size, path, NULL, NULL, entry, target, optimise | ieee_strictness, 0, &code, &messages);
+    int failed = FAILED(hr) || !code;
+    figures f = {0, 0, 0, 0};
+    if (!failed && SUCCEEDED(disassemble(code->lpVtbl->GetBufferPointer(code), code->lpVtbl->GetBufferSize(code), 0, NULL, &listing)))
+        f = read_listing(listing->lpVtbl->GetBufferPointer(listing));
+    printf("%s\t%s\t%d\t%d\t%d\t%d\t", id, failed ? "failed" : "ok", f.uavs, f.shared_bytes, f.threads, f.slots);
+    if (messages) print_one_line(messages->lpVtbl->GetBufferPointer(messages));
+    putchar('\n');
+    fflush(stdout);
+    if (code) code->lpVtbl->Release(code);
+    if (messages) messages->lpVtbl->Release(messages);
+    if (listing) listing->lpVtbl->Release(listing);
+    free(source);
+    return failed;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 2) { fprintf(stderr, "usage: fxc_jobs JOBS\n"); return 101; }
+    HMODULE library = LoadLibraryA("d3dcompiler_47.dll");
+    if (!library) { fprintf(stderr, "d3dcompiler_47.dll not found beside fxc_jobs.exe\n"); return 102; }
+    compile_fn compile = (compile_fn)(void *)GetProcAddress(library, "D3DCompile");
+    disassemble_fn disassemble = (disassemble_fn)(void *)GetProcAddress(library, "D3DDisassemble");
+    size_t size;
+    char *jobs = read_file(argv[1], &size);
+    if (!compile || !disassemble || !jobs) { fprintf(stderr, "cannot start: entry points or job list missing\n"); return 103; }
+    int failures = 0;
+    for (char *line = jobs; line && *line;) {
+        char *end = strchr(line, '\n');
+        if (end) *end = 0;
+        if (*line) failures += run_job(compile, disassemble, line);
+        line = end ? end + 1 : NULL;
+    }
+    return failures > 100 ? 100 : failures;
+}

@@ -1,0 +1,6 @@
+namespace Headless.Importers.Assets;
+
+internal interface IAssetImporter
+{
+    void Import(AssetFile file);
+}

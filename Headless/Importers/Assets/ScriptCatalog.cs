@@ -1,0 +1,40 @@
+using System.Reflection;
+using Headless.Importers.Project;
+
+namespace Headless.Importers.Assets;
+
+/// <summary>Script assets: GUID to class. The file's name is the class's name, its assembly that of the nearest .asmdef.</summary>
+internal sealed class ScriptCatalog(ProjectIndex index, Func<string, Assembly?> assemblies, Action<string> report)
+{
+    private readonly Dictionary<string, Type?> types = [];
+    private AssemblyDefinitions? definitions;
+
+    /// <summary>Null when the script, its assembly or its class is missing, which is reported.</summary>
+    public Type? Find(string guid, Type baseType, string where)
+    {
+        if (types.TryGetValue(guid, out Type? known)) return known;
+        return types[guid] = Search(guid, baseType, where);
+    }
+
+    private Type? Search(string guid, Type baseType, string where)
+    {
+        if (index.PathOf(guid) is not { } path)
+        {
+            report($"{where}: the script with GUID {guid} is missing from the project; the component is left out.");
+            return null;
+        }
+        definitions ??= new AssemblyDefinitions(index);
+        string assemblyName = definitions.AssemblyOf(path), className = Path.GetFileNameWithoutExtension(path);
+        if (assemblies(assemblyName) is not { } assembly)
+        {
+            report($"{where}: '{path}' belongs to the assembly '{assemblyName}', which is not among the script assemblies; the component is left out.");
+            return null;
+        }
+        Type[] found = [.. assembly.GetTypes().Where(t => t.Name == className && baseType.IsAssignableFrom(t) && !t.IsAbstract)];
+        if (found.Length == 1) return found[0];
+        report(found.Length == 0
+            ? $"{where}: '{path}' has no {baseType.Name} class named '{className}' in '{assemblyName}'; file and class must have the same name. The component is left out."
+            : $"{where}: '{assemblyName}' has several classes named '{className}' ({string.Join(", ", found.Select(t => t.FullName))}); rename all but one. The component is left out.");
+        return null;
+    }
+}

@@ -1,0 +1,13 @@
+using Headless.Importers.Yaml;
+
+namespace Headless.Importers.Scenes;
+
+/// <summary>A reference set by an override: it means the file of the override, not that of the prefab it is set in.</summary>
+public sealed class ScopedReference(YamlMap reference, SourceScope scope) : YamlNode
+{
+    public YamlMap Reference { get; } = reference;
+    public SourceScope Scope { get; } = scope;
+
+    public override YamlNode Clone() => this;
+    public override string ToString() => Reference.ToString();
+}

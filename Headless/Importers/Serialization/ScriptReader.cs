@@ -1,0 +1,119 @@
+using System.Collections;
+using System.Reflection;
+using Headless.Importers.Scenes;
+using Headless.Importers.Yaml;
+using UnityEngine;
+
+namespace Headless.Importers.Serialization;
+
+/// <summary>Fills the fields of a script object from its YAML. A field without an entry keeps the value its constructor gave it.</summary>
+public sealed class ScriptReader(IReferenceResolver references, Func<string, Assembly?> assemblies, Action<string> report)
+{
+    /// <summary>Unity's limit for nested serialised classes.</summary>
+    private const int MaximumDepth = 10;
+
+    private readonly record struct Place(SourceScope Scope, ManagedReferences Managed, string Owner);
+
+    public void Fill(object target, YamlMap body, SourceScope scope, string owner)
+    {
+        ManagedReferences managed = ManagedReferences.Read(body, assemblies, owner, report);
+        var place = new Place(scope, managed, owner);
+        foreach (var (instance, data) in managed.Filled) FillFields(instance, data, place, 1);
+        FillFields(target, body, place, 0);
+        if (target is ISerializationCallbackReceiver receiver) receiver.OnAfterDeserialize();
+    }
+
+    private void FillFields(object target, YamlMap body, Place place, int depth)
+    {
+        foreach (SerializedField field in SerializationRules.FieldsOf(target.GetType()))
+        {
+            FieldInfo info = field.Field;
+            object? current = info.GetValue(target);
+            YamlNode? node = null;
+            foreach (string name in field.Names)
+                if ((node = body[name]) is not null) break;
+            string where = $"{place.Owner}, field '{info.Name}'";
+            try
+            {
+                object? value = node is null ? Absent(info.FieldType, current, field.ByReference, depth)
+                    : field.ByReference ? ReadManaged(node, info.FieldType, place)
+                    : Read(node, info.FieldType, current, place, where, depth);
+                info.SetValue(target, value);
+            }
+            catch (FormatException e)
+            {
+                throw new ImportException($"{where}: {e.Message}", e);
+            }
+        }
+    }
+
+    /// <summary>Serialised strings, lists and classes are never null after loading.</summary>
+    private static object? Absent(Type type, object? current, bool byReference, int depth)
+    {
+        if (current is not null || byReference || typeof(UnityEngine.Object).IsAssignableFrom(type)) return current;
+        if (type == typeof(string)) return "";
+        if (SerializationRules.ElementType(type) is { } element) return ToList(type, Array.CreateInstance(element, 0));
+        return depth < MaximumDepth && type.IsDefined(typeof(SerializableAttribute), false) ? ManagedReferences.Create(type) : null;
+    }
+
+    private object? Read(YamlNode node, Type type, object? current, Place place, string where, int depth)
+    {
+        if (typeof(UnityEngine.Object).IsAssignableFrom(type)) return references.Resolve(FileReference.Read(node, place.Scope), type, where);
+        if (SerializationRules.ElementType(type) is { } element) return ToList(type, ReadElements(node, element, place, where, depth));
+        if (ValueReaders.Knows(type))
+        {
+            if (node is YamlMap map) return ValueReaders.Read(type, map);
+            if (type == typeof(LayerMask) && node is YamlScalar bits) return (LayerMask)(int)YamlValue.Long(bits.Text, where);
+            return current;
+        }
+        if (node is YamlScalar scalar && (type.IsPrimitive || type.IsEnum || type == typeof(string))) return Scalars.Read(scalar.Text, type, where);
+        if (type.IsPrimitive || type.IsEnum || type == typeof(string))
+        {
+            report($"{where}: a {type.Name} was expected, the file has {(node is YamlMap ? "a mapping" : "a list")}; the default stays.");
+            return current;
+        }
+        return node is YamlMap nested ? ReadNested(nested, type, current, place, depth + 1) : Absent(type, current, false, depth);
+    }
+
+    private object? ReadNested(YamlMap map, Type type, object? current, Place place, int depth)
+    {
+        if (depth > MaximumDepth) return null;
+        object target = current ?? ManagedReferences.Create(type);
+        FillFields(target, map, place, depth);
+        if (target is ISerializationCallbackReceiver receiver) receiver.OnAfterDeserialize();
+        return target;
+    }
+
+    private Array ReadElements(YamlNode node, Type element, Place place, string where, int depth)
+    {
+        if (node is YamlScalar packed)
+            return packed.Text.Length == 0 ? Array.CreateInstance(element, 0)
+                : element.IsPrimitive || element.IsEnum ? PackedArray.Read(packed.Text, element, where)
+                : throw new FormatException($"a list was expected, found '{packed.Text}'.");
+        IReadOnlyList<YamlNode> items = node is YamlList list ? list.Items : [];
+        Array result = Array.CreateInstance(element, items.Count);
+        for (int i = 0; i < items.Count; i++)
+            result.SetValue(Read(items[i], element, null, place, $"{where}[{i}]", depth), i);
+        return result;
+    }
+
+    private static object? ReadManaged(YamlNode node, Type type, Place place)
+    {
+        if (SerializationRules.ElementType(type) is { } element && node is YamlList list)
+        {
+            Array result = Array.CreateInstance(element, list.Items.Count);
+            for (int i = 0; i < list.Items.Count; i++) result.SetValue(ReadManaged(list.Items[i], element, place), i);
+            return ToList(type, result);
+        }
+        object? found = node is YamlMap map ? place.Managed.Find(map.Long("rid", ManagedReferences.Null)) : null;
+        return type.IsInstanceOfType(found) ? found : null;
+    }
+
+    private static object ToList(Type type, Array items)
+    {
+        if (type.IsArray) return items;
+        var list = (IList)Activator.CreateInstance(type)!;
+        foreach (object? item in items) list.Add(item);
+        return list;
+    }
+}

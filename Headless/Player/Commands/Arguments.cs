@@ -1,0 +1,73 @@
+using System.Globalization;
+
+namespace Headless.Player.Commands;
+
+/// <summary>The flags of one command. Each flag is declared before it is read; the first one that is unknown, repeated or without its value is an error.</summary>
+public sealed class Arguments
+{
+    private readonly Dictionary<string, string?> values = new(StringComparer.Ordinal);
+
+    /// <param name="words">Everything after the command's name.</param>
+    /// <param name="withValue">Flags that take a value, as <c>--seconds</c>.</param>
+    /// <param name="switches">Flags without a value.</param>
+    public Arguments(string command, IReadOnlyList<string> words, IReadOnlyCollection<string> withValue, IReadOnlyCollection<string> switches)
+    {
+        for (int i = 0; i < words.Count; i++)
+        {
+            string word = words[i];
+            if (word == "--")
+            {
+                Extra = [.. words.Skip(i + 1)];
+                return;
+            }
+            string? inline = null;
+            int equals = word.IndexOf('=');
+            if (word.StartsWith("--", StringComparison.Ordinal) && equals > 0) (word, inline) = (word[..equals], word[(equals + 1)..]);
+            if (values.ContainsKey(word)) throw new UsageException($"{word} is given twice.");
+            if (switches.Contains(word))
+            {
+                if (inline is not null) throw new UsageException($"{word} takes no value, found '{inline}'.");
+                values[word] = null;
+                continue;
+            }
+            if (!withValue.Contains(word)) throw new UsageException(Unknown(command, word, [.. withValue, .. switches]));
+            if (inline is null && (i + 1 >= words.Count || words[i + 1].StartsWith("--", StringComparison.Ordinal))) throw new UsageException($"{word} needs a value.");
+            values[word] = inline ?? words[++i];
+        }
+    }
+
+    /// <summary>What follows <c>--</c>: for the project's own code.</summary>
+    public IReadOnlyList<string> Extra { get; } = [];
+
+    public bool Has(string flag) => values.ContainsKey(flag);
+
+    public string Text(string flag, string absent) => values.GetValueOrDefault(flag) ?? absent;
+
+    public string? Text(string flag) => values.GetValueOrDefault(flag);
+
+    public string Required(string flag) => Text(flag) ?? throw new UsageException($"{flag} is missing.");
+
+    public double Number(string flag, double absent, double above, double atMost, string unit)
+    {
+        if (Text(flag) is not { } text) return absent;
+        if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value) && value > above && value <= atMost) return value;
+        throw new UsageException(string.Create(CultureInfo.InvariantCulture, $"{flag} must be a number of {unit} above {above} and at most {atMost}, found '{text}'."));
+    }
+
+    public T OneOf<T>(string flag, T absent, IReadOnlyDictionary<string, T> allowed)
+    {
+        if (Text(flag) is not { } text) return absent;
+        return allowed.TryGetValue(text, out T? value) ? value : throw new UsageException($"{flag} must be one of {string.Join(", ", allowed.Keys)}, found '{text}'.");
+    }
+
+    public string Folder(string flag)
+    {
+        string folder = Required(flag);
+        return Directory.Exists(folder) ? folder : throw new UsageException($"{flag}: the folder '{folder}' does not exist.");
+    }
+
+    private static string Unknown(string command, string word, IReadOnlyList<string> flags) =>
+        word.StartsWith('-')
+            ? $"{word} is not a flag of {command}. Its flags are {string.Join(", ", flags.Order(StringComparer.Ordinal))}."
+            : $"'{word}' is not understood by {command}: flags begin with --.";
+}

@@ -1,0 +1,33 @@
+using System.Text.Json;
+
+namespace Headless.Player.Output;
+
+/// <summary><c>summary.json</c>: flat keys in the order given.</summary>
+public static class SummaryFile
+{
+    public static void Write(string path, IReadOnlyList<(string Key, object? Value)> entries)
+    {
+        string partial = path + ".part";
+        using (FileStream stream = File.Create(partial))
+        using (var writer = new Utf8JsonWriter(stream, new JsonWriterOptions { Indented = true }))
+        {
+            writer.WriteStartObject();
+            foreach (var (key, value) in entries)
+            {
+                writer.WritePropertyName(key);
+                switch (value)
+                {
+                    case null: writer.WriteNullValue(); break;
+                    case bool b: writer.WriteBooleanValue(b); break;
+                    case int i: writer.WriteNumberValue(i); break;
+                    case long l: writer.WriteNumberValue(l); break;
+                    case double d when double.IsFinite(d): writer.WriteNumberValue(Math.Round(d, 6)); break;
+                    case double: writer.WriteNullValue(); break;
+                    default: writer.WriteStringValue(value.ToString()); break;
+                }
+            }
+            writer.WriteEndObject();
+        }
+        File.Move(partial, path, overwrite: true);
+    }
+}

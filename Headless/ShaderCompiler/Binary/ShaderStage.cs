@@ -1,0 +1,9 @@
+namespace Headless.Shaders;
+
+public enum ShaderStage
+{
+    Compute,
+    Vertex,
+    Geometry,
+    Fragment,
+}

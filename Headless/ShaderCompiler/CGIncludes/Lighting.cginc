@@ -1,0 +1,7 @@
+#ifndef LIGHTING_INCLUDED
+#define LIGHTING_INCLUDED
+
+#include "UnityCG.cginc"
+#include "UnityLightingCommon.cginc"
+
+#endif

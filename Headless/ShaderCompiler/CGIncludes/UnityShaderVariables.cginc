@@ -1,0 +1,86 @@
+#ifndef UNITY_SHADER_VARIABLES_INCLUDED
+#define UNITY_SHADER_VARIABLES_INCLUDED
+
+#include "HLSLSupport.cginc"
+
+CBUFFER_START(UnityPerCamera)
+    float4 _Time;
+    float4 _SinTime;
+    float4 _CosTime;
+    float4 unity_DeltaTime;
+    float3 _WorldSpaceCameraPos;
+    float4 _ProjectionParams;
+    float4 _ScreenParams;
+    float4 _ZBufferParams;
+    float4 unity_OrthoParams;
+CBUFFER_END
+
+CBUFFER_START(UnityPerCameraRare)
+    float4 unity_CameraWorldClipPlanes[6];
+    float4x4 unity_CameraProjection;
+    float4x4 unity_CameraInvProjection;
+    float4x4 unity_WorldToCamera;
+    float4x4 unity_CameraToWorld;
+CBUFFER_END
+
+CBUFFER_START(UnityLighting)
+    float4 _WorldSpaceLightPos0;
+    float4 unity_4LightPosX0;
+    float4 unity_4LightPosY0;
+    float4 unity_4LightPosZ0;
+    half4 unity_4LightAtten0;
+    half4 unity_LightColor[8];
+    half4 unity_SHAr;
+    half4 unity_SHAg;
+    half4 unity_SHAb;
+    half4 unity_SHBr;
+    half4 unity_SHBg;
+    half4 unity_SHBb;
+    half4 unity_SHC;
+CBUFFER_END
+
+CBUFFER_START(UnityShadows)
+    float4 unity_LightShadowBias;
+    float4 _LightSplitsNear;
+    float4 _LightSplitsFar;
+    float4x4 unity_WorldToShadow[4];
+    half4 _LightShadowData;
+    float4 unity_ShadowFadeCenterAndType;
+CBUFFER_END
+
+CBUFFER_START(UnityPerDraw)
+    float4x4 unity_ObjectToWorld;
+    float4x4 unity_WorldToObject;
+    float4 unity_LODFade;
+    float4 unity_WorldTransformParams;
+CBUFFER_END
+
+CBUFFER_START(UnityPerFrame)
+    half4 glstate_lightmodel_ambient;
+    half4 unity_AmbientSky;
+    half4 unity_AmbientEquator;
+    half4 unity_AmbientGround;
+    float4x4 glstate_matrix_projection;
+    float4x4 unity_MatrixV;
+    float4x4 unity_MatrixInvV;
+    float4x4 unity_MatrixVP;
+    int unity_StereoEyeIndex;
+    half4 unity_ShadowColor;
+CBUFFER_END
+
+CBUFFER_START(UnityFog)
+    half4 unity_FogColor;
+    float4 unity_FogParams;
+CBUFFER_END
+
+#define UNITY_MATRIX_P glstate_matrix_projection
+#define UNITY_MATRIX_V unity_MatrixV
+#define UNITY_MATRIX_I_V unity_MatrixInvV
+#define UNITY_MATRIX_VP unity_MatrixVP
+#define UNITY_MATRIX_M unity_ObjectToWorld
+#define UNITY_MATRIX_MV mul(unity_MatrixV, unity_ObjectToWorld)
+#define UNITY_MATRIX_MVP mul(unity_MatrixVP, unity_ObjectToWorld)
+#define UNITY_MATRIX_T_MV transpose(UNITY_MATRIX_MV)
+#define UNITY_LIGHTMODEL_AMBIENT (glstate_lightmodel_ambient * 2)
+
+#endif

@@ -1,0 +1,135 @@
+using System.ComponentModel;
+using System.Diagnostics;
+using System.Text.RegularExpressions;
+
+namespace Headless.Shaders;
+
+/// <summary>Runs glslangValidator, which can crash, as a child process.</summary>
+internal sealed partial class GlslangProcess(string program)
+{
+    private static readonly TimeSpan Limit = TimeSpan.FromMinutes(5);
+
+    private readonly Lazy<string?> _version = new(() => ReadVersion(program));
+
+    /// <summary>Version text, or null when the program is not there.</summary>
+    public string? Version => _version.Value;
+
+    /// <summary>SPIR-V as glslang leaves it.</summary>
+    public byte[] Compile(StageJob job)
+    {
+        string output = Path.Combine(Path.GetTempPath(), $"headless-shader-{Guid.NewGuid():N}.spv");
+        try
+        {
+            (int exit, string text) = Run(job, output);
+            if (exit is > 2 or < 0)
+            {
+                throw new ShaderCompileException(
+                    job.Source.Files[0], 0,
+                    $"glslangValidator stopped with exit code {exit} on {job.Owner}; a static const in [numthreads] is known to "
+                    + "do this, use #define");
+            }
+            if (exit != 0 || !File.Exists(output) || text.Contains("Entry point not found", StringComparison.Ordinal))
+            {
+                throw Failure(job, text);
+            }
+            return File.ReadAllBytes(output);
+        }
+        finally
+        {
+            File.Delete(output);
+        }
+    }
+
+    private (int Exit, string Text) Run(StageJob job, string output)
+    {
+        string stage = job.Stage switch
+        {
+            ShaderStage.Compute => "comp",
+            ShaderStage.Vertex => "vert",
+            ShaderStage.Geometry => "geom",
+            _ => "frag",
+        };
+        ProcessStartInfo start = new(program)
+        {
+            RedirectStandardInput = true,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+        };
+        string[] arguments =
+        [
+            "--stdin", "-V", "--target-env", "vulkan1.1", "-D", "--hlsl-offsets", "-fhlsl_functionality1", "--nan-clamp",
+            "--hlsl-dx-position-w", "-S", stage, "-e", job.EntryPoint, "-o", output,
+        ];
+        foreach (string argument in arguments)
+        {
+            start.ArgumentList.Add(argument);
+        }
+        using Process process = Process.Start(start)!;
+        Task<string> standard = process.StandardOutput.ReadToEndAsync();
+        Task<string> error = process.StandardError.ReadToEndAsync();
+        try
+        {
+            process.StandardInput.Write(job.Text);
+            process.StandardInput.Close();
+        }
+        catch (IOException)
+        {
+            // The process ended before it read everything: its exit code tells why.
+        }
+        if (!process.WaitForExit(Limit))
+        {
+            process.Kill();
+            throw new ShaderCompileException(
+                job.Source.Files[0], 0, $"glslangValidator did not finish {job.Owner} in {Limit.TotalMinutes} minutes");
+        }
+        return (process.ExitCode, standard.Result + "\n" + error.Result);
+    }
+
+    private static ShaderCompileException Failure(StageJob job, string output)
+    {
+        foreach (string line in output.Split('\n'))
+        {
+            Match error = ErrorLine().Match(line);
+            if (error.Success)
+            {
+                string file = job.Source.FileName(int.Parse(error.Groups[1].Value));
+                return new ShaderCompileException(file, int.Parse(error.Groups[2].Value), Message(error.Groups[3].Value, job));
+            }
+        }
+        if (output.Contains("Entry point not found", StringComparison.Ordinal))
+        {
+            return new ShaderCompileException(job.Source.Files[0], 0, $"no function '{job.EntryPoint}' for {job.Owner}");
+        }
+        string rest = string.Join("; ", output.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
+            .Where(l => l != "stdin"));
+        return new ShaderCompileException(job.Source.Files[0], 0, $"{rest} ({job.Owner})");
+    }
+
+    // "'#error' : HEADLESS_MESSAGE_0  " and "'x' : unknown variable "
+    private static string Message(string text, StageJob job)
+    {
+        int word = text.IndexOf(ExpandedSource.MessageWord, StringComparison.Ordinal);
+        string message = word < 0
+            ? text.Trim()
+            : job.Source.Messages[int.Parse(text[(word + ExpandedSource.MessageWord.Length)..].Trim())];
+        return $"{message} at {job.Owner}";
+    }
+
+    private static string? ReadVersion(string program)
+    {
+        try
+        {
+            using Process process = Process.Start(new ProcessStartInfo(program, "--version") { RedirectStandardOutput = true })!;
+            string text = process.StandardOutput.ReadToEnd();
+            process.WaitForExit();
+            return text.Split('\n')[0].Trim();
+        }
+        catch (Win32Exception)
+        {
+            return null;
+        }
+    }
+
+    [GeneratedRegex(@"^ERROR: (\d+):(\d+): (.*)$")]
+    private static partial Regex ErrorLine();
+}

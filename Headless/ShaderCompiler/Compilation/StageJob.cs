@@ -1,0 +1,6 @@
+namespace Headless.Shaders;
+
+/// <summary>One run of the compiler.</summary>
+/// <param name="Text">Whole HLSL text of the stage.</param>
+/// <param name="Owner">What is compiled, for messages: "kernel 'CSMain'", "pass 'FORWARD' of 'Standard', vertex stage 'vert'".</param>
+internal sealed record StageJob(ExpandedSource Source, ShaderStage Stage, string EntryPoint, string Text, string Owner);

@@ -1,0 +1,150 @@
+using System.Collections.Concurrent;
+
+namespace Headless.Shaders;
+
+/// <summary>Compiles kernels and passes; finished binaries are kept in memory and on disk. Safe for several threads.</summary>
+public sealed class ShaderCompiler
+{
+    private const int ComputeTarget = 50;
+
+    private readonly ConcurrentDictionary<(object Source, string Kernel, string Keywords), Lazy<IReadOnlyList<ShaderBinary>>> _made = new();
+    private readonly ShaderCache _cache;
+    private readonly GlslangProcess _compiler;
+    private readonly string _program;
+    private int _compilations;
+
+    /// <param name="cacheDirectory">Created when something is written; may be absent.</param>
+    /// <param name="compilerProgram">Name or path of glslangValidator.</param>
+    public ShaderCompiler(string cacheDirectory, IncludeResolver includes, string compilerProgram = "glslangValidator")
+    {
+        CacheDirectory = Path.GetFullPath(cacheDirectory);
+        Includes = includes;
+        _program = compilerProgram;
+        _cache = new ShaderCache(CacheDirectory);
+        _compiler = new GlslangProcess(compilerProgram);
+    }
+
+    public string CacheDirectory { get; }
+    public IncludeResolver Includes { get; }
+
+    /// <summary>Macros for every stage, such as UNITY_COLORSPACE_GAMMA in a project of that colour space.</summary>
+    public IReadOnlyList<KeyValuePair<string, string>> GlobalDefines { get; init; } = [];
+
+    /// <summary>Entry points compiled by this object, not counting those from memory or disk.</summary>
+    public int Compilations => _compilations;
+
+    /// <summary>Why the cache could not be written; null when it could.</summary>
+    public string? CacheProblem => _cache.WriteProblem;
+
+    /// <param name="keywords">Enabled keywords; those that the source does not declare are ignored.</param>
+    /// <exception cref="ShaderCompileException">No such kernel, a keyword set without a choice, or an error in the source.</exception>
+    /// <exception cref="ShaderCompilerMissingException">Not in the cache, and no compiler.</exception>
+    public ShaderBinary CompileKernel(ComputeSource source, string kernel, IReadOnlyCollection<string> keywords)
+    {
+        KernelDeclaration declaration = source.Kernels.FirstOrDefault(k => k.Name == kernel)
+            ?? throw new ShaderCompileException(source.Path, 0, $"no \"#pragma kernel {kernel}\"");
+        IReadOnlyList<string> chosen = KeywordSelection.Choose(source.KeywordSets, keywords, needsChoice: true, source.Path);
+        return Once(source, kernel, chosen, () =>
+        {
+            string text = StageText.Build(source.Expanded, ShaderStage.Compute, ComputeTarget, [.. GlobalDefines, .. declaration.Defines], chosen);
+            return [new StageJob(source.Expanded, ShaderStage.Compute, kernel, text, $"kernel '{kernel}'")];
+        })[0];
+    }
+
+    /// <summary>Stages in pipeline order: vertex, geometry (if any), fragment.</summary>
+    /// <exception cref="ShaderCompileException">An error in the source, or something the headless player does not support.</exception>
+    /// <exception cref="ShaderCompilerMissingException">Not in the cache, and no compiler.</exception>
+    public IReadOnlyList<ShaderBinary> CompilePass(ShaderPass pass, IReadOnlyCollection<string> keywords)
+    {
+        ShaderProgram program = pass.Program;
+        if (pass.Unsupported is { } unsupported)
+        {
+            throw new ShaderCompileException(program.Path, unsupported.Line, unsupported.Message);
+        }
+        IReadOnlyList<string> chosen = KeywordSelection.Choose(program.KeywordSets, keywords, needsChoice: false, program.Path);
+        return Once(pass, "", chosen, () => PassJobs(pass, chosen));
+    }
+
+    /// <summary>Compiles the requests on all cores, so that later calls are answered from memory.</summary>
+    /// <exception cref="ShaderCompileException">The first request in order that fails; the others are compiled all the same.</exception>
+    public void Prewarm(IEnumerable<ShaderRequest> requests)
+    {
+        List<ShaderRequest> all = [.. requests];
+        Exception?[] failures = new Exception?[all.Count];
+        Parallel.For(0, all.Count, new ParallelOptions { MaxDegreeOfParallelism = Environment.ProcessorCount }, i =>
+        {
+            try
+            {
+                Compile(all[i]);
+            }
+            catch (Exception e)
+            {
+                failures[i] = e;
+            }
+        });
+        if (failures.FirstOrDefault(f => f is not null) is { } failure)
+        {
+            System.Runtime.ExceptionServices.ExceptionDispatchInfo.Throw(failure);
+        }
+    }
+
+    private void Compile(ShaderRequest request)
+    {
+        if (request.Pass is not null)
+        {
+            CompilePass(request.Pass, request.Keywords);
+        }
+        else
+        {
+            CompileKernel(request.Source!, request.Kernel!, request.Keywords);
+        }
+    }
+
+    private List<StageJob> PassJobs(ShaderPass pass, IReadOnlyList<string> keywords)
+    {
+        ShaderProgram program = pass.Program;
+        string owner = pass.Name.Length > 0 ? $"pass '{pass.Name}' of '{pass.ShaderName}'" : $"a pass of '{pass.ShaderName}'";
+        List<StageJob> jobs = [];
+        Add(ShaderStage.Vertex, program.Vertex);
+        if (program.Geometry.Length > 0)
+        {
+            Add(ShaderStage.Geometry, program.Geometry);
+        }
+        Add(ShaderStage.Fragment, program.Fragment);
+        return jobs;
+
+        void Add(ShaderStage stage, string entry)
+        {
+            string text = StageText.Build(program.Expanded, stage, program.Target, [.. GlobalDefines, .. pass.Defines], keywords);
+            jobs.Add(new StageJob(program.Expanded, stage, entry, text, $"{owner}, {stage} stage '{entry}'"));
+        }
+    }
+
+    private IReadOnlyList<ShaderBinary> Once(
+        object source, string kernel, IReadOnlyList<string> keywords, Func<IReadOnlyList<StageJob>> jobs) =>
+        _made.GetOrAdd(
+            (source, kernel, string.Join(' ', keywords)),
+            _ => new Lazy<IReadOnlyList<ShaderBinary>>(() => Make(jobs()))).Value;
+
+    private IReadOnlyList<ShaderBinary> Make(IReadOnlyList<StageJob> jobs)
+    {
+        string key = ShaderCache.Key(jobs);
+        if (_cache.Read(key, _compiler.Version) is { } cached)
+        {
+            return cached;
+        }
+        if (_compiler.Version is not { } version)
+        {
+            throw new ShaderCompilerMissingException($"{jobs[0].Owner} of '{jobs[0].Source.Files[0]}'", _program, CacheDirectory);
+        }
+        List<(StageJob, byte[])> compiled = [];
+        foreach (StageJob job in jobs)
+        {
+            compiled.Add((job, _compiler.Compile(job)));
+            Interlocked.Increment(ref _compilations);
+        }
+        IReadOnlyList<ShaderBinary> binaries = BinaryBuilder.Build(compiled);
+        _cache.Write(key, version, binaries);
+        return binaries;
+    }
+}

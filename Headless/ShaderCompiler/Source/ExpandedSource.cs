@@ -1,0 +1,14 @@
+namespace Headless.Shaders;
+
+/// <summary>HLSL with its includes in place.</summary>
+/// <param name="Text">Carries "#line line file" directives; file is an index into Files, counted from 1.</param>
+/// <param name="Files">Paths for messages.</param>
+/// <param name="Messages">Texts of #error directives: in Text stands "#error HEADLESS_MESSAGE_n", n an index into them.</param>
+/// <param name="Pragmas">Unity's pragmas of the main file and of #include_with_pragmas files; blank in Text.</param>
+internal sealed record ExpandedSource(string Text, IReadOnlyList<string> Files, IReadOnlyList<string> Messages, IReadOnlyList<PragmaLine> Pragmas)
+{
+    /// <summary>Stands for a text, whose quotes and spaces would not survive the compiler.</summary>
+    public const string MessageWord = "HEADLESS_MESSAGE_";
+
+    public string FileName(int index) => index >= 1 && index <= Files.Count ? Files[index - 1] : Files[0];
+}

@@ -1,0 +1,49 @@
+namespace Headless.Shaders;
+
+/// <summary>Reads multi_compile and shader_feature pragmas, Unity's named shortcuts included.</summary>
+internal static class KeywordPragmas
+{
+    private static readonly Dictionary<string, string[][]> Shortcuts = new()
+    {
+        ["multi_compile_instancing"] = [["", "INSTANCING_ON"]],
+        ["multi_compile_fog"] = [["", "FOG_LINEAR", "FOG_EXP", "FOG_EXP2"]],
+        ["multi_compile_fwdbase"] = [["DIRECTIONAL"], ["", "SHADOWS_SCREEN"]],
+        ["multi_compile_fwdbasealpha"] = [["DIRECTIONAL"], ["", "SHADOWS_SCREEN"]],
+        ["multi_compile_fwdadd"] = [["POINT", "DIRECTIONAL", "SPOT", "POINT_COOKIE", "DIRECTIONAL_COOKIE"]],
+        ["multi_compile_shadowcaster"] = [["SHADOWS_DEPTH", "SHADOWS_CUBE"]],
+    };
+
+    private static readonly HashSet<string> Suffixes =
+        ["local", "vertex", "fragment", "geometry", "hull", "domain", "raytracing"];
+
+    /// <summary>The sets a pragma declares; null when it is no keyword pragma.</summary>
+    public static IReadOnlyList<KeywordSet>? Read(PragmaLine pragma)
+    {
+        string kind = pragma.Words[0];
+        if (Shortcuts.TryGetValue(kind, out string[][]? sets))
+        {
+            return [.. sets.Select(s => new KeywordSet(s, Local: false, Feature: false))];
+        }
+        bool feature = kind.StartsWith("shader_feature", StringComparison.Ordinal);
+        string stem = feature ? "shader_feature" : "multi_compile";
+        if (!kind.StartsWith(stem, StringComparison.Ordinal))
+        {
+            return null;
+        }
+        string[] suffixes = kind[stem.Length..].Split('_', StringSplitOptions.RemoveEmptyEntries);
+        if (suffixes.Any(s => !Suffixes.Contains(s)))
+        {
+            throw new ShaderCompileException(pragma.File, pragma.Line, $"unknown #pragma {kind}");
+        }
+        List<string> keywords = [.. pragma.Words.Skip(1).Select(w => w.All(c => c == '_') ? "" : w)];
+        if (keywords.Count == 0)
+        {
+            throw new ShaderCompileException(pragma.File, pragma.Line, $"#pragma {kind} names no keyword");
+        }
+        if (feature && keywords.Count == 1 && keywords[0].Length > 0)
+        {
+            keywords.Insert(0, "");
+        }
+        return [new KeywordSet(keywords, suffixes.Contains("local"), feature)];
+    }
+}

@@ -1,0 +1,54 @@
+using Headless.Player;
+using Headless.Player.Commands;
+using NUnit.Framework;
+
+namespace Headless.Tests.Player;
+
+public sealed class PlayOptionsTests
+{
+    private static readonly string[] Needed = ["--project", ".", "--scene", "a.unity"];
+
+    private static PlayOptions Parse(params string[] words) => PlayOptions.Parse([.. Needed, .. words]);
+
+    [Test]
+    public void DefaultsAreThoseOfTheContract()
+    {
+        PlayOptions options = Parse();
+        Assert.That((options.Seconds, options.Fps, options.Width, options.Height, options.Frames, options.Images), Is.EqualTo((3d, 30d, 1280, 720, 90, true)));
+    }
+
+    [Test]
+    public void FlagsAreRead()
+    {
+        PlayOptions options = Parse("--seconds", "0.5", "--fps=60", "--size", "64x48", "--no-images", "--validate", "--device", "llvmpipe");
+        Assert.That((options.Frames, options.Width, options.Height, options.Images, options.Validate, options.Device), Is.EqualTo((30, 64, 48, false, true, "llvmpipe")));
+    }
+
+    [Test]
+    public void WhatFollowsTheDashesIsLeftToTheProject() =>
+        Assert.That(Parse("--fps", "10", "--", "--method", "thesis", "--fps").Fps, Is.EqualTo(10));
+
+    [TestCase("--seconds must be a number of seconds above 0 and at most 86400, found '-1'.", "--seconds", "-1")]
+    [TestCase("--fps must be a number of frames a second above 0 and at most 1000, found 'fast'.", "--fps", "fast")]
+    [TestCase("--size must be WxH in pixels, each 1 to 16384, as 1280x720; found '1280'.", "--size", "1280")]
+    [TestCase("--size must be WxH in pixels, each 1 to 16384, as 1280x720; found '0x720'.", "--size", "0x720")]
+    [TestCase("--seconds needs a value.", "--seconds")]
+    [TestCase("--seconds needs a value.", "--seconds", "--fps", "3")]
+    [TestCase("--fps is given twice.", "--fps", "3", "--fps", "4")]
+    [TestCase("--no-images takes no value, found 'yes'.", "--no-images=yes")]
+    [TestCase("'stray' is not understood by play: flags begin with --.", "stray")]
+    public void WrongValuesAreNamed(string message, params string[] words) =>
+        Assert.That(() => Parse(words), Throws.TypeOf<UsageException>().With.Message.EqualTo(message));
+
+    [Test]
+    public void UnknownFlagsAreNamedWithThoseThatExist() =>
+        Assert.That(() => Parse("--speed", "3"), Throws.TypeOf<UsageException>().With.Message.StartsWith("--speed is not a flag of play. Its flags are --assemblies, --device"));
+
+    [Test]
+    public void TheSceneIsNeededAndMustBeOne()
+    {
+        Assert.That(() => PlayOptions.Parse(["--project", "."]), Throws.TypeOf<UsageException>().With.Message.EqualTo("--scene is missing."));
+        Assert.That(() => PlayOptions.Parse(["--project", ".", "--scene", "a.txt"]), Throws.TypeOf<UsageException>().With.Message.EqualTo("--scene must be a .unity file, found 'a.txt'."));
+        Assert.That(() => PlayOptions.Parse(["--project", "/nowhere", "--scene", "a.unity"]), Throws.TypeOf<UsageException>().With.Message.EqualTo("--project: the folder '/nowhere' does not exist."));
+    }
+}

@@ -1,0 +1,5 @@
+using System;
+
+namespace UnityEngine;
+
+public sealed class HideInInspector : Attribute { }

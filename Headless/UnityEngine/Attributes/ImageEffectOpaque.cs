@@ -1,0 +1,6 @@
+using System;
+
+namespace UnityEngine;
+
+[AttributeUsage(AttributeTargets.Method)]
+public sealed class ImageEffectOpaque : Attribute { }

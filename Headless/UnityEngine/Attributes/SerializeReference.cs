@@ -1,0 +1,6 @@
+using System;
+
+namespace UnityEngine;
+
+[AttributeUsage(AttributeTargets.Field)]
+public sealed class SerializeReference : Attribute { }

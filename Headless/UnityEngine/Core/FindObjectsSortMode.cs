@@ -1,0 +1,7 @@
+namespace UnityEngine;
+
+public enum FindObjectsSortMode
+{
+    None = 0,
+    InstanceID = 1,
+}

@@ -1,0 +1,8 @@
+namespace UnityEngine;
+
+public enum StackTraceLogType
+{
+    None = 0,
+    ScriptOnly = 1,
+    Full = 2,
+}

@@ -1,0 +1,39 @@
+using System;
+using System.IO;
+using System.Reflection;
+
+namespace Headless.Engine;
+
+/// <summary>What kind of run this is, and where its files are; set by the host before anything else.</summary>
+static class EngineState
+{
+    public static bool IsPlaying { get; set; }
+    public static bool IsEditor { get; set; }
+    public static bool IsBatchMode { get; set; } = true;
+    public static bool QuitRequested { get; set; }
+    public static int ExitCode { get; set; }
+    public static string ProjectPath { get; set; } = Directory.GetCurrentDirectory();
+    public static string ProductName { get; set; } = "Headless";
+    public static string CompanyName { get; set; } = "DefaultCompany";
+
+    /// <summary>Assemblies of the project: [RuntimeInitializeOnLoadMethod] is looked for here.</summary>
+    public static Assembly[] ScriptAssemblies { get; set; } = Array.Empty<Assembly>();
+
+    /// <summary>Forgets every object, scene, clock and pending call without sending messages.</summary>
+    public static void Reset()
+    {
+        foreach (UnityEngine.Object instance in ObjectRegistry.Snapshot())
+        {
+            if (instance.IsPersistent) continue;
+            if (instance is UnityEngine.ScriptableObject data) data.EnableCalled = false;
+            instance.Kill();
+        }
+        Destruction.Clear();
+        ScriptSchedule.Clear();
+        CoroutineScheduler.Clear();
+        SceneTable.Clear();
+        FrameClock.Reset();
+        QuitRequested = false;
+        ExitCode = 0;
+    }
+}

@@ -1,0 +1,74 @@
+using System;
+using UnityEngine;
+
+namespace Headless.Engine;
+
+/// <summary>The frame: order as in Unity's "Order of execution for event functions".</summary>
+static class PlayerLoop
+{
+    public static void RunFrame()
+    {
+        if (!EngineState.IsPlaying)
+        {
+            RunEditFrame();
+            return;
+        }
+        FrameClock.BeginFrame();
+        EngineHooks.BeginFrame?.Invoke();
+        SceneLoading.RunPending();
+        ScriptSchedule.RunStarts();
+        while (FrameClock.StepFixed())
+        {
+            ScriptSchedule.FixedUpdate();
+            CoroutineScheduler.Run(WaitKind.FixedUpdate);
+            ScriptSchedule.RunStarts();
+        }
+        ScriptSchedule.Update();
+        ScriptSchedule.RunStarts();
+        ScriptSchedule.RunInvokes();
+        CoroutineScheduler.Run(WaitKind.NextFrame);
+        ScriptSchedule.LateUpdate();
+        Destruction.Flush();
+        Render();
+        CoroutineScheduler.Run(WaitKind.EndOfFrame);
+        Destruction.Flush();
+        EndFrame();
+    }
+
+    static void RunEditFrame()
+    {
+        FrameClock.BeginFrame();
+        EngineHooks.BeginFrame?.Invoke();
+        EngineHooks.EditorUpdate?.Invoke();
+        ScriptSchedule.RunStarts();
+        ScriptSchedule.Update();
+        CoroutineScheduler.Run(WaitKind.NextFrame);
+        ScriptSchedule.LateUpdate();
+        Render();
+        EndFrame();
+    }
+
+    static void Render()
+    {
+        Application.SendBeforeRender();
+        Guard(EngineHooks.RenderFrame);
+    }
+
+    static void EndFrame()
+    {
+        Guard(EngineHooks.EndFrame);
+        ProfilerFrames.EndFrame();
+    }
+
+    static void Guard(Action? action)
+    {
+        try
+        {
+            action?.Invoke();
+        }
+        catch (Exception exception)
+        {
+            Debug.LogException(exception);
+        }
+    }
+}

@@ -1,0 +1,10 @@
+namespace Headless.Engine;
+
+/// <summary>What a coroutine waits for.</summary>
+enum WaitKind
+{
+    NextFrame,
+    FixedUpdate,
+    EndOfFrame,
+    Nested,
+}

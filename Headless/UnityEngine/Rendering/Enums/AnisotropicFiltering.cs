@@ -1,0 +1,8 @@
+namespace UnityEngine;
+
+public enum AnisotropicFiltering
+{
+    Disable = 0,
+    Enable = 1,
+    ForceEnable = 2,
+}

@@ -1,0 +1,8 @@
+namespace UnityEngine.Rendering;
+
+[Flags]
+public enum CommandBufferExecutionFlags
+{
+    None = 0,
+    AsyncCompute = 2,
+}

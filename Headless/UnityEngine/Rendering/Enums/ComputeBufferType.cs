@@ -1,0 +1,13 @@
+namespace UnityEngine;
+
+[Flags]
+public enum ComputeBufferType
+{
+    Default = 0,
+    Raw = 1,
+    Append = 2,
+    Counter = 4,
+    Constant = 8,
+    Structured = 16,
+    IndirectArguments = 256,
+}

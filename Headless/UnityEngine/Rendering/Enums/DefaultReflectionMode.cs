@@ -1,0 +1,7 @@
+namespace UnityEngine.Rendering;
+
+public enum DefaultReflectionMode
+{
+    Skybox = 0,
+    Custom = 1,
+}

@@ -1,0 +1,10 @@
+namespace UnityEngine;
+
+[Flags]
+public enum DepthTextureMode
+{
+    None = 0,
+    Depth = 1,
+    DepthNormals = 2,
+    MotionVectors = 4,
+}

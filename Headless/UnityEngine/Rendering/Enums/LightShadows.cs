@@ -1,0 +1,8 @@
+namespace UnityEngine;
+
+public enum LightShadows
+{
+    None = 0,
+    Hard = 1,
+    Soft = 2,
+}

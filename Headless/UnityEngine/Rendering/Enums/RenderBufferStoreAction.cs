@@ -1,0 +1,9 @@
+namespace UnityEngine.Rendering;
+
+public enum RenderBufferStoreAction
+{
+    Store = 0,
+    Resolve = 1,
+    StoreAndResolve = 2,
+    DontCare = 3,
+}

@@ -1,0 +1,31 @@
+namespace UnityEngine;
+
+public enum RenderTextureFormat
+{
+    ARGB32 = 0,
+    Depth = 1,
+    ARGBHalf = 2,
+    Shadowmap = 3,
+    RGB565 = 4,
+    ARGB4444 = 5,
+    ARGB1555 = 6,
+    Default = 7,
+    ARGB2101010 = 8,
+    DefaultHDR = 9,
+    ARGB64 = 10,
+    ARGBFloat = 11,
+    RGFloat = 12,
+    RGHalf = 13,
+    RFloat = 14,
+    RHalf = 15,
+    R8 = 16,
+    ARGBInt = 17,
+    RGInt = 18,
+    RInt = 19,
+    BGRA32 = 20,
+    RGB111110Float = 22,
+    RG32 = 23,
+    RGBAUShort = 24,
+    RG16 = 25,
+    R16 = 28,
+}

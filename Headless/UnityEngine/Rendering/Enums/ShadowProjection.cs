@@ -1,0 +1,7 @@
+namespace UnityEngine;
+
+public enum ShadowProjection
+{
+    CloseFit = 0,
+    StableFit = 1,
+}

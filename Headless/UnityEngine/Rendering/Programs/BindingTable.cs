@@ -1,0 +1,31 @@
+using Headless.Shaders;
+
+namespace Headless.Engine;
+
+/// <summary>What a compiled stage reads, by property number: worked out once, used by every dispatch and draw.</summary>
+internal sealed class BindingTable
+{
+    public BindingTable(ShaderBinary binary)
+    {
+        Set = binary.DescriptorSet;
+        Buffers = [.. Of(binary, k => k is ResourceKind.StructuredBuffer or ResourceKind.RWStructuredBuffer
+                or ResourceKind.ByteAddressBuffer or ResourceKind.RWByteAddressBuffer)
+            .Select(r => new BufferEntry(ShaderNames.Id(r.Name), r.Name, r.Binding))];
+        Textures = [.. Of(binary, k => k is ResourceKind.Texture or ResourceKind.RWTexture)
+            .Select(r => new TextureEntry(ShaderNames.Id(r.Name), r.Name, r.Binding, r.Kind == ResourceKind.RWTexture, r.Dimension))];
+        Samplers = [.. Of(binary, k => k is ResourceKind.Sampler)
+            .Select(r => SamplerEntry.Parse(r.Name, r.Binding, r.Comparison))];
+        Blocks = [.. Of(binary, k => k is ResourceKind.ConstantBuffer).Select(r => new BlockEntry(r))];
+        HasStorageTextures = Textures.Any(t => t.Storage);
+    }
+
+    public int Set { get; }
+    public BufferEntry[] Buffers { get; }
+    public TextureEntry[] Textures { get; }
+    public SamplerEntry[] Samplers { get; }
+    public BlockEntry[] Blocks { get; }
+    public bool HasStorageTextures { get; }
+
+    private static IEnumerable<ShaderResource> Of(ShaderBinary binary, Func<ResourceKind, bool> wanted) =>
+        binary.Resources.Where(r => wanted(r.Kind));
+}

@@ -1,0 +1,3 @@
+namespace Headless.Engine;
+
+internal readonly record struct BufferEntry(int NameId, string Name, int Binding);

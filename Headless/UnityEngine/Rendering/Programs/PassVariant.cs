@@ -1,0 +1,12 @@
+using Headless.Shaders;
+
+namespace Headless.Engine;
+
+/// <summary>The compiled stages of a pass for one keyword set.</summary>
+internal sealed class PassVariant(IReadOnlyList<ShaderBinary> stages)
+{
+    public IReadOnlyList<ShaderBinary> Stages { get; } = stages;
+    public BindingTable[] Tables { get; } = [.. stages.Select(s => new BindingTable(s))];
+    public IReadOnlyList<VertexInput> Inputs { get; } = stages[0].Inputs;
+    public string Hash { get; } = string.Join('|', stages.Select(s => s.Hash));
+}

@@ -1,0 +1,4 @@
+namespace Headless.Engine;
+
+/// <param name="Dimension">"2D", "3D", "Cube", "2DArray"... as the shader declares it.</param>
+internal readonly record struct TextureEntry(int NameId, string Name, int Binding, bool Storage, string Dimension);

@@ -1,0 +1,7 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Headless.Engine;
+
+/// <summary>A texture set by name, and which part of it.</summary>
+internal readonly record struct TextureSlot(Texture? Texture, int MipLevel = 0, RenderTextureSubElement Element = RenderTextureSubElement.Default);

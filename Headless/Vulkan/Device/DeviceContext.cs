@@ -1,0 +1,103 @@
+using Headless.Vulkan.Native;
+
+namespace Headless.Vulkan;
+
+/// <summary>The logical device with its one queue, memory and limits; every part of this layer holds it.</summary>
+internal sealed unsafe class DeviceContext : IDisposable
+{
+    private DeviceContext(VulkanInstance instance, PhysicalAdapter physical, DeviceFeatures features)
+    {
+        Instance = instance;
+        Physical = physical;
+        Features = features;
+        Limits = LimitReader.Read(physical, features, out uint family, out float period);
+        QueueFamily = family;
+        TimestampPeriod = period;
+        Handle = CreateDevice();
+        VkQueue queue;
+        Vk.vkGetDeviceQueue(Handle, family, 0, &queue);
+        Queue = queue;
+        Memory = new MemoryAllocator(this);
+    }
+
+    public VulkanInstance Instance { get; }
+
+    public PhysicalAdapter Physical { get; }
+
+    public DeviceFeatures Features { get; }
+
+    public AdapterInfo Adapter => Physical.Info;
+
+    public GpuLimits Limits { get; }
+
+    public VkDevice Handle { get; }
+
+    public VkQueue Queue { get; }
+
+    public uint QueueFamily { get; }
+
+    /// <summary>Nanoseconds of a timestamp tick.</summary>
+    public float TimestampPeriod { get; }
+
+    public MemoryAllocator Memory { get; }
+
+    public static DeviceContext Open(GpuDeviceOptions options)
+    {
+        VulkanInstance instance = new(options.Validate, options.ValidateSynchronization);
+        try
+        {
+            PhysicalAdapter physical = AdapterList.Choose(AdapterList.Read(instance), options.Adapter);
+            return new DeviceContext(instance, physical, DeviceFeatures.Read(physical));
+        }
+        catch
+        {
+            instance.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>Gives a Vulkan object its name in validation messages and captures.</summary>
+    public void SetName(VkObjectType type, ulong handle, string name)
+    {
+        if (!Instance.Validates || name.Length == 0)
+        {
+            return;
+        }
+
+        using Utf8Texts texts = new();
+        VkDebugUtilsObjectNameInfoEXT info = new() { objectType = type, objectHandle = handle, pObjectName = texts.Add(name) };
+        Instance.Extensions.vkSetDebugUtilsObjectNameEXT(Handle, &info).Check("Naming an object");
+    }
+
+    public void Dispose()
+    {
+        Memory.Dispose();
+        Vk.vkDestroyDevice(Handle, null);
+        Instance.Dispose();
+    }
+
+    private VkDevice CreateDevice()
+    {
+        float priority = 1;
+        VkDeviceQueueCreateInfo queue = new() { queueFamilyIndex = QueueFamily, queueCount = 1, pQueuePriorities = &priority };
+        VkPhysicalDeviceFeatures2 core = new();
+        VkPhysicalDeviceVulkan12Features v12 = new();
+        VkPhysicalDeviceVulkan13Features v13 = new();
+        VkPhysicalDeviceRobustness2FeaturesEXT robust = new();
+        Features.Write(&core, &v12, &v13, &robust);
+        using Utf8Texts texts = new();
+        byte** extensions = stackalloc byte*[4];
+        texts.AddAll(Features.Extensions, extensions);
+        VkDeviceCreateInfo info = new()
+        {
+            pNext = &core,
+            queueCreateInfoCount = 1,
+            pQueueCreateInfos = &queue,
+            enabledExtensionCount = (uint)Features.Extensions.Count,
+            ppEnabledExtensionNames = extensions,
+        };
+        VkDevice device;
+        Vk.vkCreateDevice(Physical.Handle, &info, null, &device).Check($"Opening '{Adapter.Name}'");
+        return device;
+    }
+}

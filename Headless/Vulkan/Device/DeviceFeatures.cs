@@ -1,0 +1,79 @@
+using Headless.Vulkan.Native;
+
+namespace Headless.Vulkan;
+
+/// <summary>Which features are switched on: the needed ones or a named error, and every core feature that there is.</summary>
+internal sealed record DeviceFeatures(VkPhysicalDeviceFeatures Core, bool MirrorOnce, bool Robustness2)
+{
+    private const string RobustnessExtension = "VK_EXT_robustness2";
+    private const uint Version13 = (1u << 22) | (3u << 12);
+
+    public IReadOnlyList<string> Extensions => Robustness2 ? [RobustnessExtension] : [];
+
+    /// <summary>Reads what there is; throws when something needed is missing.</summary>
+    public static unsafe DeviceFeatures Read(PhysicalAdapter adapter)
+    {
+        if (adapter.Properties.apiVersion < Version13)
+        {
+            throw new GpuException($"Device '{adapter.Info.Name}' speaks Vulkan {adapter.Info.ApiVersion}; 1.3 is needed. Update its driver or choose another device.");
+        }
+
+        VkPhysicalDeviceRobustness2FeaturesEXT robust = new();
+        VkPhysicalDeviceVulkan13Features v13 = new();
+        VkPhysicalDeviceVulkan12Features v12 = new() { pNext = &v13 };
+        VkPhysicalDeviceFeatures2 all = new() { pNext = &v12 };
+        bool robustness = HasExtension(adapter.Handle, RobustnessExtension);
+        v13.pNext = robustness ? &robust : null;
+        Vk.vkGetPhysicalDeviceFeatures2(adapter.Handle, &all);
+        Require(adapter, v12.scalarBlockLayout, "scalarBlockLayout");
+        Require(adapter, v13.dynamicRendering, "dynamicRendering");
+        Require(adapter, v13.synchronization2, "synchronization2");
+        Require(adapter, all.features.robustBufferAccess, "robustBufferAccess");
+        bool exactBounds = robustness && robust.robustBufferAccess2 != 0;
+        return new DeviceFeatures(all.features, v12.samplerMirrorClampToEdge != 0, exactBounds);
+    }
+
+    /// <summary>Fills the chain for device creation; the four structs must stay where they are until then.</summary>
+    public unsafe void Write(
+        VkPhysicalDeviceFeatures2* core, VkPhysicalDeviceVulkan12Features* v12, VkPhysicalDeviceVulkan13Features* v13,
+        VkPhysicalDeviceRobustness2FeaturesEXT* robust)
+    {
+        core->pNext = v12;
+        v12->pNext = v13;
+        v13->pNext = Robustness2 ? robust : null;
+        core->features = Core;
+        v12->scalarBlockLayout = 1;
+        v12->samplerMirrorClampToEdge = MirrorOnce ? 1u : 0u;
+        v13->dynamicRendering = 1;
+        v13->synchronization2 = 1;
+        robust->robustBufferAccess2 = 1;
+    }
+
+    private static void Require(PhysicalAdapter adapter, uint feature, string name)
+    {
+        if (feature == 0)
+        {
+            throw new GpuException($"Device '{adapter.Info.Name}' lacks the Vulkan feature {name}. Update its driver or choose another device.");
+        }
+    }
+
+    private static unsafe bool HasExtension(VkPhysicalDevice device, string name)
+    {
+        uint count;
+        Vk.vkEnumerateDeviceExtensionProperties(device, null, &count, null).Check("Listing device extensions");
+        VkExtensionProperties[] list = new VkExtensionProperties[count];
+        fixed (VkExtensionProperties* first = list)
+        {
+            Vk.vkEnumerateDeviceExtensionProperties(device, null, &count, first).Check("Listing device extensions");
+            for (uint i = 0; i < count; i++)
+            {
+                if (Utf8Texts.Read(first[i].extensionName) == name)
+                {
+                    return true;
+                }
+            }
+        }
+
+        return false;
+    }
+}

@@ -1,0 +1,17 @@
+namespace Headless.Vulkan;
+
+/// <summary>How a <see cref="GpuDevice"/> is chosen and opened.</summary>
+public sealed record GpuDeviceOptions
+{
+    /// <summary>Index or part of a name (case ignored); null takes a real GPU before a CPU driver.</summary>
+    public string? Adapter { get; init; }
+
+    /// <summary>Turns on VK_LAYER_KHRONOS_validation; its messages land in <see cref="GpuDevice.ValidationMessages"/>.</summary>
+    public bool Validate { get; init; }
+
+    /// <summary>With <see cref="Validate"/>, also checks that no command races with another; slow.</summary>
+    public bool ValidateSynchronization { get; init; }
+
+    /// <summary>Folder of the persistent pipeline cache; null is the user's cache folder + "sphfluid".</summary>
+    public string? CacheDirectory { get; init; }
+}

@@ -1,0 +1,101 @@
+using System;
+using UnityEditor;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace SphFluid.Editor
+{
+    /// <summary>An undoable cure for a message.</summary>
+    public readonly struct FluidFix
+    {
+        readonly Action action;
+
+        FluidFix(string label, Action action)
+        {
+            Label = label;
+            this.action = action;
+        }
+
+        /// <summary>Text of the button.</summary>
+        public string Label { get; }
+
+        /// <summary>Applies the cure as one undo step; an import setting is changed on disk instead.</summary>
+        public void Apply() => action();
+
+        /// <summary>The cure for a message.</summary>
+        /// <param name="message">The message.</param>
+        /// <param name="simulation">Simulation that was checked.</param>
+        /// <returns>Null when only the user can decide.</returns>
+        public static FluidFix? For(in FluidMessage message, FluidSimulation simulation)
+        {
+            Object context = message.Context;
+            switch (message.Issue)
+            {
+                case FluidIssue.ProfileMissing when PackageAssets.Water != null:
+                    return Change(simulation, "Use Water", () => simulation.Profile = PackageAssets.Water);
+                case FluidIssue.ShadersMissing when context is FluidProfile profile && PackageAssets.Shaders != null:
+                    return Change(profile, "Use Package Shaders", () => profile.Shaders = PackageAssets.Shaders);
+                case FluidIssue.ShadersMissing when context is FluidShaderSet set && PackageAssets.Shaders != null && set != PackageAssets.Shaders:
+                    return Change(set, "Use Package Shaders", () => EditorUtility.CopySerializedIfDifferent(PackageAssets.Shaders, set));
+                case FluidIssue.TransformScaled:
+                    return UnitScale(simulation);
+                case FluidIssue.DomainSizeInvalid:
+                    return Change(simulation, "Make Positive", () => simulation.DomainSize = Positive(simulation.DomainSize));
+                case FluidIssue.SpacingInvalid:
+                    return Change(simulation, "Fit Spacing", () => simulation.Spacing = FittingSpacing(simulation));
+                case FluidIssue.TimeStepInvalid:
+                    return Change(simulation, "Use Automatic", () => simulation.TimeStepMode = FluidTimeStepMode.Automatic);
+                case FluidIssue.NoLiquid:
+                    return new FluidFix("Add Liquid", () => FluidMenu.AddVolume(simulation));
+                case FluidIssue.TooManyParticles when simulation.Profile != null:
+                    return Change(simulation, "Coarsen Spacing",
+                        () => simulation.Spacing = 1.01f * simulation.SpacingForParticleCount(simulation.Profile.MaxParticles));
+                case FluidIssue.VolumeSizeInvalid when context is FluidVolume volume && !(Smallest(volume.Size) > 0f):
+                    return Change(volume, "Make Positive", () => volume.Size = Positive(volume.Size));
+                case FluidIssue.MeshNotReadable when context is MeshCollider collider:
+                    return MakeReadable(collider.sharedMesh);
+                default:
+                    return null;
+            }
+        }
+
+        static FluidFix Change(Object target, string label, Action change) => new FluidFix(label, () =>
+        {
+            Undo.RecordObject(target, label);
+            change();
+            EditorUtility.SetDirty(target);
+            PrefabUtility.RecordPrefabInstancePropertyModifications(target);
+        });
+
+        // A scaled parent is not ours to change; the object's own scale undoes it when the parent is not skewed.
+        static FluidFix? UnitScale(FluidSimulation simulation)
+        {
+            Transform transform = simulation.transform;
+            Vector3 parent = transform.parent != null ? transform.parent.lossyScale : Vector3.one;
+            if (!(Smallest(new Vector3(Mathf.Abs(parent.x), Mathf.Abs(parent.y), Mathf.Abs(parent.z))) > 0f)) return null;
+            return Change(transform, "Set Scale to 1", () => transform.localScale = new Vector3(1f / parent.x, 1f / parent.y, 1f / parent.z));
+        }
+
+        static FluidFix? MakeReadable(Mesh mesh)
+        {
+            if (!(AssetImporter.GetAtPath(AssetDatabase.GetAssetPath(mesh)) is ModelImporter importer)) return null;
+            return new FluidFix("Enable Read/Write", () =>
+            {
+                importer.isReadable = true;
+                importer.SaveAndReimport();
+            });
+        }
+
+        static float FittingSpacing(FluidSimulation simulation)
+        {
+            Vector3 size = Positive(simulation.DomainSize);
+            return Smallest(size) / 40f;
+        }
+
+        static Vector3 Positive(Vector3 size) => new Vector3(Positive(size.x), Positive(size.y), Positive(size.z));
+
+        static float Positive(float value) => value < 0f && !float.IsInfinity(value) ? -value : value > 0f && !float.IsInfinity(value) ? value : 1f;
+
+        static float Smallest(Vector3 v) => Mathf.Min(v.x, Mathf.Min(v.y, v.z));
+    }
+}

@@ -1,0 +1,71 @@
+using UnityEditor;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+
+namespace SphFluid.Editor
+{
+    /// <summary>GameObject menu entries that make a working set-up, each one undo step.</summary>
+    public static class FluidMenu
+    {
+        const string Root = "GameObject/Fluid/";
+        const int Priority = 11;
+
+        /// <summary>A tank of water: domain, liquid in a third of it, drawn as particles.</summary>
+        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
+        [MenuItem(Root + "Fluid Simulation (Particles)", false, Priority)]
+        public static void CreateWithParticles(MenuCommand command) => Create(command, typeof(FluidParticleRenderer));
+
+        /// <summary>A tank of water: domain, liquid in a third of it, drawn as a surface.</summary>
+        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
+        [MenuItem(Root + "Fluid Simulation (Surface)", false, Priority + 1)]
+        public static void CreateWithSurface(MenuCommand command) => Create(command, typeof(FluidSurfaceRenderer));
+
+        /// <summary>A liquid volume, child of the selected simulation.</summary>
+        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
+        [MenuItem(Root + "Fluid Volume", false, Priority + 2)]
+        public static void CreateVolume(MenuCommand command)
+        {
+            var parent = command.context as GameObject;
+            FluidSimulation simulation = parent != null ? parent.GetComponentInParent<FluidSimulation>() : null;
+            if (simulation != null) AddVolume(simulation);
+            else Finish(NewObject("Fluid Volume", parent, typeof(FluidVolume)));
+        }
+
+        /// <summary>Adds liquid to a domain: a box over a third of its width, all of its depth and two thirds of its height.</summary>
+        /// <param name="simulation">The simulation.</param>
+        /// <returns>The new volume.</returns>
+        internal static FluidVolume AddVolume(FluidSimulation simulation)
+        {
+            GameObject child = NewObject("Fluid Volume", simulation.gameObject, typeof(FluidVolume));
+            var volume = child.GetComponent<FluidVolume>();
+            Vector3 domain = simulation.DomainSize;
+            volume.Size = new Vector3(domain.x / 3f, domain.y * 2f / 3f, domain.z);
+            child.transform.localPosition = new Vector3((volume.Size.x - domain.x) * 0.5f, (volume.Size.y - domain.y) * 0.5f, 0f);
+            Finish(child);
+            return volume;
+        }
+
+        static void Create(MenuCommand command, System.Type renderer)
+        {
+            int group = Undo.GetCurrentGroup();
+            GameObject root = NewObject("Fluid", command.context as GameObject, typeof(FluidSimulation), renderer);
+            var simulation = root.GetComponent<FluidSimulation>();
+            simulation.Profile = PackageAssets.Water;
+            AddVolume(simulation);
+            Finish(root);
+            Undo.CollapseUndoOperations(group);
+        }
+
+        static GameObject NewObject(string name, GameObject parent, params System.Type[] components)
+        {
+            GameObject created = ObjectFactory.CreateGameObject(name, components);
+            if (parent != null) GameObjectUtility.SetParentAndAlign(created, parent);
+            else StageUtility.PlaceGameObjectInCurrentStage(created);
+            GameObjectUtility.EnsureUniqueNameForSibling(created);
+            Undo.RegisterCreatedObjectUndo(created, "Create " + name);
+            return created;
+        }
+
+        static void Finish(GameObject created) => Selection.activeGameObject = created;
+    }
+}

@@ -1,0 +1,26 @@
+using System.Collections.Generic;
+using UnityEditor;
+using UnityEngine;
+
+namespace SphFluid.Editor
+{
+    /// <summary>Inspector of a shader set: names what is missing and fills it from the package.</summary>
+    [CustomEditor(typeof(FluidShaderSet))]
+    public sealed class FluidShaderSetEditor : UnityEditor.Editor
+    {
+        /// <inheritdoc/>
+        public override void OnInspectorGUI()
+        {
+            serializedObject.Update();
+            DrawPropertiesExcluding(serializedObject, "m_Script");
+            serializedObject.ApplyModifiedProperties();
+
+            var set = (FluidShaderSet)target;
+            IReadOnlyList<string> missing = set.Validate();
+            if (missing.Count == 0) return;
+            var message = new FluidMessage(FluidSeverity.Error, FluidIssue.ShadersMissing, set, $"Missing: {string.Join(", ", missing)}.", "");
+            EditorGUILayout.HelpBox(message.Text, MessageType.Error);
+            if (FluidFix.For(message, null) is FluidFix fix && GUILayout.Button(fix.Label)) fix.Apply();
+        }
+    }
+}

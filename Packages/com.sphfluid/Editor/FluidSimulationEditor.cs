@@ -1,0 +1,96 @@
+using System.Collections.Generic;
+using UnityEditor;
+using UnityEditor.IMGUI.Controls;
+using UnityEngine;
+
+namespace SphFluid.Editor
+{
+    /// <summary>Inspector of a simulation: settings, messages with fixes, live status, and a handle for the domain box.</summary>
+    [CustomEditor(typeof(FluidSimulation))]
+    public sealed class FluidSimulationEditor : UnityEditor.Editor
+    {
+        readonly BoxBoundsHandle handle = new BoxBoundsHandle();
+        ValidationGUI validation;
+
+        FluidSimulation Simulation => (FluidSimulation)target;
+
+        /// <inheritdoc/>
+        public override bool RequiresConstantRepaint() => Application.isPlaying && Simulation.IsRunning;
+
+        /// <inheritdoc/>
+        public override void OnInspectorGUI()
+        {
+            serializedObject.Update();
+            DrawPropertiesExcluding(serializedObject, Hidden());
+            if (serializedObject.ApplyModifiedProperties()) validation.Refresh();
+
+            EditorGUILayout.Space();
+            validation.Draw();
+            if (Application.isPlaying) DrawStatus();
+        }
+
+        void OnEnable()
+        {
+            validation = new ValidationGUI(Simulation);
+            Undo.undoRedoPerformed += validation.Refresh;
+            EditorApplication.hierarchyChanged += validation.Refresh;
+        }
+
+        void OnDisable()
+        {
+            Undo.undoRedoPerformed -= validation.Refresh;
+            EditorApplication.hierarchyChanged -= validation.Refresh;
+        }
+
+        void OnSceneGUI()
+        {
+            FluidSimulation simulation = Simulation;
+            using (new Handles.DrawingScope(FluidGizmos.DomainColor, simulation.LocalToWorld))
+            {
+                handle.center = Vector3.zero;
+                handle.size = simulation.DomainSize;
+                EditorGUI.BeginChangeCheck();
+                handle.DrawHandle();
+                if (!EditorGUI.EndChangeCheck()) return;
+                Undo.RecordObjects(new Object[] { simulation, simulation.transform }, "Change Fluid Domain");
+                simulation.transform.position = simulation.LocalToWorld.MultiplyPoint3x4(handle.center);
+                simulation.DomainSize = handle.size;
+                validation.Refresh();
+            }
+        }
+
+        string[] Hidden()
+        {
+            var hidden = new List<string> { "m_Script" };
+            bool automatic = serializedObject.FindProperty("timeStepMode").enumValueIndex == (int)FluidTimeStepMode.Automatic;
+            if (automatic) hidden.Add("fixedTimeStep");
+            if (serializedObject.FindProperty("useSceneGravity").boolValue) hidden.Add("gravity");
+            return hidden.ToArray();
+        }
+
+        void DrawStatus()
+        {
+            FluidSimulation simulation = Simulation;
+            EditorGUILayout.Space();
+            EditorGUILayout.LabelField("Status", EditorStyles.boldLabel);
+            EditorGUILayout.LabelField("State", simulation.IsRunning ? "running" : "stopped");
+            if (simulation.IsRunning)
+            {
+                FluidCounters counters = simulation.Solver.Counters;
+                EditorGUILayout.LabelField("Particles", simulation.ParticleCount.ToString("N0"));
+                EditorGUILayout.LabelField("Simulated time", $"{simulation.SimulatedTime:0.00} s in {simulation.StepCount:N0} steps");
+                EditorGUILayout.LabelField("Time step", $"{1e3f * simulation.TimeStep:0.###} ms");
+                EditorGUILayout.LabelField("Real-time factor", $"{simulation.RealTimeFactor:0.00} ({simulation.CapHits} frames at the substep cap)");
+                EditorGUILayout.LabelField("Fastest particle", $"{counters.MaxSpeed:0.00} m/s");
+                EditorGUILayout.LabelField("Largest compression", $"{100f * counters.MaxCompression:0.0} %");
+                EditorGUILayout.LabelField("GPU memory", EditorUtility.FormatBytes(simulation.GpuBytes));
+            }
+            using (new EditorGUILayout.HorizontalScope())
+            {
+                if (GUILayout.Button(simulation.IsRunning ? "Restart" : "Start")) simulation.ResetSimulation();
+                using (new EditorGUI.DisabledScope(!simulation.IsRunning))
+                    if (GUILayout.Button("Stop")) simulation.StopSimulation();
+            }
+        }
+    }
+}

@@ -1,0 +1,48 @@
+using UnityEditor;
+using UnityEditor.IMGUI.Controls;
+using UnityEngine;
+
+namespace SphFluid.Editor
+{
+    /// <summary>Inspector of a liquid volume, with a handle for its box.</summary>
+    [CustomEditor(typeof(FluidVolume)), CanEditMultipleObjects]
+    public sealed class FluidVolumeEditor : UnityEditor.Editor
+    {
+        readonly BoxBoundsHandle handle = new BoxBoundsHandle();
+
+        /// <inheritdoc/>
+        public override void OnInspectorGUI()
+        {
+            serializedObject.Update();
+            DrawPropertiesExcluding(serializedObject, "m_Script");
+            serializedObject.ApplyModifiedProperties();
+            if (targets.Length == 1) DrawOwner((FluidVolume)target);
+        }
+
+        void OnSceneGUI()
+        {
+            var volume = (FluidVolume)target;
+            using (new Handles.DrawingScope(FluidGizmos.VolumeColor, volume.transform.localToWorldMatrix))
+            {
+                handle.center = Vector3.zero;
+                handle.size = volume.Size;
+                EditorGUI.BeginChangeCheck();
+                handle.DrawHandle();
+                if (!EditorGUI.EndChangeCheck()) return;
+                Undo.RecordObjects(new Object[] { volume, volume.transform }, "Change Fluid Volume");
+                volume.transform.position = volume.transform.TransformPoint(handle.center);
+                volume.Size = handle.size;
+            }
+        }
+
+        static void DrawOwner(FluidVolume volume)
+        {
+            FluidSimulation owner = FluidScene.Owner(volume, FindObjectsByType<FluidSimulation>(FindObjectsSortMode.None));
+            if (owner == null)
+                EditorGUILayout.HelpBox("No simulation's domain holds this liquid. Make it a child of a Fluid Simulation or assign one.", MessageType.Warning);
+            else
+                using (new EditorGUI.DisabledScope(true))
+                    EditorGUILayout.ObjectField("Belongs to", owner, typeof(FluidSimulation), true);
+        }
+    }
+}

@@ -1,0 +1,7 @@
+using System.Runtime.CompilerServices;
+
+[assembly: InternalsVisibleTo("SphFluid.Editor")]
+[assembly: InternalsVisibleTo("SphFluid.Validation")]
+[assembly: InternalsVisibleTo("SphFluid.Tests.Shared")]
+[assembly: InternalsVisibleTo("SphFluid.Tests.Editor")]
+[assembly: InternalsVisibleTo("SphFluid.Tests.Runtime")]

@@ -1,0 +1,111 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>Where to look for colliders: the domain's pose, its physics scene and the layers.</summary>
+    internal struct CollisionQuery
+    {
+        /// <summary>Physics scene that the simulation's GameObject is in.</summary>
+        public PhysicsScene Scene;
+
+        /// <summary>World position of the domain's centre [m].</summary>
+        public Vector3 Position;
+
+        /// <summary>World rotation of the domain.</summary>
+        public Quaternion Rotation;
+
+        /// <summary>Edge lengths of the domain [m].</summary>
+        public Vector3 DomainSize;
+
+        /// <summary>Layers whose colliders count.</summary>
+        public LayerMask Layers;
+
+        /// <summary>Particle spacing dx [m]: triangles as near as that to the domain are kept, curved colliders follow their shape to 0.1 dx.</summary>
+        public float Spacing;
+
+        /// <summary>World space to simulation space.</summary>
+        public Matrix4x4 WorldToSimulation => Matrix4x4.TRS(Position, Rotation, Vector3.one).inverse;
+
+        /// <summary>Half the domain's size with the margin for nearby triangles [m].</summary>
+        public Vector3 HalfExtents => DomainSize * 0.5f + Vector3.one * Spacing;
+    }
+
+    /// <summary>Finds the colliders in a domain and tells whether anything changed since the last look.</summary>
+    internal sealed class ColliderFinder
+    {
+        Collider[] hits = new Collider[32];
+        Collider[] lastHits = Array.Empty<Collider>();
+        readonly List<Collider> ordered = new List<Collider>();
+        List<ColliderState> states = new List<ColliderState>();
+        List<ColliderState> previous = new List<ColliderState>();
+
+        /// <summary>Solid colliders found last, in hierarchy order.</summary>
+        public IReadOnlyList<ColliderState> States => states;
+
+        /// <summary>Looks again.</summary>
+        /// <returns>Whether a collider came, went, moved or changed its shape.</returns>
+        public bool Find(in CollisionQuery query)
+        {
+            // Queries see the transforms of the last physics step unless told otherwise.
+            Physics.SyncTransforms();
+            int count = Overlap(query);
+            if (!SameHits(count)) Order(count);
+
+            (states, previous) = (previous, states);
+            states.Clear();
+            Matrix4x4 worldToSimulation = query.WorldToSimulation;
+            foreach (Collider collider in ordered) states.Add(ColliderState.Of(collider, worldToSimulation));
+            return !SameStates();
+        }
+
+        /// <summary>Forgets what was found, so that the next look counts as a change.</summary>
+        public void Clear()
+        {
+            states.Clear();
+            previous.Clear();
+            ordered.Clear();
+            lastHits = Array.Empty<Collider>();
+        }
+
+        // The results array is not resized by Unity: a full one may have missed colliders.
+        int Overlap(in CollisionQuery query)
+        {
+            while (true)
+            {
+                int count = query.Scene.OverlapBox(query.Position, query.HalfExtents, hits, query.Rotation, query.Layers,
+                    QueryTriggerInteraction.Ignore);
+                if (count < hits.Length) return count;
+                Array.Resize(ref hits, hits.Length * 2);
+            }
+        }
+
+        bool SameHits(int count)
+        {
+            if (count != lastHits.Length) return false;
+            for (int i = 0; i < count; i++)
+                if (!ReferenceEquals(hits[i], lastHits[i])) return false;
+            return true;
+        }
+
+        // Unity gives no order; the sum of forces from several triangles depends on it in the last bits.
+        void Order(int count)
+        {
+            lastHits = new Collider[count];
+            Array.Copy(hits, lastHits, count);
+            ordered.Clear();
+            ordered.AddRange(lastHits);
+            ordered.Sort(HierarchyOrder.Compare);
+            Array.Clear(hits, 0, hits.Length);
+        }
+
+        bool SameStates()
+        {
+            if (states.Count != previous.Count) return false;
+            for (int i = 0; i < states.Count; i++)
+                if (!states[i].Equals(previous[i])) return false;
+            return true;
+        }
+    }
+}

@@ -1,0 +1,117 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>Turns colliders into triangles in simulation space, or says why that cannot be done.</summary>
+    internal sealed class ColliderTriangles
+    {
+        /// <summary>Largest distance of a sphere's or capsule's triangles from its true surface, as a fraction of the particle spacing.</summary>
+        public const float ChordError = 0.1f;
+
+        readonly MeshReader reader = new MeshReader();
+
+        /// <summary>Triangles of a collider.</summary>
+        /// <param name="state">The collider.</param>
+        /// <param name="spacing">Particle spacing dx [m].</param>
+        /// <param name="messages">Receives the reason when there are none.</param>
+        /// <returns>Null when the collider has to be left out.</returns>
+        public TriangleMesh Make(in ColliderState state, float spacing, List<FluidMessage> messages)
+        {
+            if (AffineMath.IsSingular(state.ToSimulation))
+            {
+                messages.Add(Warn(state, FluidIssue.ColliderTransformSingular,
+                    $"The {Kind(state)}'s transform has a zero or non-finite scale, so the fluid cannot collide with it.",
+                    "Give the object and its parents a scale without zeros."));
+                return null;
+            }
+            switch (state.Collider)
+            {
+                case MeshCollider _: return FromMesh(state, messages);
+                case BoxCollider _: return FromBox(state, messages);
+                case SphereCollider _: return FromCapsule(state, 1, state.Size.x, 0f, spacing, messages);
+                case CapsuleCollider _: return FromCapsule(state, (int)state.Size.z, state.Size.x, state.Size.y, spacing, messages);
+                default:
+                    messages.Add(Warn(state, FluidIssue.ColliderUnsupported,
+                        $"The fluid does not collide with a {Kind(state)}.",
+                        "Use a Mesh, Box, Sphere or Capsule Collider, or take its layer out of the simulation's Collider Layers."));
+                    return null;
+            }
+        }
+
+        /// <summary>Forgets the meshes read so far.</summary>
+        public void Clear() => reader.Clear();
+
+        TriangleMesh FromMesh(in ColliderState state, List<FluidMessage> messages)
+        {
+            FluidMessage? problem = Problem(state.Collider as MeshCollider);
+            if (problem.HasValue)
+            {
+                messages.Add(problem.Value);
+                return null;
+            }
+            TriangleMesh mesh = reader.Read(state.Mesh);
+            if (mesh.TriangleCount > 0) return mesh.Transformed(state.ToSimulation);
+            messages.Add(Empty(state.Collider, state.Mesh));
+            return null;
+        }
+
+        /// <summary>Why a MeshCollider's mesh cannot serve, without reading its triangles; null when nothing speaks against it.</summary>
+        public static FluidMessage? Problem(MeshCollider collider)
+        {
+            Mesh mesh = collider.sharedMesh;
+            if (mesh == null)
+                return new FluidMessage(FluidSeverity.Warning, FluidIssue.MeshEmpty, collider,
+                    "The Mesh Collider has no mesh, so the fluid cannot collide with it.",
+                    "Assign a mesh to the Mesh Collider or remove it.");
+            if (!mesh.isReadable)
+                return new FluidMessage(FluidSeverity.Warning, FluidIssue.MeshNotReadable, collider,
+                    $"The mesh '{mesh.name}' of the Mesh Collider is not readable, so the fluid cannot collide with it.",
+                    "Tick Read/Write in the mesh's import settings.");
+            return mesh.vertexCount == 0 ? Empty(collider, mesh) : (FluidMessage?)null;
+        }
+
+        static FluidMessage Empty(Collider collider, Mesh mesh) => new FluidMessage(
+            FluidSeverity.Warning, FluidIssue.MeshEmpty, collider,
+            $"The mesh '{mesh.name}' of the Mesh Collider has no triangles, so the fluid cannot collide with it.",
+            "Assign a mesh with triangles to the Mesh Collider or remove it.");
+
+        static TriangleMesh FromBox(in ColliderState state, List<FluidMessage> messages)
+        {
+            Matrix4x4 box = state.ToSimulation * Matrix4x4.TRS(state.Center, Quaternion.identity, state.Size);
+            return AffineMath.IsSingular(box) ? Shapeless(state, messages) : PrimitiveTessellator.Box(box);
+        }
+
+        // Unity keeps spheres round: the largest scale acts on the radius, a capsule's own axis on its height.
+        static TriangleMesh FromCapsule(in ColliderState state, int axis, float radius, float height, float spacing, List<FluidMessage> messages)
+        {
+            Matrix4x4 m = state.ToSimulation;
+            float along = AxisOf(m, axis).magnitude;
+            float across = Mathf.Max(AxisOf(m, (axis + 1) % 3).magnitude, AxisOf(m, (axis + 2) % 3).magnitude);
+            bool sphere = state.Collider is SphereCollider;
+            float scaledRadius = Mathf.Abs(radius) * (sphere ? Mathf.Max(along, across) : across);
+            if (!(scaledRadius > 0f) || !AffineMath.IsFinite(scaledRadius)) return Shapeless(state, messages);
+
+            float halfLength = Mathf.Max(0f, 0.5f * Mathf.Abs(height) * along - scaledRadius);
+            Quaternion turn = Quaternion.FromToRotation(Vector3.up, AxisOf(m, axis));
+            Matrix4x4 pose = Matrix4x4.TRS(m.MultiplyPoint3x4(state.Center), turn, Vector3.one);
+            return PrimitiveTessellator.Capsule(pose, scaledRadius, halfLength, ChordError * spacing);
+        }
+
+        static TriangleMesh Shapeless(in ColliderState state, List<FluidMessage> messages)
+        {
+            messages.Add(Warn(state, FluidIssue.ColliderTransformSingular,
+                $"The {Kind(state)} has a zero or non-finite size, so the fluid cannot collide with it.",
+                "Give the collider a size greater than zero or remove it."));
+            return null;
+        }
+
+        static Vector3 AxisOf(in Matrix4x4 m, int column) => m.GetColumn(column);
+
+        static string Kind(in ColliderState state) => state.Collider.GetType().Name;
+
+        static FluidMessage Warn(in ColliderState state, FluidIssue issue, string text, string cure) =>
+            new FluidMessage(FluidSeverity.Warning, issue, state.Collider, text, cure);
+    }
+}

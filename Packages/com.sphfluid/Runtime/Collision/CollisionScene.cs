@@ -1,0 +1,150 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// The scene's colliders as triangles in simulation space, on the CPU and the GPU. Colliders need no wiring: those in
+    /// the domain are found by layer, and triangles are made and uploaded again only when one came, went, moved or changed.
+    /// </summary>
+    internal sealed class CollisionScene : IDisposable
+    {
+        readonly ColliderFinder finder = new ColliderFinder();
+        readonly ColliderTriangles maker = new ColliderTriangles();
+        readonly List<FluidMessage> messages = new List<FluidMessage>();
+        readonly List<ColliderSolid> solids = new List<ColliderSolid>();
+        readonly List<CollisionTriangle> triangles = new List<CollisionTriangle>();
+        readonly List<CollisionCollider> colliders = new List<CollisionCollider>();
+        readonly CollisionBuffers buffers = new CollisionBuffers();
+
+        /// <summary>Why colliders were left out or changed, as of the last update.</summary>
+        public IReadOnlyList<FluidMessage> Messages => messages;
+
+        /// <summary>Colliders that take part, with all their triangles.</summary>
+        public IReadOnlyList<ColliderSolid> Solids => solids;
+
+        /// <summary>Triangles that meet the domain, in the order of the GPU buffer.</summary>
+        public IReadOnlyList<CollisionTriangle> Triangles => triangles;
+
+        /// <summary>Ranges of <see cref="Triangles"/>, one a collider.</summary>
+        public IReadOnlyList<CollisionCollider> Colliders => colliders;
+
+        /// <summary>GPU copy of <see cref="Triangles"/>; null before <see cref="Upload"/>.</summary>
+        public GraphicsBuffer TriangleBuffer => buffers.Triangles;
+
+        /// <summary>GPU copy of <see cref="Colliders"/>; null before <see cref="Upload"/>.</summary>
+        public GraphicsBuffer ColliderBuffer => buffers.Colliders;
+
+        /// <summary>Bytes of the GPU buffers.</summary>
+        public long GpuBytes => buffers.Bytes;
+
+        /// <summary>Looks for colliders and, when any changed, makes their triangles again.</summary>
+        /// <returns>Whether anything changed, so that <see cref="Upload"/> is due.</returns>
+        public bool Gather(in CollisionQuery query)
+        {
+            if (!finder.Find(query)) return false;
+            messages.Clear();
+            solids.Clear();
+            triangles.Clear();
+            colliders.Clear();
+            long limit = Math.Min(SystemInfo.maxGraphicsBufferSize / CollisionTriangle.Stride, CollisionCollider.CountMask);
+            foreach (ColliderState state in finder.States) Add(state, query, limit);
+            return true;
+        }
+
+        /// <summary>Copies the triangles to the GPU; the buffers are replaced only when they grow.</summary>
+        public void Upload() => buffers.Upload(triangles, colliders);
+
+        /// <summary>Forgets everything read, so that the next <see cref="Gather"/> reads all meshes again.</summary>
+        public void Invalidate()
+        {
+            finder.Clear();
+            maker.Clear();
+        }
+
+        /// <summary>Index into <see cref="Solids"/> of the collider that covers a point of simulation space, or −1.</summary>
+        /// <param name="point">Point [m].</param>
+        /// <param name="clearance">Distance from a triangle below which a point counts as covered [m].</param>
+        public int FindCovering(Vector3 point, float clearance)
+        {
+            for (int i = 0; i < solids.Count; i++)
+                if (solids[i].Obstacle.Covers(point, clearance)) return i;
+            return -1;
+        }
+
+        /// <inheritdoc/>
+        public void Dispose() => buffers.Dispose();
+
+        void Add(in ColliderState state, in CollisionQuery query, long limit)
+        {
+            TriangleMesh mesh = maker.Make(state, query.Spacing, messages);
+            if (mesh == null) return;
+
+            int first = triangles.Count, degenerate = 0;
+            Vector3 half = query.HalfExtents;
+            for (int t = 0; t < mesh.TriangleCount; t++)
+            {
+                mesh.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
+                if (TriangleMesh.IsDegenerate(a, b, c)) degenerate++;
+                else if (TriangleMath.MayOverlap(Vector3.zero, half, a, b, c)) triangles.Add(new CollisionTriangle { A = a, B = b, C = c });
+            }
+            if (degenerate > 0) ReportDegenerate(state.Collider, degenerate, mesh.TriangleCount);
+            if (triangles.Count > limit)
+            {
+                ReportTooMany(state.Collider, limit);
+                triangles.RemoveRange(first, triangles.Count - first);
+                return;
+            }
+            solids.Add(new ColliderSolid(state.Collider, mesh));
+            if (triangles.Count > first) colliders.Add(RangeOf(first, mesh.IsClosed));
+        }
+
+        CollisionCollider RangeOf(int first, bool closed)
+        {
+            Vector3 min = Vector3.positiveInfinity, max = Vector3.negativeInfinity;
+            for (int t = first; t < triangles.Count; t++)
+            {
+                CollisionTriangle triangle = triangles[t];
+                min = Vector3.Min(min, Vector3.Min(triangle.A, Vector3.Min(triangle.B, triangle.C)));
+                max = Vector3.Max(max, Vector3.Max(triangle.A, Vector3.Max(triangle.B, triangle.C)));
+            }
+            return new CollisionCollider
+            {
+                BoundsMin = min,
+                BoundsMax = max,
+                FirstTriangle = (uint)first,
+                TriangleCount = (uint)(triangles.Count - first) | (closed ? CollisionCollider.ClosedBit : 0u),
+            };
+        }
+
+        void ReportDegenerate(Collider collider, int count, int of) => messages.Add(new FluidMessage(
+            FluidSeverity.Info, FluidIssue.DegenerateTriangles, collider,
+            $"{count} of {of} triangles have no area and were left out.", ""));
+
+        void ReportTooMany(Collider collider, long limit) => messages.Add(new FluidMessage(
+            FluidSeverity.Warning, FluidIssue.TooManyTriangles, collider,
+            $"The colliders in the domain hold more than {limit} triangles, the most this device takes in a buffer, so the fluid passes through this one.",
+            "Use simpler collision meshes or a smaller domain."));
+    }
+
+    /// <summary>A collider that takes part, with all its triangles in simulation space.</summary>
+    internal sealed class ColliderSolid
+    {
+        MeshObstacle obstacle;
+
+        public ColliderSolid(Collider collider, TriangleMesh mesh)
+        {
+            Collider = collider;
+            Name = collider.name;
+            Mesh = mesh;
+        }
+
+        public Collider Collider { get; }
+        public string Name { get; }
+        public TriangleMesh Mesh { get; }
+
+        /// <summary>Point tests, prepared at the first use.</summary>
+        public MeshObstacle Obstacle => obstacle ??= new MeshObstacle(Mesh);
+    }
+}

@@ -1,0 +1,123 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Tells whether a point lies inside a closed mesh or close to any of its triangles. Triangles are binned by their
+    /// (y, z) projection, so that a test along x meets one bin.
+    /// </summary>
+    internal sealed class MeshObstacle
+    {
+        const int MaxBins = 256;
+
+        readonly TriangleMesh mesh;
+        readonly Bounds bounds;
+        readonly List<int>[] bins;
+        readonly int binsY, binsZ;
+        readonly double perY, perZ;
+
+        /// <summary>An obstacle of triangles in simulation space.</summary>
+        public MeshObstacle(TriangleMesh mesh)
+        {
+            this.mesh = mesh ?? throw new ArgumentNullException(nameof(mesh));
+            bounds = FindBounds(mesh);
+            int side = Mathf.Clamp((int)Math.Sqrt(mesh.TriangleCount), 1, MaxBins);
+            binsY = binsZ = side;
+            perY = side / Math.Max(bounds.size.y, 1e-30);
+            perZ = side / Math.Max(bounds.size.z, 1e-30);
+            bins = new List<int>[binsY * binsZ];
+            for (int t = 0; t < mesh.TriangleCount; t++) AddToBins(t);
+        }
+
+        /// <summary>Whether the point is inside the closed mesh or nearer than <paramref name="clearance"/> [m] to a triangle.</summary>
+        public bool Covers(Vector3 point, float clearance) => Contains(point) || IsNear(point, clearance);
+
+        /// <summary>
+        /// Whether the surface winds outward round the point: the crossings of a ray along +x, each counted by its
+        /// direction, sum to more than zero. A closed room with inward faces holds no solid; an open mesh has no inside.
+        /// </summary>
+        public bool Contains(Vector3 point)
+        {
+            if (!mesh.IsClosed || !bounds.Contains(point)) return false;
+            List<int> bin = bins[Index(BinY(point.y), BinZ(point.z))];
+            if (bin == null) return false;
+            int winding = 0;
+            foreach (int t in bin)
+            {
+                mesh.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
+                winding += RayCrossing(point, a, b, c);
+            }
+            return winding > 0;
+        }
+
+        bool IsNear(Vector3 point, float clearance)
+        {
+            if (!(clearance > 0f)) return false;
+            Vector3 reach = Vector3.one * clearance;
+            if (!new Bounds(bounds.center, bounds.size + 2f * reach).Contains(point)) return false;
+            for (int z = BinZ(point.z - clearance); z <= BinZ(point.z + clearance); z++)
+                for (int y = BinY(point.y - clearance); y <= BinY(point.y + clearance); y++)
+                    if (IsNear(bins[Index(y, z)], point, clearance)) return true;
+            return false;
+        }
+
+        bool IsNear(List<int> bin, Vector3 point, float clearance)
+        {
+            if (bin == null) return false;
+            foreach (int t in bin)
+            {
+                mesh.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
+                if (Mathf.Min(a.x, Mathf.Min(b.x, c.x)) - clearance > point.x) continue;
+                if (Mathf.Max(a.x, Mathf.Max(b.x, c.x)) + clearance < point.x) continue;
+                if ((TriangleMath.ClosestPoint(point, a, b, c) - point).sqrMagnitude < clearance * clearance) return true;
+            }
+            return false;
+        }
+
+        // +1 where the ray leaves the solid (the face looks along +x), −1 where it enters, 0 for a miss.
+        static int RayCrossing(Vector3 p, Vector3 a, Vector3 b, Vector3 c)
+        {
+            int ab = TriangleMath.Side(p, a, b), bc = TriangleMath.Side(p, b, c), ca = TriangleMath.Side(p, c, a);
+            if (ab != bc || bc != ca) return 0;
+            double nx = TriangleMath.Area(a, b, c);
+            if (nx == 0.0) return 0;
+            double ny = ((double)b.z - a.z) * ((double)c.x - a.x) - ((double)b.x - a.x) * ((double)c.z - a.z);
+            double nz = ((double)b.x - a.x) * ((double)c.y - a.y) - ((double)b.y - a.y) * ((double)c.x - a.x);
+            double hit = a.x - (ny * ((double)p.y - a.y) + nz * ((double)p.z - a.z)) / nx;
+            return hit > p.x ? ab : 0;
+        }
+
+        void AddToBins(int t)
+        {
+            mesh.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
+            if (!AffineMath.IsFinite(a + b + c)) return;
+            Vector3 min = Vector3.Min(a, Vector3.Min(b, c)), max = Vector3.Max(a, Vector3.Max(b, c));
+            for (int z = BinZ(min.z); z <= BinZ(max.z); z++)
+                for (int y = BinY(min.y); y <= BinY(max.y); y++)
+                    (bins[Index(y, z)] ??= new List<int>()).Add(t);
+        }
+
+        int BinY(float y) => Bin((y - bounds.min.y) * perY, binsY);
+        int BinZ(float z) => Bin((z - bounds.min.z) * perZ, binsZ);
+        int Index(int y, int z) => z * binsY + y;
+
+        static int Bin(double coordinate, int count) => (int)Math.Min(Math.Max(Math.Floor(coordinate), 0.0), count - 1);
+
+        static Bounds FindBounds(TriangleMesh mesh)
+        {
+            Vector3 min = Vector3.positiveInfinity, max = Vector3.negativeInfinity;
+            foreach (int index in mesh.Indices)
+            {
+                Vector3 vertex = mesh.Vertices[index];
+                if (!AffineMath.IsFinite(vertex)) continue;
+                min = Vector3.Min(min, vertex);
+                max = Vector3.Max(max, vertex);
+            }
+            var bounds = new Bounds();
+            if (min.x <= max.x) bounds.SetMinMax(min, max);
+            return bounds;
+        }
+    }
+}

@@ -1,0 +1,68 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>Point and triangle tests.</summary>
+    internal static class TriangleMath
+    {
+        /// <summary>
+        /// Side of the (y, z) point of the directed line a→b: +1 left or −1 right, never 0. Both triangles at an edge
+        /// evaluate it from the same ends in the same order, so that a ray through a mesh never slips between them and
+        /// never counts both.
+        /// </summary>
+        public static int Side(Vector3 p, Vector3 a, Vector3 b)
+        {
+            bool swap = a.y > b.y || (a.y == b.y && a.z > b.z);
+            Vector3 u = swap ? b : a, v = swap ? a : b;
+            double cross = ((double)v.y - u.y) * ((double)p.z - u.z) - ((double)v.z - u.z) * ((double)p.y - u.y);
+            return cross >= 0.0 != swap ? 1 : -1;
+        }
+
+        /// <summary>Twice the signed area of the (y, z) projection: the x component of Cross(b − a, c − a).</summary>
+        public static double Area(Vector3 a, Vector3 b, Vector3 c) =>
+            ((double)b.y - a.y) * ((double)c.z - a.z) - ((double)b.z - a.z) * ((double)c.y - a.y);
+
+        /// <summary>Point of the triangle nearest to <paramref name="p"/> (C. Ericson, Real-Time Collision Detection, 5.1.5).</summary>
+        public static Vector3 ClosestPoint(Vector3 p, Vector3 a, Vector3 b, Vector3 c)
+        {
+            Vector3 ab = b - a, ac = c - a, ap = p - a;
+            float d1 = Vector3.Dot(ab, ap), d2 = Vector3.Dot(ac, ap);
+            if (d1 <= 0f && d2 <= 0f) return a;
+
+            Vector3 bp = p - b;
+            float d3 = Vector3.Dot(ab, bp), d4 = Vector3.Dot(ac, bp);
+            if (d3 >= 0f && d4 <= d3) return b;
+
+            float vc = d1 * d4 - d3 * d2;
+            if (vc <= 0f && d1 >= 0f && d3 <= 0f) return a + ab * (d1 / (d1 - d3));
+
+            Vector3 cp = p - c;
+            float d5 = Vector3.Dot(ab, cp), d6 = Vector3.Dot(ac, cp);
+            if (d6 >= 0f && d5 <= d6) return c;
+
+            float vb = d5 * d2 - d1 * d6;
+            if (vb <= 0f && d2 >= 0f && d6 <= 0f) return a + ac * (d2 / (d2 - d6));
+
+            float va = d3 * d6 - d5 * d4;
+            if (va <= 0f && d4 - d3 >= 0f && d5 - d6 >= 0f) return b + (c - b) * ((d4 - d3) / (d4 - d3 + (d5 - d6)));
+
+            float scale = 1f / (va + vb + vc);
+            return a + ab * (vb * scale) + ac * (vc * scale);
+        }
+
+        /// <summary>
+        /// Whether the triangle may meet the axis-aligned box: their bounds overlap and the triangle's plane cuts the box.
+        /// Never false for one that does.
+        /// </summary>
+        public static bool MayOverlap(Vector3 center, Vector3 halfExtents, Vector3 a, Vector3 b, Vector3 c)
+        {
+            Vector3 min = Vector3.Min(a, Vector3.Min(b, c)) - center, max = Vector3.Max(a, Vector3.Max(b, c)) - center;
+            for (int axis = 0; axis < 3; axis++)
+                if (min[axis] > halfExtents[axis] || max[axis] < -halfExtents[axis]) return false;
+            Vector3 normal = Vector3.Cross(b - a, c - a);
+            float reach = Mathf.Abs(normal.x) * halfExtents.x + Mathf.Abs(normal.y) * halfExtents.y + Mathf.Abs(normal.z) * halfExtents.z;
+            float size = Mathf.Abs(normal.x * (a.x - center.x)) + Mathf.Abs(normal.y * (a.y - center.y)) + Mathf.Abs(normal.z * (a.z - center.z));
+            return Mathf.Abs(Vector3.Dot(normal, a - center)) <= reach + 1e-5f * size;
+        }
+    }
+}

@@ -1,0 +1,95 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>Triangles of a shape, apart from any Unity object. Three indices a triangle; Cross(B − A, C − A) points outward.</summary>
+    internal sealed class TriangleMesh
+    {
+        bool? closed;
+
+        public TriangleMesh(Vector3[] vertices, int[] indices)
+        {
+            Vertices = vertices ?? throw new ArgumentNullException(nameof(vertices));
+            Indices = indices ?? throw new ArgumentNullException(nameof(indices));
+            if (indices.Length % 3 != 0) throw new ArgumentException("Three indices make a triangle.", nameof(indices));
+        }
+
+        public Vector3[] Vertices { get; }
+        public int[] Indices { get; }
+        public int TriangleCount => Indices.Length / 3;
+
+        /// <summary>Whether every edge is shared by as many triangles running one way as the other, so that there is an inside.</summary>
+        public bool IsClosed => closed ??= TriangleCount > 0 && FindClosed();
+
+        /// <summary>The triangles under an affine transform; a mirroring one turns each triangle so that outward stays outward.</summary>
+        public TriangleMesh Transformed(in Matrix4x4 transform)
+        {
+            var vertices = new Vector3[Vertices.Length];
+            for (int i = 0; i < vertices.Length; i++) vertices[i] = transform.MultiplyPoint3x4(Vertices[i]);
+            var indices = (int[])Indices.Clone();
+            if (AffineMath.Determinant(transform) < 0.0)
+                for (int i = 0; i < indices.Length; i += 3) (indices[i + 1], indices[i + 2]) = (indices[i + 2], indices[i + 1]);
+            return new TriangleMesh(vertices, indices) { closed = closed };
+        }
+
+        /// <summary>Triangle number <paramref name="index"/>.</summary>
+        public void GetTriangle(int index, out Vector3 a, out Vector3 b, out Vector3 c)
+        {
+            a = Vertices[Indices[3 * index]];
+            b = Vertices[Indices[3 * index + 1]];
+            c = Vertices[Indices[3 * index + 2]];
+        }
+
+        /// <summary>
+        /// Whether a triangle has no area to speak of: its height over its longest edge is below 1e-5 of that edge, or a
+        /// corner is not finite.
+        /// </summary>
+        public static bool IsDegenerate(Vector3 a, Vector3 b, Vector3 c)
+        {
+            if (!AffineMath.IsFinite(a) || !AffineMath.IsFinite(b) || !AffineMath.IsFinite(c)) return true;
+            Vector3 ab = b - a, ac = c - a, bc = c - b;
+            float longest = Mathf.Max(ab.sqrMagnitude, Mathf.Max(ac.sqrMagnitude, bc.sqrMagnitude));
+            return !(longest > 0f) || Vector3.Cross(ab / Mathf.Sqrt(longest), ac / Mathf.Sqrt(longest)).magnitude < 1e-5f;
+        }
+
+        // Importers split vertices at seams of normals and texture coordinates, so corners are joined by position first.
+        bool FindClosed()
+        {
+            int[] welded = Weld();
+            var balance = new Dictionary<(int, int), int>();
+            for (int i = 0; i < Indices.Length; i += 3)
+            {
+                int a = welded[Indices[i]], b = welded[Indices[i + 1]], c = welded[Indices[i + 2]];
+                if (a == b || b == c || c == a) continue;
+                AddEdge(balance, a, b);
+                AddEdge(balance, b, c);
+                AddEdge(balance, c, a);
+            }
+            foreach (int value in balance.Values)
+                if (value != 0) return false;
+            return balance.Count > 0;
+        }
+
+        int[] Weld()
+        {
+            var first = new Dictionary<Vector3, int>(Vertices.Length);
+            var welded = new int[Vertices.Length];
+            for (int i = 0; i < welded.Length; i++)
+            {
+                Vector3 key = Vertices[i] + Vector3.zero; // −0 + 0 = +0: both zeros join
+                if (!first.TryGetValue(key, out int index)) first.Add(key, index = i);
+                welded[i] = index;
+            }
+            return welded;
+        }
+
+        static void AddEdge(Dictionary<(int, int), int> balance, int from, int to)
+        {
+            (int, int) key = from < to ? (from, to) : (to, from);
+            balance.TryGetValue(key, out int value);
+            balance[key] = value + (from < to ? 1 : -1);
+        }
+    }
+}

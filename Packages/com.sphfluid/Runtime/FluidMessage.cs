@@ -1,0 +1,137 @@
+using System;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace SphFluid
+{
+    /// <summary>How bad a <see cref="FluidMessage"/> is.</summary>
+    public enum FluidSeverity
+    {
+        /// <summary>Something worth knowing; nothing is wrong.</summary>
+        Info,
+
+        /// <summary>The simulation runs, but not as its settings say.</summary>
+        Warning,
+
+        /// <summary>The simulation cannot run.</summary>
+        Error,
+    }
+
+    /// <summary>What a <see cref="FluidMessage"/> is about: stable names for tests, tools and the inspector's fix buttons.</summary>
+    public enum FluidIssue
+    {
+        /// <summary>No profile is assigned.</summary>
+        ProfileMissing,
+        /// <summary>The profile has no shader set, or the set has empty entries.</summary>
+        ShadersMissing,
+        /// <summary>The device lacks something that the simulation needs.</summary>
+        DeviceUnsupported,
+        /// <summary>The domain size is zero, negative or not a number.</summary>
+        DomainSizeInvalid,
+        /// <summary>The particle spacing is zero, negative, not a number or too coarse for the domain.</summary>
+        SpacingInvalid,
+        /// <summary>The fixed time step is zero, negative, not a number or above the stability limit.</summary>
+        TimeStepInvalid,
+        /// <summary>Gravity is not a number.</summary>
+        GravityInvalid,
+        /// <summary>The simulation's transform has a scale other than one.</summary>
+        TransformScaled,
+        /// <summary>No liquid volume belongs to the domain.</summary>
+        NoLiquid,
+        /// <summary>A liquid volume has a zero, negative or non-finite size, or a transform that flattens it.</summary>
+        VolumeSizeInvalid,
+        /// <summary>A liquid volume lies wholly or partly outside its domain.</summary>
+        VolumeOutsideDomain,
+        /// <summary>A liquid volume overlaps a collider.</summary>
+        VolumeInsideCollider,
+        /// <summary>Liquid volumes overlap each other.</summary>
+        VolumesOverlap,
+        /// <summary>The volumes hold more particles than allowed.</summary>
+        TooManyParticles,
+        /// <summary>A MeshCollider's mesh cannot be read.</summary>
+        MeshNotReadable,
+        /// <summary>A MeshCollider has no mesh, or one without triangles.</summary>
+        MeshEmpty,
+        /// <summary>A collider's transform flattens it.</summary>
+        ColliderTransformSingular,
+        /// <summary>A collider's mesh holds triangles without area.</summary>
+        DegenerateTriangles,
+        /// <summary>A collider of a kind that has no triangles.</summary>
+        ColliderUnsupported,
+        /// <summary>The colliders hold more triangles than the device's buffer.</summary>
+        TooManyTriangles,
+        /// <summary>The simulation runs slower than time: the substep cap was reached.</summary>
+        SubstepCap,
+        /// <summary>The solver's guards acted: accelerations limited, particles put back, or non-finite values.</summary>
+        GuardActed,
+        /// <summary>The simulation could not start for a reason that only the attempt showed.</summary>
+        StartFailed,
+    }
+
+    /// <summary>One thing to tell the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>
+    public readonly struct FluidMessage : IEquatable<FluidMessage>
+    {
+        /// <summary>Prefix of every console line of this package.</summary>
+        public const string Prefix = "[SPH Fluid]";
+
+        /// <summary>A message about <paramref name="context"/>.</summary>
+        /// <param name="severity">How bad it is.</param>
+        /// <param name="issue">What it is about.</param>
+        /// <param name="context">Object it is about; may be null.</param>
+        /// <param name="text">What is wrong, without the object's name, as a full sentence.</param>
+        /// <param name="cure">What to do, as a full sentence; may be empty.</param>
+        public FluidMessage(FluidSeverity severity, FluidIssue issue, Object context, string text, string cure)
+        {
+            Severity = severity;
+            Issue = issue;
+            Context = context;
+            Source = context != null ? context.name : "SPH Fluid";
+            Text = text ?? throw new ArgumentNullException(nameof(text));
+            Cure = cure ?? "";
+        }
+
+        /// <summary>How bad it is.</summary>
+        public FluidSeverity Severity { get; }
+
+        /// <summary>What it is about.</summary>
+        public FluidIssue Issue { get; }
+
+        /// <summary>Object it is about; null when there is none or it was destroyed since.</summary>
+        public Object Context { get; }
+
+        /// <summary>Name of the object at the time of the message.</summary>
+        public string Source { get; }
+
+        /// <summary>What is wrong.</summary>
+        public string Text { get; }
+
+        /// <summary>What to do about it; empty when nothing needs doing.</summary>
+        public string Cure { get; }
+
+        /// <summary>Writes the message to Unity's console under its severity, with the object selectable.</summary>
+        public void Log()
+        {
+            switch (Severity)
+            {
+                case FluidSeverity.Error: Debug.LogError(ToString(), Context); break;
+                case FluidSeverity.Warning: Debug.LogWarning(ToString(), Context); break;
+                default: Debug.Log(ToString(), Context); break;
+            }
+        }
+
+        /// <summary>The console line: prefix, object's name, what is wrong, cure.</summary>
+        public override string ToString() =>
+            Cure.Length == 0 ? $"{Prefix} '{Source}': {Text}" : $"{Prefix} '{Source}': {Text} {Cure}";
+
+        /// <inheritdoc/>
+        public bool Equals(FluidMessage other) =>
+            Severity == other.Severity && Issue == other.Issue && ReferenceEquals(Context, other.Context) &&
+            Source == other.Source && Text == other.Text && Cure == other.Cure;
+
+        /// <inheritdoc/>
+        public override bool Equals(object obj) => obj is FluidMessage other && Equals(other);
+
+        /// <inheritdoc/>
+        public override int GetHashCode() => HashCode.Combine(Severity, Issue, Source, Text);
+    }
+}

@@ -1,0 +1,85 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Draws the particles of a simulation as textured, lit squares that face the camera. Works on every device that runs the simulation: no
+    /// geometry shader.
+    /// </summary>
+    [AddComponentMenu("SPH Fluid/Fluid Particle Renderer")]
+    [DefaultExecutionOrder(100)]
+    public sealed class FluidParticleRenderer : FluidRenderer
+    {
+        [SerializeField, Range(0.1f, 4f), Tooltip("Edge of a particle's square in particle spacings. 1: squares just touch in liquid at rest.")]
+        float size = 1.2f;
+
+        [SerializeField, Tooltip("Colour of a particle, or of a slow one if the speed is shown.")]
+        Color colour = new Color(0.12f, 0.42f, 0.72f);
+
+        [SerializeField, Tooltip("Whether fast particles take another colour.")]
+        bool colourBySpeed;
+
+        [SerializeField, Tooltip("Colour of the fastest particles, if the speed is shown.")]
+        Color fastColour = new Color(0.85f, 0.95f, 1f);
+
+        [SerializeField, Min(0.001f), Tooltip("Speed at which a particle has the fast colour in full [m/s].")]
+        float fastSpeed = 3f;
+
+        [SerializeField, Range(0f, 1f), Tooltip("Smoothness of the particles: how small and bright their highlights are.")]
+        float smoothness = 0.4f;
+
+        [SerializeField, Tooltip("Picture on each square, cut out where its alpha is below a half. Empty: a round one.")]
+        Texture2D sprite;
+
+        ParticleSquares squares;
+
+        /// <summary>Edge of a particle's square in particle spacings.</summary>
+        public float Size { get => size; set => size = value; }
+
+        /// <summary>Colour of a particle, or of a slow one if the speed is shown.</summary>
+        public Color Colour { get => colour; set => colour = value; }
+
+        /// <summary>Whether fast particles take another colour.</summary>
+        public bool ColourBySpeed { get => colourBySpeed; set => colourBySpeed = value; }
+
+        /// <summary>Colour of the fastest particles, if the speed is shown.</summary>
+        public Color FastColour { get => fastColour; set => fastColour = value; }
+
+        /// <summary>Speed at which a particle has the fast colour in full [m/s].</summary>
+        public float FastSpeed { get => fastSpeed; set => fastSpeed = value; }
+
+        /// <summary>Smoothness of the particles, 0 to 1.</summary>
+        public float Smoothness { get => smoothness; set => smoothness = value; }
+
+        /// <summary>Picture on each square; null for a round one.</summary>
+        public Texture2D Sprite { get => sprite; set => sprite = value; }
+
+        /// <inheritdoc/>
+        protected override void CreateResources(FluidShaderSet shaders) => squares = new ParticleSquares(shaders);
+
+        /// <inheritdoc/>
+        protected override void ReleaseResources()
+        {
+            squares?.Dispose();
+            squares = null;
+        }
+
+        /// <inheritdoc/>
+        protected override void Draw(FluidSimulation drawn)
+        {
+            ParticleLook look = Look(drawn);
+            FluidSolver solver = drawn.Solver;
+            squares.Draw(solver.Particles, solver.ParticleCount, look, Placement(drawn, look.Size));
+        }
+
+        ParticleLook Look(FluidSimulation drawn) => new ParticleLook
+        {
+            Size = size * drawn.Solver.Settings.Spacing,
+            Colour = colour,
+            FastColour = fastColour,
+            FastSpeed = colourBySpeed ? fastSpeed : 0f,
+            Smoothness = smoothness,
+            Sprite = sprite,
+        };
+    }
+}

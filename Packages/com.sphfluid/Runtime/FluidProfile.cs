@@ -1,0 +1,134 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// What a liquid is, in SI units, and how faithfully it is computed. Stiffness, time step, viscosity and wall
+    /// constants are not stored: they follow from these ratios, the particle spacing, the depth and the fastest
+    /// expected speed, so that a profile serves every size of scene (see <see cref="FluidSolverSettings"/>).
+    /// </summary>
+    [CreateAssetMenu(menuName = "SPH Fluid/Fluid Profile", fileName = "FluidProfile", order = 200)]
+    public sealed class FluidProfile : ScriptableObject
+    {
+        internal const int CurrentVersion = 1;
+
+        /// <summary>Largest value of <see cref="MaxParticles"/>.</summary>
+        public const int ParticleLimit = 16 * 1024 * 1024;
+
+        [SerializeField, HideInInspector] int version = CurrentVersion;
+
+        [Header("Liquid")]
+        [SerializeField, Range(1f, 20000f), Tooltip("Rest density of the liquid in kg/m³. Water: 1000.")]
+        float restDensity = 1000f;
+
+        [SerializeField, Min(0f), Tooltip("Kinematic viscosity of the liquid in m²/s. Water: 0.000001. " +
+            "The greater of this and the Viscosity Ratio's value acts.")]
+        float kinematicViscosity = 1e-6f;
+
+        [Header("Accuracy")]
+        [SerializeField, Range(1.5f, 4f), Tooltip("Support radius R divided by the particle spacing. 2 gives about 30 neighbours; " +
+            "more is smoother and slower.")]
+        float supportRatio = 2f;
+
+        [SerializeField, Range(3f, 20f), Tooltip("Speed of sound divided by the fastest expected speed. 5 allows 4 % compression; " +
+            "halving the compression needs 1.4 times as many steps.")]
+        float soundSpeedRatio = 5f;
+
+        [SerializeField, Range(0.001f, 0.2f), Tooltip("Compression allowed at the bottom of the liquid at rest, g·depth/c². 0.04 is 4 %.")]
+        float maxCompression = 0.04f;
+
+        [SerializeField, Range(0.05f, 1f), Tooltip("Time step as a fraction of the stability limit 1.35 R/√k.")]
+        float timeStepFraction = 0.6f;
+
+        [SerializeField, Range(0f, 0.05f), Tooltip("Least kinematic viscosity that keeps the method calm, as a multiple of " +
+            "speed of sound times support radius.")]
+        float viscosityRatio = 0.01f;
+
+        [Header("Walls")]
+        [SerializeField, Range(0.1f, 1f), Tooltip("Distance at which walls and colliders begin to push, as a multiple of the particle spacing.")]
+        float wallDistanceRatio = 0.5f;
+
+        [SerializeField, Range(0.05f, 4f), Tooltip("Stiffness of walls and colliders. 1 stops the fastest expected speed within the wall distance; more may need a shorter time step.")]
+        float wallStiffnessRatio = 1f;
+
+        [SerializeField, Range(0f, 1f), Tooltip("Damping of the motion into a wall as a fraction of critical damping. 1: no rebound.")]
+        float wallDampingRatio = 1f;
+
+        [Header("Limits")]
+        [SerializeField, Range(1, ParticleLimit), Tooltip("Most particles that one simulation may start with. More is an error, never a silent cut.")]
+        int maxParticles = 1024 * 1024;
+
+        [Header("References")]
+        [SerializeField, Tooltip("Shader set asset: every compute shader and shader that the simulation and its renderers use.")]
+        FluidShaderSet shaders;
+
+        /// <summary>Rest density ρ0 [kg/m³].</summary>
+        public float RestDensity { get => restDensity; set { restDensity = value; Touch(); } }
+
+        /// <summary>Kinematic viscosity of the real liquid ν [m²/s].</summary>
+        public float KinematicViscosity { get => kinematicViscosity; set { kinematicViscosity = value; Touch(); } }
+
+        /// <summary>κ = R/dx: support radius over particle spacing.</summary>
+        public float SupportRatio { get => supportRatio; set { supportRatio = value; Touch(); } }
+
+        /// <summary>c_eff / v_max: effective speed of sound over the fastest expected speed.</summary>
+        public float SoundSpeedRatio { get => soundSpeedRatio; set { soundSpeedRatio = value; Touch(); } }
+
+        /// <summary>Compression allowed at the bottom of the liquid at rest, g D/c².</summary>
+        public float MaxCompression { get => maxCompression; set { maxCompression = value; Touch(); } }
+
+        /// <summary>Time step over the acoustic limit 1.35 R/√k.</summary>
+        public float TimeStepFraction { get => timeStepFraction; set { timeStepFraction = value; Touch(); } }
+
+        /// <summary>Least kinematic viscosity over c_eff · R.</summary>
+        public float ViscosityRatio { get => viscosityRatio; set { viscosityRatio = value; Touch(); } }
+
+        /// <summary>Wall distance over particle spacing.</summary>
+        public float WallDistanceRatio { get => wallDistanceRatio; set { wallDistanceRatio = value; Touch(); } }
+
+        /// <summary>Wall stiffness over (v_max/distance)².</summary>
+        public float WallStiffnessRatio { get => wallStiffnessRatio; set { wallStiffnessRatio = value; Touch(); } }
+
+        /// <summary>Wall damping over critical damping.</summary>
+        public float WallDampingRatio { get => wallDampingRatio; set { wallDampingRatio = value; Touch(); } }
+
+        /// <summary>Most particles a simulation with this profile may start with.</summary>
+        public int MaxParticles { get => maxParticles; set { maxParticles = value; Touch(); } }
+
+        /// <summary>Shaders used by the simulation and its renderers.</summary>
+        public FluidShaderSet Shaders { get => shaders; set { shaders = value; Touch(); } }
+
+        /// <summary>Version of the stored fields; 1 is the first release.</summary>
+        public int Version => version;
+
+        /// <summary>Grows with each change, so that a running simulation sees that it must derive its constants again.</summary>
+        internal int Revision { get; private set; }
+
+        void Touch()
+        {
+            Clamp();
+            Revision++;
+        }
+
+        void OnValidate() => Touch();
+
+        void Clamp()
+        {
+            restDensity = ClampFinite(restDensity, 1f, 20000f, 1000f);
+            kinematicViscosity = ClampFinite(kinematicViscosity, 0f, 10f, 1e-6f);
+            supportRatio = ClampFinite(supportRatio, 1.5f, 4f, 2f);
+            soundSpeedRatio = ClampFinite(soundSpeedRatio, 3f, 20f, 5f);
+            maxCompression = ClampFinite(maxCompression, 0.001f, 0.2f, 0.04f);
+            timeStepFraction = ClampFinite(timeStepFraction, 0.05f, 1f, 0.6f);
+            viscosityRatio = ClampFinite(viscosityRatio, 0f, 0.05f, 0.01f);
+            wallDistanceRatio = ClampFinite(wallDistanceRatio, 0.1f, 1f, 0.5f);
+            wallStiffnessRatio = ClampFinite(wallStiffnessRatio, 0.05f, 4f, 1f);
+            wallDampingRatio = ClampFinite(wallDampingRatio, 0f, 1f, 1f);
+            maxParticles = Mathf.Clamp(maxParticles, 1, ParticleLimit);
+            version = CurrentVersion;
+        }
+
+        static float ClampFinite(float value, float min, float max, float fallback) =>
+            float.IsNaN(value) ? fallback : Mathf.Clamp(value, min, max);
+    }
+}

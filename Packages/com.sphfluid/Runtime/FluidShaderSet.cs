@@ -1,0 +1,128 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Every compute shader and shader of the package in one asset. A profile references it, so that components made
+    /// from code, play mode and player builds find the shaders without a Resources folder.
+    /// </summary>
+    [CreateAssetMenu(menuName = "SPH Fluid/Fluid Shader Set", fileName = "FluidShaderSet", order = 201)]
+    public sealed class FluidShaderSet : ScriptableObject
+    {
+        [Header("Thesis method")]
+        [SerializeField, Tooltip("Kernel CalculateParticleCellValue: the grid cell of each particle.")]
+        ComputeShader calculateParticleCellValue;
+
+        [SerializeField, Tooltip("Kernels BitonicSort and MatrixTranspose: sorts the pairs of cell and particle.")]
+        ComputeShader bitonicSort;
+
+        [SerializeField, Tooltip("Kernel ResetGridIndices: empties the range of each cell.")]
+        ComputeShader resetGridIndices;
+
+        [SerializeField, Tooltip("Kernel SetGridIndices: the range of particles in each cell.")]
+        ComputeShader setGridIndices;
+
+        [SerializeField, Tooltip("Kernel SortParticles: puts the particles in the order of their cells.")]
+        ComputeShader sortParticles;
+
+        [SerializeField, Tooltip("Kernel CalculateDensity: density and pressure.")]
+        ComputeShader calculateDensity;
+
+        [SerializeField, Tooltip("Kernel CalculateForce: pressure and viscosity.")]
+        ComputeShader calculateForce;
+
+        [SerializeField, Tooltip("Kernel CalculateAcceleration: limit, collisions, gravity.")]
+        ComputeShader calculateAcceleration;
+
+        [SerializeField, Tooltip("Kernel CalculateNewPosition: leapfrog.")]
+        ComputeShader calculateNewPosition;
+
+        [Header("Surface")]
+        [SerializeField, Tooltip("Kernels ResetMCGrid and SetMCGridDensityFactors: the density grid of the surface.")]
+        ComputeShader surfaceField;
+
+        [SerializeField, Tooltip("Kernels of the compute twin of the geometry-shader marching cubes, for mesh export and tests.")]
+        ComputeShader surfaceMesh;
+
+        [Header("Drawing")]
+        [SerializeField, Tooltip("Particles as textured, lit squares that face the camera.")]
+        Shader particleShader;
+
+        [SerializeField, Tooltip("Marching cubes in a geometry shader, the thesis's way. Needs a device with geometry shaders.")]
+        Shader surfaceGeometryShader;
+
+        /// <summary>Kernel CalculateParticleCellValue: the grid cell of each particle.</summary>
+        public ComputeShader CalculateParticleCellValue { get => calculateParticleCellValue; set => calculateParticleCellValue = value; }
+
+        /// <summary>Kernels BitonicSort and MatrixTranspose: sorts the pairs of cell and particle.</summary>
+        public ComputeShader BitonicSort { get => bitonicSort; set => bitonicSort = value; }
+
+        /// <summary>Kernel ResetGridIndices: empties the range of each cell.</summary>
+        public ComputeShader ResetGridIndices { get => resetGridIndices; set => resetGridIndices = value; }
+
+        /// <summary>Kernel SetGridIndices: the range of particles in each cell.</summary>
+        public ComputeShader SetGridIndices { get => setGridIndices; set => setGridIndices = value; }
+
+        /// <summary>Kernel SortParticles: puts the particles in the order of their cells.</summary>
+        public ComputeShader SortParticles { get => sortParticles; set => sortParticles = value; }
+
+        /// <summary>Kernel CalculateDensity: density and pressure.</summary>
+        public ComputeShader CalculateDensity { get => calculateDensity; set => calculateDensity = value; }
+
+        /// <summary>Kernel CalculateForce: pressure and viscosity.</summary>
+        public ComputeShader CalculateForce { get => calculateForce; set => calculateForce = value; }
+
+        /// <summary>Kernel CalculateAcceleration: limit, collisions, gravity.</summary>
+        public ComputeShader CalculateAcceleration { get => calculateAcceleration; set => calculateAcceleration = value; }
+
+        /// <summary>Kernel CalculateNewPosition: leapfrog.</summary>
+        public ComputeShader CalculateNewPosition { get => calculateNewPosition; set => calculateNewPosition = value; }
+
+        /// <summary>Kernels ResetMCGrid and SetMCGridDensityFactors: the density grid of the surface.</summary>
+        public ComputeShader SurfaceField { get => surfaceField; set => surfaceField = value; }
+
+        /// <summary>Kernels of the compute twin of the geometry-shader marching cubes, for mesh export and tests.</summary>
+        public ComputeShader SurfaceMesh { get => surfaceMesh; set => surfaceMesh = value; }
+
+        /// <summary>Particles as textured, lit squares that face the camera.</summary>
+        public Shader ParticleShader { get => particleShader; set => particleShader = value; }
+
+        /// <summary>Marching cubes in a geometry shader, the thesis's way. Needs a device with geometry shaders.</summary>
+        public Shader SurfaceGeometryShader { get => surfaceGeometryShader; set => surfaceGeometryShader = value; }
+
+        /// <summary>Names of the empty entries that a simulation needs.</summary>
+        /// <returns>Field names in the inspector's order; empty when all are there.</returns>
+        public IReadOnlyList<string> MissingForSimulation()
+        {
+            var missing = new List<string>();
+            Check(calculateParticleCellValue, nameof(calculateParticleCellValue), missing);
+            Check(bitonicSort, nameof(bitonicSort), missing);
+            Check(resetGridIndices, nameof(resetGridIndices), missing);
+            Check(setGridIndices, nameof(setGridIndices), missing);
+            Check(sortParticles, nameof(sortParticles), missing);
+            Check(calculateDensity, nameof(calculateDensity), missing);
+            Check(calculateForce, nameof(calculateForce), missing);
+            Check(calculateAcceleration, nameof(calculateAcceleration), missing);
+            Check(calculateNewPosition, nameof(calculateNewPosition), missing);
+            return missing;
+        }
+
+        /// <summary>Names of all empty entries, the drawing's included.</summary>
+        /// <returns>Field names in the inspector's order; empty when all are there.</returns>
+        public IReadOnlyList<string> Validate()
+        {
+            var missing = new List<string>(MissingForSimulation());
+            Check(surfaceField, nameof(surfaceField), missing);
+            Check(surfaceMesh, nameof(surfaceMesh), missing);
+            Check(particleShader, nameof(particleShader), missing);
+            Check(surfaceGeometryShader, nameof(surfaceGeometryShader), missing);
+            return missing;
+        }
+
+        static void Check(Object reference, string name, List<string> missing)
+        {
+            if (reference == null) missing.Add(name);
+        }
+    }
+}

@@ -1,0 +1,257 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// A liquid in a box. The box is centred on this transform, which may be moved and turned but has scale 1. Liquid comes
+    /// from <see cref="FluidVolume"/> components; colliders in the box are found by layer. Stepped in LateUpdate.
+    /// </summary>
+    [AddComponentMenu("SPH Fluid/Fluid Simulation")]
+    [DisallowMultipleComponent]
+    [DefaultExecutionOrder(50)]
+    public sealed class FluidSimulation : MonoBehaviour
+    {
+        static readonly List<FluidSimulation> ActiveList = new List<FluidSimulation>();
+
+        [SerializeField, Tooltip("What the liquid is: constants and shaders.")]
+        FluidProfile profile;
+
+        [Header("Domain")]
+        [SerializeField, Tooltip("Edge lengths of the box that holds the liquid, in metres. A change starts the liquid again.")]
+        Vector3 domainSize = new Vector3(1f, 1f, 1f);
+
+        [SerializeField, Min(0f), Tooltip("Distance of neighbouring particles at rest in metres. Half of it means 8 times as many particles " +
+            "and twice as many steps. A change starts the liquid again.")]
+        float particleSpacing = 0.025f;
+
+        [SerializeField, Tooltip("How the motion is computed. A change starts the liquid again.")]
+        FluidMethodKind method = FluidMethodKind.Thesis;
+
+        [SerializeField, Tooltip("Layers whose Mesh, Box, Sphere and Capsule Colliders the liquid collides with.")]
+        LayerMask colliderLayers = ~0;
+
+        [Header("Time")]
+        [SerializeField, Tooltip("Automatic: the time step follows from spacing, stiffness and viscosity. Fixed: as given.")]
+        FluidTimeStepMode timeStepMode = FluidTimeStepMode.Automatic;
+
+        [SerializeField, Min(0f), Tooltip("Time step in seconds when Time Step Mode is Fixed.")]
+        float fixedTimeStep = 0.0005f;
+
+        [SerializeField, Range(1, 1000), Tooltip("Most steps a frame. Where more are needed the liquid moves slower than time, and the console says so.")]
+        int maxSubstepsPerFrame = 64;
+
+        [SerializeField, Min(0f), Tooltip("Fastest speed to be ready for in m/s, when moving colliders or forces make the liquid faster than " +
+            "its fall. 0: the fall decides.")]
+        float expectedSpeed;
+
+        [Header("Gravity")]
+        [SerializeField, Tooltip("Take gravity from Physics.gravity.")]
+        bool useSceneGravity = true;
+
+        [SerializeField, Tooltip("Gravity in m/s² in world space when Use Scene Gravity is off.")]
+        Vector3 gravity = new Vector3(0f, -9.81f, 0f);
+
+        [Header("Start")]
+        [SerializeField, Tooltip("Start with the scene or when the component is enabled.")]
+        bool playOnEnable = true;
+
+        [SerializeField, Tooltip("Seed of the random offsets at the start. The same seed gives the same start. A change starts the liquid again.")]
+        int seed = 1;
+
+        [SerializeField, Range(0f, FluidSpawner.MaxJitter), Tooltip("Largest random offset of a particle at the start as a fraction of the spacing. A change starts the liquid again.")]
+        float startJitter = 0.02f;
+
+        FluidRun run;
+        bool wanted;
+        FluidStartKey? failedKey;
+        readonly List<FluidMessage> messages = new List<FluidMessage>();
+
+        /// <summary>Raised after a start or a new start.</summary>
+        public event Action<FluidSimulation> Started;
+
+        /// <summary>Raised after a stop, before the GPU memory is gone for readers that still hold it.</summary>
+        public event Action<FluidSimulation> Stopped;
+
+        /// <summary>Raised for each new message, after it was written to the console.</summary>
+        public event Action<FluidMessage> Reported;
+
+        /// <summary>Enabled simulations of all loaded scenes, running or not.</summary>
+        public static IReadOnlyList<FluidSimulation> Active => ActiveList;
+
+        /// <summary>What the liquid is.</summary>
+        public FluidProfile Profile { get => profile; set => profile = value; }
+
+        /// <summary>Edge lengths of the box in this transform's space [m].</summary>
+        public Vector3 DomainSize { get => domainSize; set => domainSize = value; }
+
+        /// <summary>Particle spacing dx [m].</summary>
+        public float Spacing { get => particleSpacing; set => particleSpacing = value; }
+
+        /// <summary>How the motion is computed.</summary>
+        public FluidMethodKind Method { get => method; set => method = value; }
+
+        /// <summary>Layers whose colliders count.</summary>
+        public LayerMask ColliderLayers { get => colliderLayers; set => colliderLayers = value; }
+
+        /// <summary>Where the time step comes from.</summary>
+        public FluidTimeStepMode TimeStepMode { get => timeStepMode; set => timeStepMode = value; }
+
+        /// <summary>Time step in fixed mode [s].</summary>
+        public float FixedTimeStep { get => fixedTimeStep; set => fixedTimeStep = value; }
+
+        /// <summary>Most steps a frame, at least 1.</summary>
+        public int MaxSubstepsPerFrame { get => Mathf.Max(1, maxSubstepsPerFrame); set => maxSubstepsPerFrame = value; }
+
+        /// <summary>Fastest speed to be ready for beyond the fall's [m/s]; 0: the fall decides.</summary>
+        public float ExpectedSpeed { get => expectedSpeed; set => expectedSpeed = value; }
+
+        /// <summary>Whether Physics.gravity acts instead of <see cref="Gravity"/>.</summary>
+        public bool UseSceneGravity { get => useSceneGravity; set => useSceneGravity = value; }
+
+        /// <summary>Own gravity in world space [m/s²].</summary>
+        public Vector3 Gravity { get => gravity; set => gravity = value; }
+
+        /// <summary>Whether the simulation starts when it is enabled.</summary>
+        public bool PlayOnEnable { get => playOnEnable; set => playOnEnable = value; }
+
+        /// <summary>Seed of the random offsets at the start.</summary>
+        public int Seed { get => seed; set => seed = value; }
+
+        /// <summary>Largest random offset at the start over the spacing, 0 to 0.2.</summary>
+        public float StartJitter { get => startJitter; set => startJitter = value; }
+
+        /// <summary>The solver; null when stopped. A new start makes a new one.</summary>
+        public FluidSolver Solver => run?.Solver;
+
+        /// <summary>Whether the liquid exists.</summary>
+        public bool IsRunning => run != null;
+
+        /// <summary>Number of particles; 0 when stopped.</summary>
+        public int ParticleCount => run?.Solver.ParticleCount ?? 0;
+
+        /// <summary>Time since the start [s], as far as the liquid has come.</summary>
+        public double SimulatedTime => run?.Solver.SimulatedTime ?? 0.0;
+
+        /// <summary>Steps since the start.</summary>
+        public long StepCount => run?.Solver.StepCount ?? 0;
+
+        /// <summary>Time step in use [s]; 0 when stopped.</summary>
+        public float TimeStep => run?.Solver.Settings.TimeStep ?? 0f;
+
+        /// <summary>Frames since the start that needed more steps than allowed.</summary>
+        public long CapHits => run?.CapHits ?? 0;
+
+        /// <summary>Simulated time over real time, smoothed over ten frames; 1 keeps up.</summary>
+        public double RealTimeFactor => run?.RealTimeFactor ?? 1.0;
+
+        /// <summary>GPU memory in use by solver and colliders [bytes].</summary>
+        public long GpuBytes => run?.GpuBytes ?? 0;
+
+        /// <summary>Messages since the last start.</summary>
+        public IReadOnlyList<FluidMessage> Messages => messages;
+
+        /// <summary>The worst of the messages since the last start; empty when there is none.</summary>
+        public string StatusMessage => FluidReports.Worst(messages);
+
+        /// <summary>Simulation space to world space: this transform's position and rotation.</summary>
+        public Matrix4x4 LocalToWorld => FluidScene.LocalToWorld(transform);
+
+        /// <summary>Gravity that acts, in world space [m/s²].</summary>
+        public Vector3 EffectiveGravity => useSceneGravity ? Physics.gravity : gravity;
+
+        internal Vector3 LocalGravity => Quaternion.Inverse(transform.rotation) * EffectiveGravity;
+
+        internal CollisionScene Collision => run?.Collision;
+
+        /// <summary>Starts the liquid from its volumes, again if it runs already.</summary>
+        /// <returns>Whether it runs; if not, the messages say why.</returns>
+        public bool StartSimulation()
+        {
+            wanted = true;
+            Release();
+            messages.Clear();
+            run = FluidReports.TryStart(this, Report);
+            failedKey = run == null ? FluidStartKey.Of(this) : (FluidStartKey?)null;
+            if (run != null) Started?.Invoke(this);
+            return run != null;
+        }
+
+        /// <summary>Stops the liquid and frees its GPU memory.</summary>
+        public void StopSimulation()
+        {
+            wanted = false;
+            Release();
+        }
+
+        /// <summary>Puts the liquid back to its start; a stopped one starts.</summary>
+        /// <returns>Whether it runs.</returns>
+        public bool ResetSimulation() => StartSimulation();
+
+        /// <summary>Reads all collision meshes again, after an edit that left a mesh's counts and bounds as they were.</summary>
+        public void RefreshColliders() => run?.InvalidateColliders();
+
+        /// <summary>Checks the settings, the liquid and the colliders; changes nothing and logs nothing.</summary>
+        /// <returns>What is wrong or worth knowing, errors first.</returns>
+        public IReadOnlyList<FluidMessage> Validate() => FluidValidation.Validate(this);
+
+        /// <summary>Waits for the GPU and reads the particles, in simulation space, sorted by cell; for tools and tests.</summary>
+        /// <param name="particles">Receives the particles.</param>
+        /// <returns>False when stopped.</returns>
+        public bool TryReadParticles(List<FluidParticle> particles) => FluidReports.TryReadParticles(Solver, particles);
+
+        /// <summary>Spacing at which the liquid volumes hold as near to a number of particles as the lattice allows [m].</summary>
+        /// <param name="count">Wanted number of particles, 1 or more.</param>
+        /// <returns>The spacing; <see cref="Spacing"/> is not changed.</returns>
+        /// <exception cref="InvalidOperationException">There is no liquid to measure.</exception>
+        public float SpacingForParticleCount(int count) => ParticleCountFit.Spacing(this, count);
+
+        internal void Report(FluidMessage message)
+        {
+            if (messages.Contains(message)) return;
+            messages.Add(message);
+            message.Log();
+            Reported?.Invoke(message);
+        }
+
+        void OnEnable()
+        {
+            ActiveList.Add(this);
+            wanted = playOnEnable;
+            failedKey = null;
+        }
+
+        void OnDisable()
+        {
+            ActiveList.Remove(this);
+            Release();
+        }
+
+        void LateUpdate()
+        {
+            if (!wanted) return;
+            if (run == null || !run.Key.Equals(FluidStartKey.Of(this)))
+            {
+                if (failedKey is FluidStartKey key && key.Equals(FluidStartKey.Of(this))) return;
+                StartSimulation();
+                return;
+            }
+            if (FluidReports.TryAdvance(this, run, Time.deltaTime)) return;
+            Release();
+            failedKey = FluidStartKey.Of(this);
+        }
+
+        void Release()
+        {
+            if (run == null) return;
+            run.Dispose();
+            run = null;
+            Stopped?.Invoke(this);
+        }
+
+        // Without a domain reload statics outlive play mode.
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        static void ResetStatics() => ActiveList.Clear();
+    }
+}

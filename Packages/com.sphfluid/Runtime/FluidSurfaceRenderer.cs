@@ -1,0 +1,128 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Draws the surface of a simulation's liquid as the thesis does: a grid of density factors, then marching cubes in a geometry shader, lit per
+    /// pixel. Where the device has no geometry shaders, says so once and draws the particles instead.
+    /// </summary>
+    [AddComponentMenu("SPH Fluid/Fluid Surface Renderer")]
+    [DefaultExecutionOrder(100)]
+    public sealed class FluidSurfaceRenderer : FluidRenderer
+    {
+        [SerializeField, Tooltip("Cells a side of the grid over the domain. Automatic: 128 on a graphics card, 64 where the CPU draws.")]
+        SurfaceGridSize gridSize = SurfaceGridSize.Automatic;
+
+        [SerializeField, Range(0.05f, 0.95f), Tooltip("The surface lies where the density is this part of the rest density. Lower: fatter liquid, more drops.")]
+        float isoValue = 0.5f;
+
+        [SerializeField, Tooltip("Whether the density at the domain's walls is completed as if the liquid went on behind them. Off: as the thesis prints it.")]
+        bool wallCompletion = true;
+
+        [SerializeField, Tooltip("Material with the shader 'SPH Fluid/Surface (Geometry Shader)'. Empty: one made from the colour and smoothness below.")]
+        Material material;
+
+        [SerializeField, Tooltip("Colour of the liquid, if no material is given.")]
+        Color colour = new Color(0.08f, 0.36f, 0.62f);
+
+        [SerializeField, Range(0f, 1f), Tooltip("Smoothness of the surface, if no material is given: how small and bright its highlights are.")]
+        float smoothness = 0.75f;
+
+        CommandBuffer cmd;
+        SurfaceField field;
+        GeometrySurface surface;
+        ParticleSquares fallback;
+        FluidShaderSet shaderSet;
+
+        /// <summary>Cells a side of the grid over the domain.</summary>
+        public SurfaceGridSize GridSize { get => gridSize; set => gridSize = value; }
+
+        /// <summary>Density of the surface as a part of the rest density, between 0 and 1.</summary>
+        public float IsoValue { get => isoValue; set => isoValue = value; }
+
+        /// <summary>Whether the density at the domain's walls is completed; see <see cref="SurfaceField.WallCompletion"/>.</summary>
+        public bool WallCompletion { get => wallCompletion; set => wallCompletion = value; }
+
+        /// <summary>Material of the surface, or null for one made from <see cref="Colour"/> and <see cref="Smoothness"/>.</summary>
+        public Material Material { get => material; set => material = value; }
+
+        /// <summary>Colour of the liquid, if no material is given.</summary>
+        public Color Colour { get => colour; set => colour = value; }
+
+        /// <summary>Smoothness of the surface, if no material is given, 0 to 1.</summary>
+        public float Smoothness { get => smoothness; set => smoothness = value; }
+
+        /// <summary>Whether the particles are drawn instead, because the device cannot draw the surface.</summary>
+        public bool UsesFallback => fallback != null;
+
+        /// <inheritdoc/>
+        protected override void CreateResources(FluidShaderSet shaders)
+        {
+            shaderSet = shaders;
+            string lack = GeometrySurface.MissingSupport();
+            if (lack != null)
+            {
+                Debug.LogWarning($"{FluidMessage.Prefix} '{name}': {lack} The particles are drawn instead.", this);
+                fallback = new ParticleSquares(shaders);
+                return;
+            }
+            surface = new GeometrySurface(shaders);
+            cmd = new CommandBuffer { name = "Fluid Surface" };
+        }
+
+        /// <inheritdoc/>
+        protected override void ReleaseResources()
+        {
+            cmd?.Dispose();
+            field?.Dispose();
+            surface?.Dispose();
+            fallback?.Dispose();
+            cmd = null;
+            field = null;
+            surface = null;
+            fallback = null;
+        }
+
+        /// <inheritdoc/>
+        protected override void Draw(FluidSimulation drawn)
+        {
+            if (fallback != null)
+                DrawParticles(drawn);
+            else
+                DrawSurface(drawn);
+        }
+
+        void DrawSurface(FluidSimulation drawn)
+        {
+            FitField(drawn.Solver);
+            cmd.Clear();
+            field.Record(cmd, drawn.Solver);
+            Graphics.ExecuteCommandBuffer(cmd);
+
+            DrawPlacement placement = Placement(drawn, 0f);
+            Color? ownColour = material == null ? colour : (Color?)null;
+            surface.Properties(field, isoValue, ownColour, smoothness, placement);
+            surface.Draw(field, material, placement);
+        }
+
+        void DrawParticles(FluidSimulation drawn)
+        {
+            float size = drawn.Solver.Settings.Spacing;
+            var look = new ParticleLook { Size = size, Colour = colour, FastColour = colour, Smoothness = smoothness };
+            fallback.Draw(drawn.Solver.Particles, drawn.Solver.ParticleCount, look, Placement(drawn, size));
+        }
+
+        void FitField(FluidSolver solver)
+        {
+            SurfaceGrid grid = SurfaceGrid.OverDomain(solver.Settings.DomainSize, gridSize);
+            if (field == null || !field.Grid.Equals(grid))
+            {
+                field?.Dispose();
+                field = null;
+                field = new SurfaceField(shaderSet, grid);
+            }
+            field.WallCompletion = wallCompletion;
+        }
+    }
+}

@@ -1,0 +1,127 @@
+using System.Collections.Generic;
+using System.Linq;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>The rules that a simulation's settings have to meet. One set serves the inspector, the console and tests.</summary>
+    public static class FluidValidation
+    {
+        const float ScaleTolerance = 1e-4f;
+
+        /// <summary>Checks a simulation with its liquid and its colliders; changes nothing.</summary>
+        /// <param name="simulation">The simulation.</param>
+        /// <returns>What is wrong or worth knowing, errors first.</returns>
+        public static List<FluidMessage> Validate(FluidSimulation simulation)
+        {
+            using (var collision = new CollisionScene())
+                return Prepare(simulation, collision, out _);
+        }
+
+        /// <summary>Checks the simulation and, when nothing speaks against it, makes its first particles.</summary>
+        /// <param name="simulation">The simulation.</param>
+        /// <param name="collision">Receives the colliders.</param>
+        /// <param name="start">The first particles; null when there is an error.</param>
+        /// <returns>The messages, errors first.</returns>
+        internal static List<FluidMessage> Prepare(FluidSimulation simulation, CollisionScene collision, out FluidStart start)
+        {
+            start = null;
+            var messages = new List<FluidMessage>();
+            CheckDevice(simulation, messages);
+            CheckReferences(simulation, messages);
+            CheckTransform(simulation, messages);
+            bool measurable = CheckNumbers(simulation, messages);
+            if (measurable)
+            {
+                collision.Gather(FluidScene.Query(simulation));
+                messages.AddRange(collision.Messages);
+                start = LiquidRules.Check(simulation, collision, messages);
+            }
+            if (HasErrors(messages)) start = null;
+            if (start != null) CheckTimeStep(simulation, start, messages);
+            return messages.OrderByDescending(m => m.Severity).ToList();
+        }
+
+        /// <summary>Whether any message says that the simulation cannot run.</summary>
+        /// <param name="messages">The messages.</param>
+        /// <returns>True when one is an error.</returns>
+        public static bool HasErrors(IReadOnlyList<FluidMessage> messages)
+        {
+            foreach (FluidMessage message in messages)
+                if (message.Severity == FluidSeverity.Error) return true;
+            return false;
+        }
+
+        static void CheckDevice(FluidSimulation simulation, List<FluidMessage> messages)
+        {
+            foreach (FluidMessage message in FluidSupport.Query().Messages)
+                if (message.Severity == FluidSeverity.Error)
+                    messages.Add(new FluidMessage(message.Severity, message.Issue, simulation, message.Text, message.Cure));
+        }
+
+        static void CheckReferences(FluidSimulation simulation, List<FluidMessage> messages)
+        {
+            FluidProfile profile = simulation.Profile;
+            if (profile == null)
+                messages.Add(Error(simulation, FluidIssue.ProfileMissing, "No profile is assigned.",
+                    "Assign a Fluid Profile, for instance Water from the package's Runtime/Assets, or make one with Assets > Create > SPH Fluid > Fluid Profile."));
+            else if (profile.Shaders == null)
+                messages.Add(Error(profile, FluidIssue.ShadersMissing, "The profile has no shader set.",
+                    "Assign the package's FluidShaderSet from Runtime/Assets to the profile's Shaders."));
+            else if (profile.Shaders.MissingForSimulation() is { Count: > 0 } missing)
+                messages.Add(Error(profile.Shaders, FluidIssue.ShadersMissing, $"The shader set lacks {string.Join(", ", missing)}.",
+                    "Assign the shaders of the same names from the package's Shaders folder, or use the package's own FluidShaderSet."));
+        }
+
+        static void CheckTransform(FluidSimulation simulation, List<FluidMessage> messages)
+        {
+            Vector3 scale = simulation.transform.lossyScale;
+            bool unit = Mathf.Abs(scale.x - 1f) <= ScaleTolerance && Mathf.Abs(scale.y - 1f) <= ScaleTolerance &&
+                Mathf.Abs(scale.z - 1f) <= ScaleTolerance;
+            if (!unit)
+                messages.Add(Error(simulation, FluidIssue.TransformScaled,
+                    $"The transform's scale is {Text(scale)}, but the liquid is computed in metres and needs scale 1.",
+                    "Set the scale of this object and its parents to 1 and give the size in Domain Size."));
+        }
+
+        static bool CheckNumbers(FluidSimulation simulation, List<FluidMessage> messages)
+        {
+            Vector3 size = simulation.DomainSize;
+            float spacing = simulation.Spacing;
+            bool sized = AffineMath.IsFinite(size) && size.x > 0f && size.y > 0f && size.z > 0f;
+            bool spaced = AffineMath.IsFinite(spacing) && spacing > 0f;
+            if (!sized)
+                messages.Add(Error(simulation, FluidIssue.DomainSizeInvalid, $"The domain size is {Text(size)} m.",
+                    "Give Domain Size three numbers greater than zero."));
+            if (!spaced)
+                messages.Add(Error(simulation, FluidIssue.SpacingInvalid, $"The particle spacing is {spacing} m.",
+                    "Give Particle Spacing a number greater than zero."));
+            else if (sized && Mathf.Min(size.x, Mathf.Min(size.y, size.z)) < 2f * spacing)
+                messages.Add(Error(simulation, FluidIssue.SpacingInvalid,
+                    $"The domain of {Text(size)} m is less than two particles of {spacing} m wide.",
+                    "Use a smaller Particle Spacing or a larger Domain Size."));
+            if (!AffineMath.IsFinite(simulation.EffectiveGravity))
+                messages.Add(Error(simulation, FluidIssue.GravityInvalid, "Gravity is not a finite number.", "Give Gravity three finite numbers."));
+            float step = simulation.FixedTimeStep;
+            if (simulation.TimeStepMode == FluidTimeStepMode.Fixed && !(AffineMath.IsFinite(step) && step > 0f))
+                messages.Add(Error(simulation, FluidIssue.TimeStepInvalid, $"The fixed time step is {step} s.",
+                    "Give Fixed Time Step a number greater than zero, or set Time Step Mode to Automatic."));
+            return sized && spaced && AffineMath.IsFinite(simulation.transform.position);
+        }
+
+        static void CheckTimeStep(FluidSimulation simulation, FluidStart start, List<FluidMessage> messages)
+        {
+            if (simulation.TimeStepMode != FluidTimeStepMode.Fixed) return;
+            double limit = FluidConstants.LargestTimeStep(FluidConstants.Derive(simulation, start, simulation.LocalGravity));
+            if (simulation.FixedTimeStep <= limit) return;
+            messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.TimeStepInvalid, simulation,
+                System.FormattableString.Invariant($"The fixed time step of {1e3f * simulation.FixedTimeStep:G3} ms is above the stability limit of {1e3 * limit:G3} ms, so the liquid will fly apart."),
+                System.FormattableString.Invariant($"Use a Fixed Time Step of {1e-6 * System.Math.Floor(0.6e6 * limit):G3} s, or set Time Step Mode to Automatic.")));
+        }
+
+        internal static string Text(Vector3 v) => System.FormattableString.Invariant($"{v.x:0.####} × {v.y:0.####} × {v.z:0.####}");
+
+        static FluidMessage Error(Object context, FluidIssue issue, string text, string cure) =>
+            new FluidMessage(FluidSeverity.Error, issue, context, text, cure);
+    }
+}

@@ -1,0 +1,173 @@
+using Unity.Profiling;
+using Unity.Profiling.LowLevel;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// A kernel of a compute shader: found by name, its support asked, its group size read from the shader.
+    /// Everything is recorded into the caller's command buffer: a compute shader asset is shared by all simulations,
+    /// so each dispatch is preceded by its own parameters.
+    /// </summary>
+    public sealed class ComputeKernel
+    {
+        /// <summary>Groups a dispatch may have in one dimension; MAX_GROUPS in Shaders/Gpu/FluidTypes.hlsl.</summary>
+        public const int MaxGroups = 65535;
+
+        private readonly ComputeShader shader;
+        private readonly int index;
+
+        /// <summary>Finds a kernel.</summary>
+        /// <param name="shader">The compute shader.</param>
+        /// <param name="name">The kernel's name.</param>
+        /// <exception cref="FluidDeviceException">The shader is missing, has no such kernel, or the device cannot run it.</exception>
+        public ComputeKernel(ComputeShader shader, string name)
+        {
+            if (shader == null)
+            {
+                throw new FluidDeviceException($"No compute shader is assigned for '{name}'. Assign it in the fluid shader set.");
+            }
+
+            if (!SystemInfo.supportsComputeShaders)
+            {
+                throw new FluidDeviceException(
+                    $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) has no compute shaders; the fluid needs them.");
+            }
+
+            if (!shader.HasKernel(name))
+            {
+                throw new FluidDeviceException(
+                    $"The compute shader '{shader.name}' has no kernel '{name}', or did not compile. Reimport it and see the console.");
+            }
+
+            this.shader = shader;
+            Name = name;
+            index = shader.FindKernel(name);
+            if (!shader.IsSupported(index))
+            {
+                throw new FluidDeviceException(
+                    $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) cannot run the kernel '{name}' of '{shader.name}'.");
+            }
+
+            shader.GetKernelThreadGroupSizes(index, out uint x, out uint y, out uint z);
+            GroupSize = new Vector3Int((int)x, (int)y, (int)z);
+        }
+
+        /// <summary>The kernel's name.</summary>
+        public string Name { get; }
+
+        /// <summary>Threads of a group, as the shader declares them.</summary>
+        public Vector3Int GroupSize { get; }
+
+        /// <summary>A profiler marker that measures GPU time where the device can.</summary>
+        /// <param name="name">Name of the block.</param>
+        /// <returns>The marker.</returns>
+        public static ProfilerMarker CreateMarker(string name)
+        {
+            return new ProfilerMarker(ProfilerCategory.Render, name, MarkerFlags.SampleGPU);
+        }
+
+        /// <summary>Records a buffer for the next dispatch.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="id">Property id.</param>
+        /// <param name="buffer">The buffer.</param>
+        public void SetBuffer(CommandBuffer cmd, int id, GraphicsBuffer buffer)
+        {
+            cmd.SetComputeBufferParam(shader, index, id, buffer);
+        }
+
+        /// <summary>Records a number for the next dispatch.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="id">Property id.</param>
+        /// <param name="value">The value.</param>
+        public void SetFloat(CommandBuffer cmd, int id, float value)
+        {
+            cmd.SetComputeFloatParam(shader, id, value);
+        }
+
+        /// <summary>Records an integer for the next dispatch.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="id">Property id.</param>
+        /// <param name="value">The value.</param>
+        public void SetInt(CommandBuffer cmd, int id, int value)
+        {
+            cmd.SetComputeIntParam(shader, id, value);
+        }
+
+        /// <summary>Records a switch for the next dispatch: 1 or 0.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="id">Property id.</param>
+        /// <param name="value">The value.</param>
+        public void SetBool(CommandBuffer cmd, int id, bool value)
+        {
+            cmd.SetComputeIntParam(shader, id, value ? 1 : 0);
+        }
+
+        /// <summary>Records integers for the next dispatch.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="id">Property id.</param>
+        /// <param name="values">The values; not kept.</param>
+        public void SetInts(CommandBuffer cmd, int id, int[] values)
+        {
+            cmd.SetComputeIntParams(shader, id, values);
+        }
+
+        /// <summary>Records a vector for the next dispatch.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="id">Property id.</param>
+        /// <param name="value">The value.</param>
+        public void SetVector(CommandBuffer cmd, int id, Vector4 value)
+        {
+            cmd.SetComputeVectorParam(shader, id, value);
+        }
+
+        /// <summary>Records a one-dimensional dispatch; the kernel finds its element by FlatIndex and guards the last group.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="threads">Number of elements; none records nothing.</param>
+        public void DispatchThreads(CommandBuffer cmd, int threads)
+        {
+            Vector2Int groups = SplitGroups(Groups(threads, GroupSize.x));
+            Dispatch(cmd, groups.x, groups.y, 1);
+        }
+
+        /// <summary>Records a dispatch over a box of threads.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="x">Threads along x.</param>
+        /// <param name="y">Threads along y.</param>
+        /// <param name="z">Threads along z.</param>
+        public void DispatchThreads(CommandBuffer cmd, int x, int y, int z)
+        {
+            Dispatch(cmd, Groups(x, GroupSize.x), Groups(y, GroupSize.y), Groups(z, GroupSize.z));
+        }
+
+        /// <summary>Spreads groups over two dimensions: 65,538 groups become (65,535, 2), the last row partly idle.</summary>
+        /// <param name="groups">Number of groups.</param>
+        /// <returns>Groups along x and y.</returns>
+        public static Vector2Int SplitGroups(int groups)
+        {
+            return groups <= MaxGroups
+                ? new Vector2Int(groups, groups > 0 ? 1 : 0)
+                : new Vector2Int(MaxGroups, Groups(groups, MaxGroups));
+        }
+
+        private static int Groups(int threads, int size)
+        {
+            return (int)(((long)threads + size - 1) / size);
+        }
+
+        private void Dispatch(CommandBuffer cmd, int x, int y, int z)
+        {
+            if (x > MaxGroups || y > MaxGroups || z > MaxGroups)
+            {
+                throw new FluidDeviceException(
+                    $"The kernel '{Name}' would need {x} x {y} x {z} groups; a dispatch holds {MaxGroups} along an axis. Use a coarser grid.");
+            }
+
+            if (x > 0 && y > 0 && z > 0)
+            {
+                cmd.DispatchCompute(shader, index, x, y, z);
+            }
+        }
+    }
+}

@@ -1,0 +1,105 @@
+using System;
+using Unity.Collections;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Brings the counter buffer (Shaders/Gpu/FluidCounters.hlsl) to the CPU without waiting for the GPU.</summary>
+    internal sealed class CounterReadback : IDisposable
+    {
+        public const int Slots = 8;
+        private const int AccelerationLimit = 0;
+        private const int DomainClamp = 1;
+        private const int NonFinite = 2;
+        private const int MaxSpeed = 4;
+        private const int MaxDensity = 5;
+        private const int FirstMaximum = 4;
+
+        private static readonly uint[] Zeros = new uint[Slots];
+
+        private readonly GraphicsBuffer buffer;
+        private readonly Action<AsyncGPUReadbackRequest> received;
+        private readonly uint[] last = new uint[Slots];
+        private FluidCounters counters;
+        private bool disposed;
+
+        public CounterReadback(GraphicsBuffer buffer, float restDensity)
+        {
+            this.buffer = buffer;
+            RestDensity = restDensity;
+            received = Receive;
+        }
+
+        public FluidCounters Counters => counters;
+
+        public float RestDensity { get; set; }
+
+        /// <summary>Records the start of a batch of steps: maxima begin anew, counts go on.</summary>
+        public void RecordReset(CommandBuffer cmd)
+        {
+            cmd.SetBufferData(buffer, Zeros, FirstMaximum, FirstMaximum, Slots - FirstMaximum);
+        }
+
+        /// <summary>Records the read-back; devices without asynchronous read-back use <see cref="ReadNow"/>.</summary>
+        public void RecordRequest(CommandBuffer cmd)
+        {
+            if (SystemInfo.supportsAsyncGPUReadback)
+            {
+                cmd.RequestAsyncReadback(buffer, received);
+            }
+        }
+
+        /// <summary>Waits for the GPU and reads the counters.</summary>
+        public FluidCounters ReadNow()
+        {
+            var values = new uint[Slots];
+            buffer.GetData(values);
+            Take(values);
+            return counters;
+        }
+
+        public void Dispose()
+        {
+            disposed = true;
+        }
+
+        private void Receive(AsyncGPUReadbackRequest request)
+        {
+            if (!disposed && !request.hasError)
+            {
+                NativeArray<uint> values = request.GetData<uint>();
+                var copy = new uint[Slots];
+                values.CopyTo(copy);
+                Take(copy);
+            }
+        }
+
+        private void Take(uint[] values)
+        {
+            counters.AccelerationLimitHits += Added(values, AccelerationLimit);
+            counters.DomainClamps += Added(values, DomainClamp);
+            counters.NonFinite += Added(values, NonFinite);
+            counters.MaxSpeed = ToFloat(values[MaxSpeed]);
+            counters.MaxCompression = Mathf.Max(0f, ToFloat(values[MaxDensity]) / RestDensity - 1f);
+        }
+
+        // The GPU counts modulo 2^32; a difference survives the overflow. A read-back older than ReadNow's adds nothing.
+        private int Added(uint[] values, int slot)
+        {
+            int added = unchecked((int)(values[slot] - last[slot]));
+            if (added <= 0)
+            {
+                return 0;
+            }
+
+            last[slot] = values[slot];
+            return added;
+        }
+
+        private static float ToFloat(uint bits)
+        {
+            return BitConverter.Int32BitsToSingle(unchecked((int)bits));
+        }
+    }
+}

@@ -1,0 +1,48 @@
+using System.Runtime.InteropServices;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// A particle as it lies in the GPU buffer: 48 bytes, mirrored by <c>struct Particle</c> in Shaders/Gpu/FluidTypes.hlsl.
+    /// Simulation space: metres from the centre of the domain box, along its axes.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public struct FluidParticle
+    {
+        /// <summary>Size of a particle in bytes.</summary>
+        public const int Stride = 48;
+
+        /// <summary>Position [m].</summary>
+        public Vector3 Position;
+
+        /// <summary>Number given at the start; sorting moves particles, not their numbers.</summary>
+        public uint Id;
+
+        /// <summary>Velocity half a step after the last force [m/s]; the initial velocity before the first step.</summary>
+        public Vector3 VelT0;
+
+        /// <summary>Unused; keeps the vectors on 16 bytes.</summary>
+        public float Pad0;
+
+        /// <summary>Velocity at the time of the last force [m/s], one step before <see cref="Position"/>.</summary>
+        public Vector3 VelT1;
+
+        /// <summary>Unused; keeps the vectors on 16 bytes.</summary>
+        public float Pad1;
+
+        /// <summary>A particle at the start of a simulation.</summary>
+        /// <param name="position">Position [m], simulation space.</param>
+        /// <param name="velocity">Initial velocity [m/s], simulation space.</param>
+        /// <param name="id">Number of the particle, unique in its simulation.</param>
+        public FluidParticle(Vector3 position, Vector3 velocity, uint id)
+        {
+            Position = position;
+            Id = id;
+            VelT0 = velocity;
+            Pad0 = 0f;
+            VelT1 = velocity;
+            Pad1 = 0f;
+        }
+    }
+}

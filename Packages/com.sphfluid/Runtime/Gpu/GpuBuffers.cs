@@ -1,0 +1,38 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>Creates named buffers that are checked against the device's limit.</summary>
+    public static class GpuBuffers
+    {
+        /// <summary>Creates a structured buffer.</summary>
+        /// <param name="name">Name shown by frame debuggers and error messages.</param>
+        /// <param name="count">Number of elements; zero gives one element, so that the buffer can be bound.</param>
+        /// <param name="stride">Bytes of an element.</param>
+        /// <param name="target">Uses besides <see cref="GraphicsBuffer.Target.Structured"/>.</param>
+        /// <returns>The buffer; the caller disposes it.</returns>
+        /// <exception cref="FluidDeviceException">The device has no room for a buffer of this size.</exception>
+        public static GraphicsBuffer Create(string name, long count, int stride,
+            GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured)
+        {
+            long bytes = count * stride;
+            if (count > int.MaxValue || bytes > SystemInfo.maxGraphicsBufferSize)
+            {
+                throw new FluidDeviceException(
+                    $"The buffer '{name}' needs {bytes / 1048576.0:F0} MiB ({count} elements of {stride} bytes); " +
+                    $"{SystemInfo.graphicsDeviceName} allows {SystemInfo.maxGraphicsBufferSize / 1048576.0:F0} MiB. " +
+                    "Use fewer particles, a larger particle spacing or a smaller domain.");
+            }
+
+            return new GraphicsBuffer(target, count > 0 ? (int)count : 1, stride) { name = name };
+        }
+
+        /// <summary>Disposes a buffer and forgets it.</summary>
+        /// <param name="buffer">The buffer, or null.</param>
+        public static void Dispose(ref GraphicsBuffer buffer)
+        {
+            buffer?.Dispose();
+            buffer = null;
+        }
+    }
+}

@@ -1,0 +1,76 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>What <see cref="FluidRules"/> derive a solver's constants from. Start from <see cref="Water"/>.</summary>
+    public struct FluidRuleInput
+    {
+        /// <summary>Size of the domain box [m].</summary>
+        public Vector3 DomainSize;
+
+        /// <summary>Particle spacing dx [m].</summary>
+        public float Spacing;
+
+        /// <summary>Gravity [m/s²], along the axes of the domain box.</summary>
+        public Vector3 Gravity;
+
+        /// <summary>Height H of the highest liquid over the lowest point of the domain, against gravity [m].</summary>
+        public float LiquidHeight;
+
+        /// <summary>Depth of the liquid at rest [m]; at most <see cref="LiquidHeight"/>.</summary>
+        public float LiquidDepth;
+
+        /// <summary>Largest initial speed [m/s].</summary>
+        public float InitialSpeed;
+
+        /// <summary>Rest density ρ0 [kg/m³].</summary>
+        public float RestDensity;
+
+        /// <summary>Kinematic viscosity of the real liquid [m²/s].</summary>
+        public float KinematicViscosity;
+
+        /// <summary>κ = R/dx.</summary>
+        public float SupportRatio;
+
+        /// <summary>Effective speed of sound over the fastest speed; 5 allows 4 % compression.</summary>
+        public float SoundSpeedRatio;
+
+        /// <summary>Compression allowed at the bottom of the liquid at rest, gH/c².</summary>
+        public float MaxCompression;
+
+        /// <summary>α: the method's least kinematic viscosity over c_eff R.</summary>
+        public float ViscosityRatio;
+
+        /// <summary>Time step over the acoustic limit 1.35 R/√k.</summary>
+        public float TimeStepFraction;
+
+        /// <summary>Distance at which a wall begins to push, over dx.</summary>
+        public float WallDistanceRatio;
+
+        /// <summary>Wall stiffness over (v_max/distance)², which stops v_max within the distance.</summary>
+        public float WallStiffnessRatio;
+
+        /// <summary>Wall damping over critical damping; 1 does not rebound.</summary>
+        public float WallDampingRatio;
+
+        /// <summary>Least speed the constants are made for [m/s], for liquid at rest without gravity.</summary>
+        public float MinSpeed;
+
+        /// <summary>Water with the ratios that the package ships; sizes and heights are to be set.</summary>
+        public static FluidRuleInput Water => new FluidRuleInput
+        {
+            Gravity = new Vector3(0f, -9.81f, 0f),
+            RestDensity = 1000f,
+            KinematicViscosity = 1e-6f,
+            SupportRatio = 2f,
+            SoundSpeedRatio = 5f,
+            MaxCompression = 0.04f,
+            ViscosityRatio = 0.01f,
+            TimeStepFraction = 0.6f,
+            WallDistanceRatio = 0.5f,
+            WallStiffnessRatio = 1f,
+            WallDampingRatio = 1f,
+            MinSpeed = 0.1f,
+        };
+    }
+}

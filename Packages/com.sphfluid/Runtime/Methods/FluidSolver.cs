@@ -1,0 +1,227 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// A running liquid: its particles on the GPU and the order of the steps. Records into the caller's command buffer;
+    /// command buffers must be executed in the order in which they were recorded. Simulation space: metres from the centre
+    /// of the domain box, along its axes.
+    /// </summary>
+    public sealed class FluidSolver : IDisposable
+    {
+        private readonly IFluidMethod method;
+        private readonly FluidState state;
+        private readonly CounterReadback counters;
+        private bool neighboursFresh;
+        private bool disposed;
+
+        /// <summary>Uploads the particles and prepares the method.</summary>
+        /// <param name="settings">The physics.</param>
+        /// <param name="shaders">The compute shaders.</param>
+        /// <param name="initial">Particles at the start, one or more, inside the domain.</param>
+        /// <param name="kind">The method.</param>
+        /// <exception cref="ArgumentException">A constant or the particles cannot be computed with.</exception>
+        /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold a buffer.</exception>
+        public FluidSolver(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> initial,
+            FluidMethodKind kind = FluidMethodKind.Thesis)
+        {
+            settings.Validate();
+            FluidParticle[] particles = CheckParticles(settings, initial);
+            method = CreateMethod(kind, shaders);
+            state = new FluidState(settings, particles.Length);
+            state.SetTriangles(null, null, 0);
+            state.Buffers.Particles.SetData(particles);
+            counters = new CounterReadback(state.Buffers.Counters, settings.RestDensity);
+        }
+
+        /// <summary>Number of particles.</summary>
+        public int ParticleCount => state.ParticleCount;
+
+        /// <summary>The physics, a copy.</summary>
+        public FluidSolverSettings Settings => state.Settings;
+
+        /// <summary>The neighbour grid.</summary>
+        public FluidGrid Grid => state.Grid;
+
+        /// <summary>FluidParticle a particle, in the order of the last neighbour setup. Ask again after each recording: two buffers alternate.</summary>
+        public GraphicsBuffer Particles => state.Buffers.Particles;
+
+        /// <summary>Density [kg/m³], float a particle, in the order of <see cref="Particles"/>, as of the last neighbour setup.</summary>
+        public GraphicsBuffer Density => state.Buffers.Density;
+
+        /// <summary>Pressure [Pa], float a particle, in the order of <see cref="Particles"/>, as of the last neighbour setup.</summary>
+        public GraphicsBuffer Pressure => state.Buffers.Pressure;
+
+        /// <summary>First and end of each cell's particles in <see cref="Particles"/>, uint2 a cell, as of the last neighbour setup.</summary>
+        public GraphicsBuffer GridIndices => state.Buffers.GridIndices;
+
+        /// <summary>Steps recorded since the start.</summary>
+        public long StepCount { get; private set; }
+
+        /// <summary>Time recorded since the start [s].</summary>
+        public double SimulatedTime { get; private set; }
+
+        /// <summary>Events counted on the GPU, as of the last finished read-back.</summary>
+        public FluidCounters Counters => counters.Counters;
+
+        /// <summary>Bytes of GPU memory that the solver holds.</summary>
+        public long GpuBytes => state.Buffers.Bytes;
+
+        internal FluidState State => state;
+
+        /// <summary>Gives the solver the scene's triangles; the caller keeps them alive and disposes them.</summary>
+        /// <param name="triangles">CollisionTriangle each (Shaders/Collision/CollisionTypes.hlsl); null for none.</param>
+        /// <param name="colliders">CollisionCollider each; null for none.</param>
+        /// <param name="colliderCount">Number of colliders.</param>
+        public void SetTriangles(GraphicsBuffer triangles, GraphicsBuffer colliders, int colliderCount)
+        {
+            ThrowIfDisposed();
+            state.SetTriangles(triangles, colliders, colliderCount);
+        }
+
+        /// <summary>Changes the physics between steps.</summary>
+        /// <param name="settings">New constants; domain size and support radius must stay, the grid depends on them.</param>
+        /// <exception cref="ArgumentException">A constant is out of range, or the grid would change.</exception>
+        public void ApplySettings(in FluidSolverSettings settings)
+        {
+            ThrowIfDisposed();
+            settings.Validate();
+            if (settings.DomainSize != state.Settings.DomainSize || settings.SupportRadius != state.Settings.SupportRadius)
+            {
+                throw new ArgumentException(
+                    "DomainSize and SupportRadius cannot change while the liquid runs: the grid depends on them. Start a new solver.");
+            }
+
+            state.Settings = settings;
+            counters.RestDensity = settings.RestDensity;
+            neighboursFresh = false;
+        }
+
+        /// <summary>Records a number of steps, and a read-back of the counters.</summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        /// <param name="steps">Number of steps; none records nothing.</param>
+        public void RecordSteps(CommandBuffer cmd, int steps)
+        {
+            ThrowIfDisposed();
+            if (steps < 0)
+            {
+                throw new ArgumentOutOfRangeException(nameof(steps), steps, "The number of steps must be zero or more.");
+            }
+
+            if (steps == 0)
+            {
+                return;
+            }
+
+            counters.RecordReset(cmd);
+            for (int i = 0; i < steps; i++)
+            {
+                RecordNeighbourSetup(cmd);
+                method.RecordMotion(cmd, state, StepCount == 0);
+                neighboursFresh = false;
+                StepCount++;
+                SimulatedTime += state.Settings.TimeStep;
+            }
+
+            counters.RecordRequest(cmd);
+        }
+
+        /// <summary>
+        /// Records sort, grid ranges and density at the present positions, so that <see cref="Particles"/>,
+        /// <see cref="Density"/> and <see cref="GridIndices"/> agree for drawing. The next step uses it: nothing is done twice.
+        /// </summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        public void RecordNeighbourSetup(CommandBuffer cmd)
+        {
+            ThrowIfDisposed();
+            if (!neighboursFresh)
+            {
+                method.RecordNeighbourSetup(cmd, state);
+                neighboursFresh = true;
+            }
+        }
+
+        /// <summary>Records the globals of a kernel that includes Shaders/Neighbours/ThesisNeighbours.hlsl.</summary>
+        /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
+        /// <param name="kernel">The kernel.</param>
+        public void BindNeighbours(CommandBuffer cmd, ComputeKernel kernel)
+        {
+            ThrowIfDisposed();
+            method.BindNeighbours(cmd, state, kernel);
+        }
+
+        /// <summary>Waits for the GPU and reads the counters; for tools and tests.</summary>
+        /// <returns>The counters now.</returns>
+        public FluidCounters ReadCountersNow()
+        {
+            ThrowIfDisposed();
+            return counters.ReadNow();
+        }
+
+        /// <summary>Releases the GPU memory.</summary>
+        public void Dispose()
+        {
+            if (!disposed)
+            {
+                disposed = true;
+                counters.Dispose();
+                state.Dispose();
+            }
+        }
+
+        private static IFluidMethod CreateMethod(FluidMethodKind kind, FluidShaderSet shaders)
+        {
+            if (shaders == null)
+            {
+                throw new ArgumentException("No fluid shader set is given. Assign one in the fluid profile.", nameof(shaders));
+            }
+
+            switch (kind)
+            {
+                case FluidMethodKind.Thesis:
+                    return new ThesisMethod(shaders);
+                default:
+                    throw new ArgumentException($"There is no fluid method {kind}.", nameof(kind));
+            }
+        }
+
+        private static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial)
+        {
+            if (initial == null || initial.Count == 0)
+            {
+                throw new ArgumentException("A fluid needs one particle or more.", nameof(initial));
+            }
+
+            Vector3 half = 0.5f * settings.DomainSize;
+            var particles = new FluidParticle[initial.Count];
+            int outside = 0;
+            for (int i = 0; i < particles.Length; i++)
+            {
+                particles[i] = initial[i];
+                Vector3 p = particles[i].Position;
+                bool inside = Mathf.Abs(p.x) <= half.x && Mathf.Abs(p.y) <= half.y && Mathf.Abs(p.z) <= half.z;
+                outside += inside ? 0 : 1;
+            }
+
+            if (outside > 0)
+            {
+                throw new ArgumentException(
+                    $"{outside} of {particles.Length} particles lie outside the domain of {settings.DomainSize} m. Move the liquid or enlarge the domain.",
+                    nameof(initial));
+            }
+
+            return particles;
+        }
+
+        private void ThrowIfDisposed()
+        {
+            if (disposed)
+            {
+                throw new ObjectDisposedException(nameof(FluidSolver));
+            }
+        }
+    }
+}

@@ -1,0 +1,118 @@
+using System;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>The constants of a running solver, SI, simulation space. A value: copies are independent.</summary>
+    public struct FluidSolverSettings
+    {
+        /// <summary>Size of the domain box [m], centred on the origin.</summary>
+        public Vector3 DomainSize;
+
+        /// <summary>Particle spacing dx at rest [m].</summary>
+        public float Spacing;
+
+        /// <summary>Support radius R of the kernels [m]: the thesis's h.</summary>
+        public float SupportRadius;
+
+        /// <summary>Rest density ρ0 [kg/m³].</summary>
+        public float RestDensity;
+
+        /// <summary>Mass of a particle m [kg].</summary>
+        public float ParticleMass;
+
+        /// <summary>Stiffness k of equation (10) [m²/s²].</summary>
+        public float Stiffness;
+
+        /// <summary>Dynamic viscosity µ of equation (15) [Pa s].</summary>
+        public float Viscosity;
+
+        /// <summary>Length of a step [s].</summary>
+        public float TimeStep;
+
+        /// <summary>Gravity [m/s²], along the axes of the domain box.</summary>
+        public Vector3 Gravity;
+
+        /// <summary>Emergency limit on the fluid's own acceleration [m/s²]; gravity and contact are not limited.</summary>
+        public float AccelerationLimit;
+
+        /// <summary>Stiffness of walls per unit mass [1/s²].</summary>
+        public float WallStiffness;
+
+        /// <summary>Damping of walls per unit mass [1/s].</summary>
+        public float WallDamping;
+
+        /// <summary>Distance at which a wall begins to push [m].</summary>
+        public float WallDistance;
+
+        /// <summary>Fastest speed that the other constants are made for [m/s].</summary>
+        public float MaxSpeed;
+
+        /// <summary>True: a particle counts itself in its density, equation (11). False: not, as 6.3.1 prints it.</summary>
+        public bool SelfDensity;
+
+        /// <summary>True: the ½ of equation (13), which halves the pressure gradient. False: the full gradient.</summary>
+        public bool PressureHalf;
+
+        /// <summary>True: negative pressures act as zero. False: equation (10) as printed, which clumps particles at a surface.</summary>
+        public bool PressureClamp;
+
+        /// <summary>True: <see cref="AccelerationLimit"/> acts, as 6.3.3 has it.</summary>
+        public bool AccelerationLimitEnabled;
+
+        /// <summary>True: the 8 cells of the particle's octant are searched, as 6.2 has it. False: all 27.</summary>
+        public bool OctantSearch;
+
+        /// <summary>True: the first step gives half a kick, so that velocities live between the steps, equation (21).</summary>
+        public bool HalfKick;
+
+        /// <summary>Effective speed of sound [m/s]: √(k/2) with the ½ of equation (13), √k without.</summary>
+        public float SoundSpeed => Mathf.Sqrt(PressureHalf ? 0.5f * Stiffness : Stiffness);
+
+        /// <summary>Constants by rule from spacing, depth and speed; see <see cref="FluidRules"/>.</summary>
+        /// <param name="input">What the rules start from.</param>
+        /// <returns>The settings.</returns>
+        /// <exception cref="ArgumentException">An input is out of range.</exception>
+        public static FluidSolverSettings FromRules(in FluidRuleInput input)
+        {
+            return FluidRules.Derive(input);
+        }
+
+        /// <summary>Checks that every constant can be computed with.</summary>
+        /// <exception cref="ArgumentException">A constant is out of range; the message names it.</exception>
+        public void Validate()
+        {
+            RequirePositive(DomainSize.x, nameof(DomainSize));
+            RequirePositive(DomainSize.y, nameof(DomainSize));
+            RequirePositive(DomainSize.z, nameof(DomainSize));
+            RequirePositive(Spacing, nameof(Spacing));
+            RequirePositive(SupportRadius, nameof(SupportRadius));
+            RequirePositive(RestDensity, nameof(RestDensity));
+            RequirePositive(ParticleMass, nameof(ParticleMass));
+            RequirePositive(Stiffness, nameof(Stiffness));
+            RequirePositive(TimeStep, nameof(TimeStep));
+            RequirePositive(AccelerationLimit, nameof(AccelerationLimit));
+            RequireNotNegative(Viscosity, nameof(Viscosity));
+            RequireNotNegative(WallStiffness, nameof(WallStiffness));
+            RequireNotNegative(WallDamping, nameof(WallDamping));
+            RequireNotNegative(WallDistance, nameof(WallDistance));
+            RequireNotNegative(Gravity.magnitude, nameof(Gravity));
+        }
+
+        internal static void RequirePositive(float value, string name)
+        {
+            if (!(value > 0f) || float.IsInfinity(value))
+            {
+                throw new ArgumentException($"{name} is {value}; it must be a positive number.", name);
+            }
+        }
+
+        internal static void RequireNotNegative(float value, string name)
+        {
+            if (!(value >= 0f) || float.IsInfinity(value))
+            {
+                throw new ArgumentException($"{name} is {value}; it must be zero or a positive number.", name);
+            }
+        }
+    }
+}

@@ -1,0 +1,25 @@
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>A method of computing the liquid's motion: passes recorded in the order of the paper.</summary>
+    public interface IFluidMethod
+    {
+        /// <summary>Records what finds each particle's neighbours at its present position, and the density there.</summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        /// <param name="state">Buffers and settings.</param>
+        void RecordNeighbourSetup(CommandBuffer cmd, FluidState state);
+
+        /// <summary>Records the forces and the motion of one time step. The neighbour setup comes before it.</summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        /// <param name="state">Buffers and settings.</param>
+        /// <param name="firstStep">True where the particles' velocities are still those of the start.</param>
+        void RecordMotion(CommandBuffer cmd, FluidState state, bool firstStep);
+
+        /// <summary>Records what a kernel needs that includes the method's neighbour loop.</summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        /// <param name="state">Buffers and settings.</param>
+        /// <param name="kernel">The kernel.</param>
+        void BindNeighbours(CommandBuffer cmd, FluidState state, ComputeKernel kernel);
+    }
+}

@@ -1,0 +1,104 @@
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Thesis 6.2.3 and Appendix A: bitonic sort of uint2 pairs by x, then y. Runs of 1,024 are sorted in shared memory;
+    /// longer ones as a matrix of 1,024 columns: transpose, sort the columns, transpose, sort the rows.
+    /// A column of more than 1,024 rows (above 1,024 × 1,024 pairs) is first merged at the distances it does not hold.
+    /// </summary>
+    internal sealed class BitonicSortPass
+    {
+        /// <summary>BIT_BSIZE of the shader.</summary>
+        public const int BlockSize = 1024;
+
+        private const int MaxCount = 1 << 30;
+
+        private static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("BitonicSort");
+
+        private readonly ComputeKernel bitonicSort;
+        private readonly ComputeKernel matrixTranspose;
+        private readonly ComputeKernel bitonicMerge;
+
+        public BitonicSortPass(FluidShaderSet shaders)
+        {
+            bitonicSort = new ComputeKernel(shaders.BitonicSort, "BitonicSort");
+            matrixTranspose = new ComputeKernel(shaders.BitonicSort, "MatrixTranspose");
+            bitonicMerge = new ComputeKernel(shaders.BitonicSort, "BitonicMerge");
+        }
+
+        /// <summary>Pairs to sort for a number of particles: the next power of two, a block at least. 5,003 gives 8,192.</summary>
+        public static int PaddedCount(int count)
+        {
+            if (count > MaxCount)
+            {
+                throw new FluidDeviceException($"{count} particles are more than the sort can index, {MaxCount}. Use a larger particle spacing.");
+            }
+
+            return Mathf.NextPowerOfTwo(Mathf.Max(count, BlockSize));
+        }
+
+        public void Record(CommandBuffer cmd, FluidState state)
+        {
+            Record(cmd, state.Buffers.Grid, state.Buffers.GridTranspose, state.Buffers.PaddedCount);
+        }
+
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="data">The pairs, sorted in place.</param>
+        /// <param name="temp">As many pairs again.</param>
+        /// <param name="count">Number of pairs: a power of two, a block at least.</param>
+        public void Record(CommandBuffer cmd, GraphicsBuffer data, GraphicsBuffer temp, int count)
+        {
+            cmd.BeginSample(Marker);
+            for (int level = 2; level <= BlockSize; level <<= 1)
+            {
+                SortRows(cmd, data, level, level, count);
+            }
+
+            // level & ~count: the last level of all runs upwards everywhere.
+            int width = BlockSize;
+            int height = count / BlockSize;
+            for (int level = BlockSize << 1; level <= count && level > 0; level <<= 1)
+            {
+                for (int distance = level >> 1; distance >= BlockSize * BlockSize; distance >>= 1)
+                {
+                    Merge(cmd, data, distance, level & ~count, count);
+                }
+
+                Transpose(cmd, data, temp, width, height);
+                SortRows(cmd, temp, Mathf.Min(level / BlockSize, BlockSize), (level & ~count) / BlockSize, count);
+                Transpose(cmd, temp, data, height, width);
+                SortRows(cmd, data, BlockSize, level & ~count, count);
+            }
+
+            cmd.EndSample(Marker);
+        }
+
+        private void SortRows(CommandBuffer cmd, GraphicsBuffer data, int level, int levelMask, int count)
+        {
+            bitonicSort.SetInt(cmd, FluidShaderIds.Level, level);
+            bitonicSort.SetInt(cmd, FluidShaderIds.LevelMask, levelMask);
+            bitonicSort.SetBuffer(cmd, FluidShaderIds.Data, data);
+            bitonicSort.DispatchThreads(cmd, count);
+        }
+
+        private void Transpose(CommandBuffer cmd, GraphicsBuffer from, GraphicsBuffer to, int width, int height)
+        {
+            matrixTranspose.SetInt(cmd, FluidShaderIds.Width, width);
+            matrixTranspose.SetInt(cmd, FluidShaderIds.Height, height);
+            matrixTranspose.SetBuffer(cmd, FluidShaderIds.Input, from);
+            matrixTranspose.SetBuffer(cmd, FluidShaderIds.Data, to);
+            matrixTranspose.DispatchThreads(cmd, width, height, 1);
+        }
+
+        private void Merge(CommandBuffer cmd, GraphicsBuffer data, int distance, int levelMask, int count)
+        {
+            bitonicMerge.SetInt(cmd, FluidShaderIds.MergeDistance, distance);
+            bitonicMerge.SetInt(cmd, FluidShaderIds.LevelMask, levelMask);
+            bitonicMerge.SetBuffer(cmd, FluidShaderIds.Data, data);
+            bitonicMerge.DispatchThreads(cmd, count / 2);
+        }
+    }
+}

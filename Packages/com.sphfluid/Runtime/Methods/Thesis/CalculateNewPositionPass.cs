@@ -1,0 +1,33 @@
+using Unity.Profiling;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Thesis 6.3.4: leapfrog, equations (19) to (21).</summary>
+    internal sealed class CalculateNewPositionPass
+    {
+        private static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("CalculateNewPosition");
+
+        private readonly ComputeKernel kernel;
+
+        public CalculateNewPositionPass(FluidShaderSet shaders)
+        {
+            kernel = new ComputeKernel(shaders.CalculateNewPosition, "CalculateNewPosition");
+        }
+
+        public void Record(CommandBuffer cmd, FluidState state, bool firstStep)
+        {
+            FluidSolverSettings settings = state.Settings;
+            cmd.BeginSample(Marker);
+            kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
+            kernel.SetFloat(cmd, FluidShaderIds.TimeStep, settings.TimeStep);
+            kernel.SetBool(cmd, FluidShaderIds.FirstStep, firstStep && settings.HalfKick);
+            kernel.SetVector(cmd, FluidShaderIds.DomainHalfSize, 0.5f * settings.DomainSize);
+            kernel.SetBuffer(cmd, FluidShaderIds.Particles, state.Buffers.Particles);
+            kernel.SetBuffer(cmd, FluidShaderIds.Acceleration, state.Buffers.Acceleration);
+            kernel.SetBuffer(cmd, FluidShaderIds.Counters, state.Buffers.Counters);
+            kernel.DispatchThreads(cmd, state.ParticleCount);
+            cmd.EndSample(Marker);
+        }
+    }
+}

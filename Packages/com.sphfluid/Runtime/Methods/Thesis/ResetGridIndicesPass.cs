@@ -1,0 +1,27 @@
+using Unity.Profiling;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Thesis 6.2.4: every cell is empty.</summary>
+    internal sealed class ResetGridIndicesPass
+    {
+        private static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("ResetGridIndices");
+
+        private readonly ComputeKernel kernel;
+
+        public ResetGridIndicesPass(FluidShaderSet shaders)
+        {
+            kernel = new ComputeKernel(shaders.ResetGridIndices, "ResetGridIndices");
+        }
+
+        public void Record(CommandBuffer cmd, FluidState state)
+        {
+            cmd.BeginSample(Marker);
+            kernel.SetInt(cmd, FluidShaderIds.CellCount, state.Grid.CellCount);
+            kernel.SetBuffer(cmd, FluidShaderIds.GridIndices, state.Buffers.GridIndices);
+            kernel.DispatchThreads(cmd, state.Grid.CellCount);
+            cmd.EndSample(Marker);
+        }
+    }
+}

@@ -1,0 +1,30 @@
+using Unity.Profiling;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Thesis 6.2.6: the particles in the order of their cells, written to the second buffer; the two are exchanged.</summary>
+    internal sealed class SortParticlesPass
+    {
+        private static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("SortParticles");
+
+        private readonly ComputeKernel kernel;
+
+        public SortParticlesPass(FluidShaderSet shaders)
+        {
+            kernel = new ComputeKernel(shaders.SortParticles, "SortParticles");
+        }
+
+        public void Record(CommandBuffer cmd, FluidState state)
+        {
+            cmd.BeginSample(Marker);
+            kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
+            kernel.SetBuffer(cmd, FluidShaderIds.Grid, state.Buffers.Grid);
+            kernel.SetBuffer(cmd, FluidShaderIds.Particles, state.Buffers.Particles);
+            kernel.SetBuffer(cmd, FluidShaderIds.SortedParticles, state.Buffers.SortedParticles);
+            kernel.DispatchThreads(cmd, state.ParticleCount);
+            cmd.EndSample(Marker);
+            state.Buffers.SwapParticles();
+        }
+    }
+}

@@ -1,0 +1,35 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>The globals that several blocks share: Shaders/Neighbours/FluidGrid.hlsl and ThesisNeighbours.hlsl.</summary>
+    internal static class ThesisBindings
+    {
+        // Copied when recorded, so one array serves; command buffers are recorded on the main thread.
+        private static readonly int[] Counts = new int[3];
+
+        public static void SetGrid(CommandBuffer cmd, ComputeKernel kernel, in FluidGrid grid)
+        {
+            Vector3Int counts = grid.Counts;
+            Counts[0] = counts.x;
+            Counts[1] = counts.y;
+            Counts[2] = counts.z;
+            kernel.SetVector(cmd, FluidShaderIds.GridOrigin, grid.Origin);
+            kernel.SetFloat(cmd, FluidShaderIds.CellSize, grid.CellSize);
+            kernel.SetInts(cmd, FluidShaderIds.GridCounts, Counts);
+        }
+
+        public static void SetNeighbours(CommandBuffer cmd, ComputeKernel kernel, FluidState state)
+        {
+            FluidSolverSettings settings = state.Settings;
+            double h = settings.SupportRadius;
+            SetGrid(cmd, kernel, state.Grid);
+            kernel.SetBool(cmd, FluidShaderIds.OctantSearch, settings.OctantSearch);
+            kernel.SetFloat(cmd, FluidShaderIds.SmoothLengthSquared, (float)(h * h));
+            kernel.SetFloat(cmd, FluidShaderIds.DensityCoefficient, (float)(settings.ParticleMass * ThesisKernels.Poly6Factor(h)));
+            kernel.SetBuffer(cmd, FluidShaderIds.Particles, state.Buffers.Particles);
+            kernel.SetBuffer(cmd, FluidShaderIds.GridIndices, state.Buffers.GridIndices);
+        }
+    }
+}

@@ -1,0 +1,60 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Where and how a fluid is drawn: everything that Unity's render call asks besides the shader's own properties.</summary>
+    readonly struct DrawPlacement
+    {
+        /// <param name="localToWorld">Simulation space to world space: rotation and translation.</param>
+        /// <param name="domainSize">Edges of the domain [m].</param>
+        /// <param name="margin">How far the drawing reaches beyond the domain [m].</param>
+        /// <param name="layer">Layer of the drawing, 0 to 31.</param>
+        /// <param name="castShadows">Whether the drawing casts shadows.</param>
+        public DrawPlacement(Matrix4x4 localToWorld, Vector3 domainSize, float margin, int layer, bool castShadows)
+        {
+            LocalToWorld = localToWorld;
+            WorldBounds = BoundsOf(localToWorld, domainSize + Vector3.one * (2f * margin));
+            Layer = layer;
+            CastShadows = castShadows;
+        }
+
+        public Matrix4x4 LocalToWorld { get; }
+
+        public Bounds WorldBounds { get; }
+
+        public int Layer { get; }
+
+        public bool CastShadows { get; }
+
+        /// <summary>Render parameters with every field set: Unity's defaults switch everything off and cull at the world's origin.</summary>
+        public RenderParams Parameters(Material material, MaterialPropertyBlock properties)
+        {
+            return new RenderParams(material)
+            {
+                camera = null,
+                layer = Layer,
+                lightProbeUsage = LightProbeUsage.Off,
+                matProps = properties,
+                motionVectorMode = MotionVectorGenerationMode.Camera,
+                receiveShadows = false,
+                reflectionProbeUsage = ReflectionProbeUsage.Off,
+                rendererPriority = 0,
+                renderingLayerMask = 1,
+                shadowCastingMode = CastShadows ? ShadowCastingMode.On : ShadowCastingMode.Off,
+                worldBounds = WorldBounds,
+            };
+        }
+
+        // The upright box around a turned one: each axis gathers the reach of all three edges.
+        static Bounds BoundsOf(Matrix4x4 localToWorld, Vector3 size)
+        {
+            Vector3 x = localToWorld.MultiplyVector(new Vector3(size.x, 0f, 0f));
+            Vector3 y = localToWorld.MultiplyVector(new Vector3(0f, size.y, 0f));
+            Vector3 z = localToWorld.MultiplyVector(new Vector3(0f, 0f, size.z));
+            return new Bounds(localToWorld.MultiplyPoint3x4(Vector3.zero), Absolute(x) + Absolute(y) + Absolute(z));
+        }
+
+        static Vector3 Absolute(Vector3 v) => new Vector3(Mathf.Abs(v.x), Mathf.Abs(v.y), Mathf.Abs(v.z));
+    }
+}

@@ -1,0 +1,26 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>How particles look when they are drawn as squares.</summary>
+    struct ParticleLook
+    {
+        /// <summary>Edge of a square [m].</summary>
+        public float Size;
+
+        /// <summary>Colour at rest.</summary>
+        public Color Colour;
+
+        /// <summary>Colour at <see cref="FastSpeed"/> and above.</summary>
+        public Color FastColour;
+
+        /// <summary>Speed of the fast colour [m/s]; 0: all particles have <see cref="Colour"/>.</summary>
+        public float FastSpeed;
+
+        /// <summary>Smoothness of the highlight, 0 to 1.</summary>
+        public float Smoothness;
+
+        /// <summary>Sprite of a square, or null for the round one.</summary>
+        public Texture2D Sprite;
+    }
+}

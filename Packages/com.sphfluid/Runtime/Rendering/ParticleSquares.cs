@@ -1,0 +1,56 @@
+using System;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>Draws particles as textured, lit squares that face the camera: Fig. 12 of the thesis, left. Needs no geometry shader.</summary>
+    sealed class ParticleSquares : IDisposable
+    {
+        public const int VerticesPerParticle = 6;
+
+        readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
+        Material material;
+        Texture2D roundSprite;
+
+        /// <exception cref="FluidDeviceException">The shader is missing, or the device cannot run it.</exception>
+        public ParticleSquares(FluidShaderSet shaders)
+        {
+            if (SystemInfo.maxComputeBufferInputsVertex < 1)
+            {
+                throw new FluidDeviceException(
+                    $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) cannot read a buffer in the vertex shader; particles cannot be drawn.");
+            }
+            material = DrawMaterial.Create(shaders.ParticleShader, "particleShader");
+            roundSprite = RoundSprite.Create();
+        }
+
+        public Material Material => material;
+
+        /// <summary>Fills the properties of a draw of <paramref name="particles"/>.</summary>
+        public MaterialPropertyBlock Properties(GraphicsBuffer particles, in ParticleLook look, in DrawPlacement placement)
+        {
+            properties.SetBuffer(RenderShaderIds.Particles, particles);
+            properties.SetTexture(RenderShaderIds.MainTex, look.Sprite != null ? look.Sprite : roundSprite);
+            properties.SetColor(RenderShaderIds.Color, look.Colour);
+            properties.SetColor(RenderShaderIds.FastColor, look.FastColour);
+            properties.SetFloat(RenderShaderIds.FastSpeed, look.FastSpeed);
+            properties.SetFloat(RenderShaderIds.Smoothness, look.Smoothness);
+            properties.SetFloat(RenderShaderIds.ParticleSize, look.Size);
+            properties.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
+            return properties;
+        }
+
+        /// <summary>Draws for every camera of this frame.</summary>
+        public void Draw(GraphicsBuffer particles, int count, in ParticleLook look, in DrawPlacement placement)
+        {
+            RenderParams parameters = placement.Parameters(material, Properties(particles, look, placement));
+            Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, count * VerticesPerParticle);
+        }
+
+        public void Dispose()
+        {
+            DrawMaterial.Destroy(ref material);
+            DrawMaterial.Destroy(ref roundSprite);
+        }
+    }
+}

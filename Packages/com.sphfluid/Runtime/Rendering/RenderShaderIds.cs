@@ -1,0 +1,17 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>Property ids of the shaders that draw.</summary>
+    static class RenderShaderIds
+    {
+        public static readonly int FluidLocalToWorld = Shader.PropertyToID("_FluidLocalToWorld");
+        public static readonly int Color = Shader.PropertyToID("_Color");
+        public static readonly int FastColor = Shader.PropertyToID("_FastColor");
+        public static readonly int FastSpeed = Shader.PropertyToID("_FastSpeed");
+        public static readonly int Smoothness = Shader.PropertyToID("_Smoothness");
+        public static readonly int ParticleSize = Shader.PropertyToID("_ParticleSize");
+        public static readonly int Particles = Shader.PropertyToID("_Particles");
+        public static readonly int MainTex = Shader.PropertyToID("_MainTex");
+    }
+}

@@ -1,0 +1,67 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>The solver's constants from a component, its profile and where its liquid starts.</summary>
+    internal static class FluidConstants
+    {
+        // dt √k / R at the border of stability, see FluidRules.
+        const double AcousticLimit = 1.35;
+
+        /// <summary>Constants by rule.</summary>
+        /// <param name="simulation">Settings, with a profile.</param>
+        /// <param name="start">Where the liquid starts.</param>
+        /// <param name="startGravity">Gravity at the start in simulation space [m/s²]: a domain that turns keeps the fall height it started with.</param>
+        /// <exception cref="System.ArgumentException">A constant is out of range.</exception>
+        public static FluidSolverSettings Derive(FluidSimulation simulation, FluidStart start, Vector3 startGravity)
+        {
+            FluidProfile profile = simulation.Profile;
+            Vector3 gravity = simulation.LocalGravity;
+            Vector3 fall = startGravity.sqrMagnitude > 0f ? startGravity : gravity;
+            float height = start.Extent.FallHeight(fall);
+            FluidRuleInput input = FluidRuleInput.Water;
+            input.DomainSize = simulation.DomainSize;
+            input.Spacing = simulation.Spacing;
+            input.Gravity = gravity;
+            input.LiquidHeight = height;
+            input.LiquidDepth = Mathf.Min(height, DepthAtRest(simulation, start, fall));
+            input.InitialSpeed = start.Extent.InitialSpeed;
+            input.RestDensity = profile.RestDensity;
+            input.KinematicViscosity = profile.KinematicViscosity;
+            input.SupportRatio = profile.SupportRatio;
+            input.SoundSpeedRatio = profile.SoundSpeedRatio;
+            input.MaxCompression = profile.MaxCompression;
+            input.ViscosityRatio = profile.ViscosityRatio;
+            input.TimeStepFraction = profile.TimeStepFraction;
+            input.WallDistanceRatio = profile.WallDistanceRatio;
+            input.WallStiffnessRatio = profile.WallStiffnessRatio;
+            input.WallDampingRatio = profile.WallDampingRatio;
+            input.MinSpeed = Mathf.Max(input.MinSpeed, simulation.ExpectedSpeed);
+            FluidSolverSettings settings = FluidSolverSettings.FromRules(input);
+            if (simulation.TimeStepMode == FluidTimeStepMode.Fixed) UseTimeStep(ref settings, simulation.FixedTimeStep);
+            return settings;
+        }
+
+        /// <summary>Longest stable time step for these constants [s]: 1.35 R/√k.</summary>
+        public static double LargestTimeStep(in FluidSolverSettings settings) =>
+            AcousticLimit * settings.SupportRadius / System.Math.Sqrt(settings.Stiffness);
+
+        // The acceleration limit is a distance a step, so it goes with 1/dt².
+        static void UseTimeStep(ref FluidSolverSettings settings, float timeStep)
+        {
+            double ratio = settings.TimeStep / (double)timeStep;
+            settings.AccelerationLimit = (float)(settings.AccelerationLimit * ratio * ratio);
+            settings.TimeStep = timeStep;
+        }
+
+        // Liquid volume over the domain's cross-section across gravity, domain volume / domain height.
+        static float DepthAtRest(FluidSimulation simulation, FluidStart start, Vector3 gravity)
+        {
+            Vector3 size = simulation.DomainSize;
+            Vector3 up = gravity.normalized;
+            float height = Mathf.Abs(up.x) * size.x + Mathf.Abs(up.y) * size.y + Mathf.Abs(up.z) * size.z;
+            double liquid = start.Particles.Count * System.Math.Pow(simulation.Spacing, 3);
+            return (float)(liquid / ((double)size.x * size.y * size.z) * height);
+        }
+    }
+}

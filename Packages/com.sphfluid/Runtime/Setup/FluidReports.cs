@@ -1,0 +1,72 @@
+using System;
+using System.Collections.Generic;
+
+namespace SphFluid
+{
+    /// <summary>Turns what can go wrong at a start or in a frame into messages.</summary>
+    internal static class FluidReports
+    {
+        /// <summary>Checks the simulation and starts it.</summary>
+        /// <returns>Null when an error was reported.</returns>
+        public static FluidRun TryStart(FluidSimulation simulation, Action<FluidMessage> report)
+        {
+            var collision = new CollisionScene();
+            List<FluidMessage> found = FluidValidation.Prepare(simulation, collision, out FluidStart start);
+            foreach (FluidMessage message in found) report(message);
+            if (start != null)
+            {
+                try
+                {
+                    return new FluidRun(simulation, start, collision);
+                }
+                catch (Exception exception) when (exception is ArgumentException || exception is FluidDeviceException)
+                {
+                    report(Failure(simulation, exception));
+                }
+            }
+            collision.Dispose();
+            return null;
+        }
+
+        /// <summary>Advances by a frame.</summary>
+        /// <returns>False when an error was reported and the run has to end.</returns>
+        public static bool TryAdvance(FluidSimulation simulation, FluidRun run, float deltaTime)
+        {
+            try
+            {
+                run.Advance(deltaTime);
+                return true;
+            }
+            catch (Exception exception) when (exception is ArgumentException || exception is FluidDeviceException)
+            {
+                simulation.Report(Failure(simulation, exception));
+                return false;
+            }
+        }
+
+        /// <summary>The worst message as a line; empty when there is none.</summary>
+        public static string Worst(IReadOnlyList<FluidMessage> messages)
+        {
+            FluidMessage? worst = null;
+            foreach (FluidMessage message in messages)
+                if (worst == null || message.Severity > worst.Value.Severity) worst = message;
+            return worst?.ToString() ?? "";
+        }
+
+        /// <summary>Waits for the GPU and reads the particles of a solver.</summary>
+        public static bool TryReadParticles(FluidSolver solver, List<FluidParticle> particles)
+        {
+            if (particles == null) throw new ArgumentNullException(nameof(particles));
+            particles.Clear();
+            if (solver == null) return false;
+            var read = new FluidParticle[solver.ParticleCount];
+            solver.Particles.GetData(read);
+            particles.AddRange(read);
+            return true;
+        }
+
+        static FluidMessage Failure(FluidSimulation simulation, Exception exception) => new FluidMessage(
+            FluidSeverity.Error, exception is FluidDeviceException ? FluidIssue.DeviceUnsupported : FluidIssue.StartFailed,
+            simulation, exception.Message, "");
+    }
+}

@@ -1,0 +1,110 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>A started simulation: solver, clock, colliders and the one command buffer of a frame. Owns the GPU memory.</summary>
+    internal sealed class FluidRun : IDisposable
+    {
+        readonly FluidSimulation simulation;
+        readonly FluidStart start;
+        readonly Vector3 startGravity;
+        readonly CollisionScene collision;
+        readonly CommandBuffer commands;
+        readonly SubstepMonitor substeps = new SubstepMonitor();
+        readonly GuardMonitor guards = new GuardMonitor();
+        StepClock clock;
+        FluidLiveKey live;
+
+        /// <summary>Starts; takes over <paramref name="collision"/>, which has been gathered.</summary>
+        /// <exception cref="ArgumentException">A setting cannot be computed with.</exception>
+        /// <exception cref="FluidDeviceException">The device cannot run the method.</exception>
+        public FluidRun(FluidSimulation simulation, FluidStart start, CollisionScene collision)
+        {
+            this.simulation = simulation;
+            this.start = start;
+            this.collision = collision;
+            startGravity = simulation.LocalGravity;
+            Key = FluidStartKey.Of(simulation);
+            live = FluidLiveKey.Of(simulation);
+            FluidSolverSettings settings = FluidConstants.Derive(simulation, start, startGravity);
+            Solver = new FluidSolver(settings, simulation.Profile.Shaders, start.Particles, simulation.Method);
+            clock = new StepClock(settings.TimeStep, simulation.MaxSubstepsPerFrame);
+            commands = new CommandBuffer { name = "SPH Fluid" };
+            try
+            {
+                ShareColliders();
+                Execute(0);
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
+        }
+
+        public FluidSolver Solver { get; }
+        public FluidStartKey Key { get; }
+        public long CapHits => substeps.CapHits;
+        public double RealTimeFactor => substeps.RealTimeFactor;
+        public long GpuBytes => Solver.GpuBytes + collision.GpuBytes;
+        public CollisionScene Collision => collision;
+
+        /// <summary>Advances by a frame.</summary>
+        /// <param name="deltaTime">Frame time [s].</param>
+        /// <exception cref="ArgumentException">A changed setting cannot be computed with.</exception>
+        public void Advance(float deltaTime)
+        {
+            ApplyChanges();
+            if (collision.Gather(FluidScene.Query(simulation)))
+            {
+                ShareColliders();
+                foreach (FluidMessage message in collision.Messages) simulation.Report(message);
+            }
+            int steps = clock.Advance(deltaTime);
+            Execute(steps);
+            if (substeps.Note(clock, steps, deltaTime) is string text)
+                simulation.Report(new FluidMessage(FluidSeverity.Warning, FluidIssue.SubstepCap, simulation, text,
+                    "Raise Max Substeps Per Frame, use a larger Particle Spacing, or lower the profile's Sound Speed Ratio."));
+            if (guards.Note(Solver.Counters) is string guard)
+                simulation.Report(new FluidMessage(FluidSeverity.Warning, FluidIssue.GuardActed, simulation, guard,
+                    "Lower the profile's Time Step Fraction, or raise Expected Speed when colliders or forces move the liquid faster than its fall."));
+        }
+
+        /// <summary>Reads all meshes again with the next frame.</summary>
+        public void InvalidateColliders() => collision.Invalidate();
+
+        public void Dispose()
+        {
+            Solver.Dispose();
+            collision.Dispose();
+            commands.Dispose();
+        }
+
+        void ApplyChanges()
+        {
+            FluidLiveKey now = FluidLiveKey.Of(simulation);
+            if (now.Equals(live)) return;
+            live = now;
+            FluidSolverSettings settings = FluidConstants.Derive(simulation, start, startGravity);
+            Solver.ApplySettings(settings);
+            if (clock.TimeStep != settings.TimeStep || clock.MaxSteps != simulation.MaxSubstepsPerFrame)
+                clock = new StepClock(settings.TimeStep, simulation.MaxSubstepsPerFrame);
+        }
+
+        void ShareColliders()
+        {
+            collision.Upload();
+            Solver.SetTriangles(collision.TriangleBuffer, collision.ColliderBuffer, collision.Colliders.Count);
+        }
+
+        void Execute(int steps)
+        {
+            commands.Clear();
+            Solver.RecordSteps(commands, steps);
+            Solver.RecordNeighbourSetup(commands);
+            Graphics.ExecuteCommandBuffer(commands);
+        }
+    }
+}

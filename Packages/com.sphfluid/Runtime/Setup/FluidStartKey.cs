@@ -1,0 +1,72 @@
+using System;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>Settings that only a new start can change; a running simulation whose key differs starts again.</summary>
+    internal readonly struct FluidStartKey : IEquatable<FluidStartKey>
+    {
+        readonly FluidProfile profile;
+        readonly FluidShaderSet shaders;
+        readonly FluidMethodKind method;
+        readonly Vector3 domainSize, scale;
+        readonly float spacing, supportRatio, jitter;
+        readonly int seed, maxParticles;
+
+        FluidStartKey(FluidSimulation simulation)
+        {
+            profile = simulation.Profile;
+            bool profiled = profile != null;
+            shaders = profiled ? profile.Shaders : null;
+            supportRatio = profiled ? profile.SupportRatio : 0f;
+            maxParticles = profiled ? profile.MaxParticles : 0;
+            method = simulation.Method;
+            domainSize = simulation.DomainSize;
+            scale = simulation.transform.lossyScale;
+            spacing = simulation.Spacing;
+            jitter = simulation.StartJitter;
+            seed = simulation.Seed;
+        }
+
+        public static FluidStartKey Of(FluidSimulation simulation) => new FluidStartKey(simulation);
+
+        // Equals of numbers, unlike ==, holds for NaN: a wrong number is reported once, not every frame.
+        public bool Equals(FluidStartKey other) =>
+            ReferenceEquals(profile, other.profile) && ReferenceEquals(shaders, other.shaders) && method == other.method &&
+            domainSize.Equals(other.domainSize) && (scale - other.scale).sqrMagnitude < 1e-9f && spacing.Equals(other.spacing) &&
+            supportRatio.Equals(other.supportRatio) && jitter.Equals(other.jitter) && seed == other.seed && maxParticles == other.maxParticles;
+
+        public override bool Equals(object obj) => obj is FluidStartKey other && Equals(other);
+
+        public override int GetHashCode() => HashCode.Combine(method, domainSize, spacing, seed);
+    }
+
+    /// <summary>Settings that take effect between two steps of a running simulation.</summary>
+    internal readonly struct FluidLiveKey : IEquatable<FluidLiveKey>
+    {
+        readonly Vector3 gravity;
+        readonly FluidTimeStepMode mode;
+        readonly float fixedTimeStep, expectedSpeed;
+        readonly int maxSubsteps, revision;
+
+        FluidLiveKey(FluidSimulation simulation)
+        {
+            gravity = simulation.LocalGravity;
+            mode = simulation.TimeStepMode;
+            fixedTimeStep = simulation.FixedTimeStep;
+            expectedSpeed = simulation.ExpectedSpeed;
+            maxSubsteps = simulation.MaxSubstepsPerFrame;
+            revision = simulation.Profile != null ? simulation.Profile.Revision : 0;
+        }
+
+        public static FluidLiveKey Of(FluidSimulation simulation) => new FluidLiveKey(simulation);
+
+        public bool Equals(FluidLiveKey other) =>
+            gravity.Equals(other.gravity) && mode == other.mode && fixedTimeStep.Equals(other.fixedTimeStep) &&
+            expectedSpeed.Equals(other.expectedSpeed) && maxSubsteps == other.maxSubsteps && revision == other.revision;
+
+        public override bool Equals(object obj) => obj is FluidLiveKey other && Equals(other);
+
+        public override int GetHashCode() => HashCode.Combine(gravity, mode, fixedTimeStep, maxSubsteps, revision);
+    }
+}

@@ -1,0 +1,124 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>First particles of a simulation and how far and fast its liquid can fall.</summary>
+    internal sealed class FluidStart
+    {
+        public FluidStart(List<FluidParticle> particles, LiquidExtent extent)
+        {
+            Particles = particles;
+            Extent = extent;
+        }
+
+        public List<FluidParticle> Particles { get; }
+        public LiquidExtent Extent { get; }
+    }
+
+    /// <summary>Rules about the liquid volumes; fills them on the way.</summary>
+    internal static class LiquidRules
+    {
+        /// <summary>Share of a volume outside the domain below which nothing is said.</summary>
+        const double OutsideTolerance = 0.001;
+
+        public static FluidStart Check(FluidSimulation simulation, CollisionScene collision, List<FluidMessage> messages)
+        {
+            List<FluidVolume> volumes = FluidScene.FindVolumes(simulation);
+            var boxes = new List<LiquidBox>();
+            var sources = new List<FluidVolume>();
+            Matrix4x4 worldToLocal = FluidScene.WorldToLocal(simulation.transform);
+            foreach (FluidVolume volume in volumes)
+            {
+                LiquidBox box = FluidScene.ToBox(volume, worldToLocal);
+                if (!CheckVolume(volume, box, messages)) continue;
+                boxes.Add(box);
+                sources.Add(volume);
+            }
+            if (volumes.Count == 0)
+                messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.NoLiquid, simulation, "The domain holds no liquid.",
+                    "Add a Fluid Volume, for instance as a child: GameObject > Fluid > Fluid Volume."));
+            if (boxes.Count == 0) return null;
+
+            SpawnResult spawn = FluidSpawner.Fill(FluidScene.Request(simulation, boxes, collision));
+            CheckCount(simulation, spawn, messages);
+            for (int i = 0; i < boxes.Count; i++) CheckTally(simulation, sources[i], spawn.Tallies[i], collision, messages);
+            return new FluidStart(spawn.Particles, LiquidExtent.Of(boxes, simulation.DomainSize));
+        }
+
+        static bool CheckVolume(FluidVolume volume, in LiquidBox box, List<FluidMessage> messages)
+        {
+            Vector3 size = volume.Size;
+            if (!AffineMath.IsFinite(size) || !(size.x > 0f && size.y > 0f && size.z > 0f))
+                return Fail(volume, messages, $"The liquid volume's size is {FluidValidation.Text(size)} m.",
+                    "Give Size three numbers greater than zero.");
+            if (AffineMath.IsSingular(box.UnitToSimulation))
+                return Fail(volume, messages, "The liquid volume's transform has a zero or non-finite scale.",
+                    "Give the object and its parents a scale without zeros.");
+            if (!AffineMath.IsFinite(volume.InitialVelocity))
+                return Fail(volume, messages, "The liquid volume's initial velocity is not a finite number.",
+                    "Give Initial Velocity three finite numbers.");
+            return true;
+        }
+
+        static bool Fail(FluidVolume volume, List<FluidMessage> messages, string text, string cure)
+        {
+            messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.VolumeSizeInvalid, volume, text, cure));
+            return false;
+        }
+
+        static void CheckCount(FluidSimulation simulation, SpawnResult spawn, List<FluidMessage> messages)
+        {
+            int most = simulation.Profile != null ? simulation.Profile.MaxParticles : int.MaxValue;
+            long device = SystemInfo.maxGraphicsBufferSize / FluidParticle.Stride;
+            long limit = Math.Min(most, device);
+            if (spawn.Needed <= limit) return;
+            double spacing = simulation.Spacing * Math.Pow(spawn.Needed / (double)limit, 1.0 / 3.0) * 1.01;
+            string owner = device < most ? $"this device's buffers hold {device}" : $"the profile '{simulation.Profile.name}' allows {most}";
+            messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.TooManyParticles, simulation,
+                FormattableString.Invariant($"The liquid needs {spawn.Needed} particles at a spacing of {simulation.Spacing} m, but {owner}."),
+                FormattableString.Invariant($"Use a Particle Spacing of {spacing:G3} m or more, less liquid") +
+                (device < most ? "." : ", or raise Max Particles in the profile.")));
+        }
+
+        static void CheckTally(FluidSimulation simulation, FluidVolume volume, in SpawnTally tally, CollisionScene collision, List<FluidMessage> messages)
+        {
+            if (tally.OutsideShare >= 1.0)
+            {
+                Add(messages, FluidSeverity.Error, FluidIssue.VolumeOutsideDomain, volume,
+                    $"The liquid volume lies outside the domain of '{simulation.name}'.",
+                    "Move it into the domain box, or enlarge the simulation's Domain Size.");
+                return;
+            }
+            if (tally.OutsideShare > OutsideTolerance)
+                Add(messages, FluidSeverity.Warning, FluidIssue.VolumeOutsideDomain, volume,
+                    FormattableString.Invariant($"{100.0 * tally.OutsideShare:0.#} % of the liquid volume lies outside the domain of '{simulation.name}' and is left out."),
+                    "Move or shrink the volume, or enlarge the simulation's Domain Size.");
+            if (tally.Carved > 0) ReportCarved(volume, tally, collision, messages);
+            if (tally.Shared > 0)
+                Add(messages, FluidSeverity.Info, FluidIssue.VolumesOverlap, volume,
+                    $"{tally.Shared} particles' worth of the liquid volume overlaps an earlier one and is filled once.", "");
+            if (tally.Filled + tally.Carved + tally.Shared == 0)
+                Add(messages, FluidSeverity.Error, FluidIssue.VolumeSizeInvalid, volume,
+                    FormattableString.Invariant($"The liquid volume is too small to hold a particle at a spacing of {simulation.Spacing} m."),
+                    "Enlarge the volume or use a smaller Particle Spacing.");
+        }
+
+        static void ReportCarved(FluidVolume volume, in SpawnTally tally, CollisionScene collision, List<FluidMessage> messages)
+        {
+            string collider = collision.Solids[tally.LastObstacle].Name;
+            if (tally.Filled == 0)
+                Add(messages, FluidSeverity.Error, FluidIssue.VolumeInsideCollider, volume,
+                    $"The liquid volume lies wholly inside colliders, the last one '{collider}', so no particle is left.",
+                    "Move the volume out of the collider, or take the collider's layer out of the simulation's Collider Layers.");
+            else
+                Add(messages, FluidSeverity.Warning, FluidIssue.VolumeInsideCollider, volume,
+                    $"{tally.Carved} of {tally.Carved + tally.Filled} particles would start inside colliders or against their faces, the last one '{collider}', and are left out.",
+                    "Move the volume or the collider apart if more liquid was meant.");
+        }
+
+        static void Add(List<FluidMessage> messages, FluidSeverity severity, FluidIssue issue, FluidVolume volume, string text, string cure) =>
+            messages.Add(new FluidMessage(severity, issue, volume, text, cure));
+    }
+}

@@ -1,0 +1,161 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>Fills boxes of liquid with particles. Pure: the same request gives the same particles on every machine.</summary>
+    internal static class FluidSpawner
+    {
+        /// <summary>Least distance of a start position from the domain's faces, as a fraction of the spacing.</summary>
+        public const float DomainMargin = 0.2f;
+
+        /// <summary>Largest jitter that keeps every particle inside the domain.</summary>
+        public const float MaxJitter = DomainMargin;
+
+        const double MostSites = 1 << 28;
+
+        /// <summary>Fills the request's boxes.</summary>
+        /// <exception cref="ArgumentException">The domain or the spacing is not positive and finite.</exception>
+        public static SpawnResult Fill(SpawnRequest request)
+        {
+            var particles = new List<FluidParticle>();
+            SpawnTally[] tallies = Walk(request, (site, box) => particles.Add(Particle(request, site, box, particles.Count)),
+                request.MaxParticles, out long needed);
+            if (needed > request.MaxParticles) particles.Clear();
+            return new SpawnResult(particles, tallies, needed);
+        }
+
+        /// <summary>Number of particles that the request's boxes need.</summary>
+        /// <exception cref="ArgumentException">The domain or the spacing is not positive and finite.</exception>
+        public static long Count(SpawnRequest request)
+        {
+            Walk(request, null, 0, out long needed);
+            return needed;
+        }
+
+        static SpawnTally[] Walk(SpawnRequest request, Action<Vector3, LiquidBox> place, long most, out long needed)
+        {
+            Check(request);
+            SpawnLattice lattice = SpawnLattice.For(request);
+            SpawnTally[] tallies = NewTallies(request);
+            needed = 0;
+            if (!FindRange(request, lattice, out var x, out var y, out var z)) return MeasureOutside(request, tallies);
+
+            double sites = (x.last - x.first + 1.0) * (y.last - y.first + 1.0) * (z.last - z.first + 1.0);
+            if (sites > MostSites)
+            {
+                needed = (long)Math.Min(EstimatedCount(request), 1e18);
+                return MeasureOutside(request, tallies);
+            }
+
+            for (long k = z.first; k <= z.last; k++)
+                for (long j = y.first; j <= y.last; j++)
+                    for (long i = x.first; i <= x.last; i++)
+                    {
+                        Vector3 site = lattice.Site(i, j, k);
+                        int owner = FindOwner(request, site, tallies);
+                        if (owner < 0) continue;
+                        needed++;
+                        if (needed <= most) place?.Invoke(site, request.Boxes[owner]);
+                    }
+            return MeasureOutside(request, tallies);
+        }
+
+        // Every box holding the site is told: the first fills it or finds it covered, later ones share it.
+        static int FindOwner(SpawnRequest request, Vector3 site, SpawnTally[] tallies)
+        {
+            int owner = -1;
+            bool taken = false;
+            for (int b = 0; b < request.Boxes.Count; b++)
+            {
+                if (!request.Boxes[b].Contains(site)) continue;
+                if (taken)
+                {
+                    tallies[b].Shared++;
+                    continue;
+                }
+                taken = true;
+                int obstacle = request.Obstacle?.Invoke(site) ?? -1;
+                if (obstacle >= 0)
+                {
+                    tallies[b].Carved++;
+                    tallies[b].LastObstacle = obstacle;
+                    continue;
+                }
+                tallies[b].Filled++;
+                owner = b;
+            }
+            return owner;
+        }
+
+        static bool FindRange(SpawnRequest request, SpawnLattice lattice,
+            out (long first, long last) x, out (long first, long last) y, out (long first, long last) z)
+        {
+            x = y = z = (0, -1);
+            if (request.Boxes.Count == 0) return false;
+            Bounds bounds = request.Boxes[0].Bounds;
+            foreach (LiquidBox box in request.Boxes) bounds.Encapsulate(box.Bounds);
+            Vector3 half = request.DomainSize * 0.5f - Vector3.one * (DomainMargin * request.Spacing);
+            Vector3 min = Vector3.Max(bounds.min, -half), max = Vector3.Min(bounds.max, half);
+            x = lattice.Range(0, min.x, max.x);
+            y = lattice.Range(1, min.y, max.y);
+            z = lattice.Range(2, min.z, max.z);
+            return x.last >= x.first && y.last >= y.first && z.last >= z.first;
+        }
+
+        static SpawnTally[] NewTallies(SpawnRequest request)
+        {
+            var tallies = new SpawnTally[request.Boxes.Count];
+            double cell = Math.Pow(request.Spacing, 3);
+            for (int b = 0; b < tallies.Length; b++)
+            {
+                tallies[b].Expected = request.Boxes[b].Volume / cell;
+                tallies[b].LastObstacle = -1;
+            }
+            return tallies;
+        }
+
+        static SpawnTally[] MeasureOutside(SpawnRequest request, SpawnTally[] tallies)
+        {
+            for (int b = 0; b < tallies.Length; b++)
+                tallies[b].OutsideShare = BoxOverlap.OutsideShare(request.Boxes[b], request.DomainSize);
+            return tallies;
+        }
+
+        static double EstimatedCount(SpawnRequest request)
+        {
+            double volume = 0.0;
+            foreach (LiquidBox box in request.Boxes)
+                volume += box.Volume * (1.0 - BoxOverlap.OutsideShare(box, request.DomainSize));
+            return volume / Math.Pow(request.Spacing, 3);
+        }
+
+        static FluidParticle Particle(SpawnRequest request, Vector3 site, LiquidBox box, int id)
+        {
+            float amplitude = Mathf.Clamp(request.Jitter, 0f, MaxJitter) * request.Spacing;
+            uint state = Hash((uint)id ^ Hash((uint)request.Seed));
+            Vector3 offset = new Vector3(Signed(state), Signed(Hash(state + 1)), Signed(Hash(state + 2))) * amplitude;
+            return new FluidParticle { Position = site + offset, Id = (uint)id, VelT0 = box.Velocity, VelT1 = box.Velocity };
+        }
+
+        // PCG hash: M. Jarzynski, M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020.
+        static uint Hash(uint value)
+        {
+            uint state = unchecked(value * 747796405u + 2891336453u);
+            uint word = unchecked(((state >> (int)((state >> 28) + 4)) ^ state) * 277803737u);
+            return (word >> 22) ^ word;
+        }
+
+        static float Signed(uint hash) => (hash >> 8) * (2f / 16777216f) - 1f;
+
+        static void Check(SpawnRequest request)
+        {
+            Vector3 size = request.DomainSize;
+            if (!AffineMath.IsFinite(size) || !(size.x > 0f && size.y > 0f && size.z > 0f))
+                throw new ArgumentException($"The domain size must be positive and finite, but is {size}.", nameof(request));
+            if (!AffineMath.IsFinite(request.Spacing) || !(request.Spacing > 0f))
+                throw new ArgumentException($"The particle spacing must be positive and finite, but is {request.Spacing}.", nameof(request));
+        }
+    }
+}

@@ -1,0 +1,55 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>Finds the spacing at which the same liquid has a wanted number of particles.</summary>
+    internal static class ParticleCountFit
+    {
+        const int Iterations = 16;
+
+        /// <summary>Spacing for a simulation's volumes and colliders as they are in the scene.</summary>
+        public static float Spacing(FluidSimulation simulation, int count)
+        {
+            var boxes = new List<LiquidBox>();
+            Matrix4x4 worldToLocal = FluidScene.WorldToLocal(simulation.transform);
+            foreach (FluidVolume volume in FluidScene.FindVolumes(simulation)) boxes.Add(FluidScene.ToBox(volume, worldToLocal));
+            using (var collision = new CollisionScene())
+            {
+                collision.Gather(FluidScene.Query(simulation));
+                return Spacing(FluidScene.Request(simulation, boxes, collision), count);
+            }
+        }
+
+        /// <summary>
+        /// Spacing for a request: dx ← dx·(N/wanted)^⅓ from the volume's own estimate. Counts are steps of dx, so the best
+        /// of a few rounds is kept.
+        /// </summary>
+        /// <exception cref="ArgumentOutOfRangeException">The count is less than one.</exception>
+        /// <exception cref="InvalidOperationException">The request holds no liquid.</exception>
+        public static float Spacing(SpawnRequest request, int count)
+        {
+            if (count < 1) throw new ArgumentOutOfRangeException(nameof(count), count, "The number of particles must be 1 or more.");
+            double volume = 0.0;
+            foreach (LiquidBox box in request.Boxes) volume += box.Volume * (1.0 - BoxOverlap.OutsideShare(box, request.DomainSize));
+            if (!(volume > 0.0)) throw new InvalidOperationException("There is no liquid in the domain to fit a number of particles to.");
+
+            double spacing = Math.Pow(volume / count, 1.0 / 3.0), best = spacing;
+            long bestMiss = long.MaxValue;
+            for (int i = 0; i < Iterations && bestMiss > 0; i++)
+            {
+                request.Spacing = (float)spacing;
+                long found = FluidSpawner.Count(request);
+                long miss = Math.Abs(found - count);
+                if (miss < bestMiss)
+                {
+                    bestMiss = miss;
+                    best = spacing;
+                }
+                spacing *= Math.Pow(Math.Max(found, 0.1) / count, 1.0 / 3.0);
+            }
+            return (float)best;
+        }
+    }
+}

@@ -1,0 +1,71 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// The cubic lattice that every liquid volume of a simulation is filled on, so that volumes that touch or overlap
+    /// fit together and N particles stand for N·dx³ of liquid. It is laid so that the first volume with faces along
+    /// the domain's axes has its outer layers half a spacing inside its faces; else it starts at the domain's corner.
+    /// </summary>
+    internal readonly struct SpawnLattice
+    {
+        const float AlignmentTolerance = 1e-4f;
+
+        /// <summary>A lattice with a cell corner at <paramref name="origin"/>.</summary>
+        public SpawnLattice(Vector3 origin, float spacing)
+        {
+            Origin = origin;
+            Spacing = spacing;
+        }
+
+        public Vector3 Origin { get; }
+        public float Spacing { get; }
+
+        public static SpawnLattice For(SpawnRequest request)
+        {
+            foreach (LiquidBox box in request.Boxes)
+                if (IsAligned(box.UnitToSimulation)) return new SpawnLattice(Anchor(box.Bounds, request.Spacing), request.Spacing);
+            return new SpawnLattice(request.DomainSize * -0.5f, request.Spacing);
+        }
+
+        /// <summary>Position of a site: the centre of its cell.</summary>
+        public Vector3 Site(long x, long y, long z) => new Vector3(
+            (float)(Origin.x + (x + 0.5) * Spacing),
+            (float)(Origin.y + (y + 0.5) * Spacing),
+            (float)(Origin.z + (z + 0.5) * Spacing));
+
+        /// <summary>First and last site whose coordinate lies in [min, max] on an axis; empty when last is below first.</summary>
+        public (long first, long last) Range(int axis, double min, double max)
+        {
+            double first = Math.Ceiling((min - Origin[axis]) / Spacing - 0.5 - 1e-4);
+            double last = Math.Floor((max - Origin[axis]) / Spacing - 0.5 + 1e-4);
+            return ((long)Math.Max(first, -1e15), (long)Math.Min(last, 1e15));
+        }
+
+        // A box 1.04 m wide at dx = 0.1 m holds 10 layers; the 0.04 m left over are shared by both faces.
+        static Vector3 Anchor(Bounds bounds, float spacing)
+        {
+            Vector3 anchor = bounds.min;
+            for (int axis = 0; axis < 3; axis++)
+            {
+                double layers = Math.Max(1.0, Math.Round(bounds.size[axis] / (double)spacing));
+                anchor[axis] += (float)((bounds.size[axis] - layers * spacing) * 0.5);
+            }
+            return anchor;
+        }
+
+        static bool IsAligned(Matrix4x4 m)
+        {
+            for (int column = 0; column < 3; column++)
+            {
+                Vector4 c = m.GetColumn(column);
+                float x = Mathf.Abs(c.x), y = Mathf.Abs(c.y), z = Mathf.Abs(c.z);
+                float largest = Mathf.Max(x, Mathf.Max(y, z));
+                if (x + y + z - largest > AlignmentTolerance * largest) return false;
+            }
+            return true;
+        }
+    }
+}

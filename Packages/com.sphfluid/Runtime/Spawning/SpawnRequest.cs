@@ -1,0 +1,76 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>What the spawner needs to know: pure data, no scene.</summary>
+    internal sealed class SpawnRequest
+    {
+        /// <summary>Domain edge lengths [m]; the domain is centred on the origin of simulation space.</summary>
+        public Vector3 DomainSize { get; set; }
+
+        /// <summary>Particle spacing dx [m].</summary>
+        public float Spacing { get; set; }
+
+        /// <summary>Boxes of liquid; an earlier box wins where they overlap.</summary>
+        public IReadOnlyList<LiquidBox> Boxes { get; set; } = Array.Empty<LiquidBox>();
+
+        /// <summary>Most particles to make; beyond it none are made and the result only counts.</summary>
+        public int MaxParticles { get; set; } = int.MaxValue;
+
+        /// <summary>Seed of the jitter.</summary>
+        public int Seed { get; set; }
+
+        /// <summary>Largest random offset of a coordinate as a fraction of the spacing.</summary>
+        public float Jitter { get; set; }
+
+        /// <summary>Index of the obstacle that covers a point, or −1; null: no obstacles.</summary>
+        public Func<Vector3, int> Obstacle { get; set; }
+    }
+
+    /// <summary>What became of one box of liquid.</summary>
+    internal struct SpawnTally
+    {
+        /// <summary>Lattice sites that became particles.</summary>
+        public int Filled;
+
+        /// <summary>Sites left to an earlier box.</summary>
+        public int Shared;
+
+        /// <summary>Sites left out because an obstacle covers them.</summary>
+        public int Carved;
+
+        /// <summary>Obstacle that covers most recently found carved sites; −1: none.</summary>
+        public int LastObstacle;
+
+        /// <summary>Particles that the box's whole volume would hold, V/dx³.</summary>
+        public double Expected;
+
+        /// <summary>Share of the box's volume outside the domain, 0 to 1.</summary>
+        public double OutsideShare;
+    }
+
+    /// <summary>Particles of the start, with what was left out.</summary>
+    internal sealed class SpawnResult
+    {
+        internal SpawnResult(List<FluidParticle> particles, SpawnTally[] tallies, long needed)
+        {
+            Particles = particles;
+            Tallies = tallies;
+            Needed = needed;
+        }
+
+        /// <summary>Particles in lattice order, ids 0…N−1; empty when <see cref="TooMany"/>.</summary>
+        public List<FluidParticle> Particles { get; }
+
+        /// <summary>One entry a box, in the request's order.</summary>
+        public SpawnTally[] Tallies { get; }
+
+        /// <summary>Particles that the boxes need at this spacing.</summary>
+        public long Needed { get; }
+
+        /// <summary>Whether more are needed than the request allows.</summary>
+        public bool TooMany => Needed > Particles.Count;
+    }
+}

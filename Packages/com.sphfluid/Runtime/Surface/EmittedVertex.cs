@@ -1,0 +1,25 @@
+using System.Runtime.InteropServices;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>A triangle's corner as SurfaceMesh.compute writes it; mirrors its struct of the same name.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    struct EmittedVertex
+    {
+        /// <summary>Bytes of one element.</summary>
+        public const int Stride = 32;
+
+        /// <summary>Position [m], simulation space.</summary>
+        public Vector3 Position;
+
+        /// <summary>Name of the grid edge it lies on: 3 * (index of the edge's lower grid vertex) + axis.</summary>
+        public uint Edge;
+
+        /// <summary>Unit normal out of the liquid.</summary>
+        public Vector3 Normal;
+
+        /// <summary>Number of the cube that emitted it.</summary>
+        public uint Cube;
+    }
+}

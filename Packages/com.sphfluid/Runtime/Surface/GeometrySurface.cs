@@ -1,0 +1,72 @@
+using System;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Draws the surface of a field the thesis's way (6.4.4): one point a cube, its number passed through the vertex shader, triangles made by the
+    /// geometry shader, light by the pixel shader.
+    /// </summary>
+    sealed class GeometrySurface : IDisposable
+    {
+        // The grid and the tables.
+        const int GeometryBuffers = 2;
+
+        readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
+        Material material;
+        GraphicsBuffer tables;
+
+        /// <exception cref="FluidDeviceException">The device has no geometry shaders, or the shader is missing.</exception>
+        public GeometrySurface(FluidShaderSet shaders)
+        {
+            string lack = MissingSupport();
+            if (lack != null)
+                throw new FluidDeviceException(lack);
+            material = DrawMaterial.Create(shaders.SurfaceGeometryShader, "surfaceGeometryShader");
+            tables = SurfacePolygoniser.CreateTables();
+        }
+
+        public Material Material => material;
+
+        /// <summary>What the device lacks to draw this surface, as a sentence; null when nothing.</summary>
+        public static string MissingSupport()
+        {
+            string device = $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType})";
+            if (!SystemInfo.supportsGeometryShaders)
+                return $"{device} has no geometry shaders, which the thesis's surface needs.";
+            if (SystemInfo.maxComputeBufferInputsGeometry < GeometryBuffers)
+                return $"{device} cannot read {GeometryBuffers} buffers in the geometry shader, which the thesis's surface needs.";
+            return null;
+        }
+
+        /// <summary>Fills the properties of a draw; colour and smoothness only where <paramref name="colour"/> is given.</summary>
+        public MaterialPropertyBlock Properties(SurfaceField field, float isoValue, Color? colour, float smoothness, in DrawPlacement placement)
+        {
+            properties.Clear();
+            properties.SetBuffer(SurfaceShaderIds.MCGrid, field.Values);
+            properties.SetBuffer(SurfaceShaderIds.MCTables, tables);
+            properties.SetVector(SurfaceShaderIds.MCGridMinimum, field.Grid.MinimumAndCells);
+            properties.SetVector(SurfaceShaderIds.MCCellSize, field.Grid.CellSizeAndIso(isoValue));
+            properties.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
+            if (colour.HasValue)
+            {
+                properties.SetColor(RenderShaderIds.Color, colour.Value);
+                properties.SetFloat(RenderShaderIds.Smoothness, smoothness);
+            }
+            return properties;
+        }
+
+        /// <summary>Draws for every camera of this frame with the properties filled last.</summary>
+        public void Draw(SurfaceField field, Material ownMaterial, in DrawPlacement placement)
+        {
+            RenderParams parameters = placement.Parameters(ownMaterial != null ? ownMaterial : material, properties);
+            Graphics.RenderPrimitives(parameters, MeshTopology.Points, field.Grid.CellCount);
+        }
+
+        public void Dispose()
+        {
+            DrawMaterial.Destroy(ref material);
+            GpuBuffers.Dispose(ref tables);
+        }
+    }
+}

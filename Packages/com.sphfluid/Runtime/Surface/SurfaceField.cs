@@ -1,0 +1,69 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// The scalar field of the surface on the GPU: a density factor at each vertex of a <see cref="SurfaceGrid"/>, 1 in liquid at rest and 0 where
+    /// no particle is near. The surface is where it equals the iso value.
+    /// </summary>
+    public sealed class SurfaceField : IDisposable
+    {
+        readonly ResetMCGridPass resetGrid;
+        readonly SetMCGridDensityFactorsPass setDensityFactors;
+        GraphicsBuffer values;
+
+        /// <summary>A field on a grid.</summary>
+        /// <param name="shaders">Shader set with the surface field's kernels.</param>
+        /// <param name="grid">The grid.</param>
+        /// <exception cref="FluidDeviceException">The device has no room for the grid, or cannot run the kernels.</exception>
+        public SurfaceField(FluidShaderSet shaders, SurfaceGrid grid)
+        {
+            if (shaders == null)
+                throw new ArgumentNullException(nameof(shaders), "A surface field needs a shader set: assign one in the fluid profile.");
+            if (grid.Cells < 1)
+                throw new ArgumentException("A surface field needs a grid that was made with a size.", nameof(grid));
+            long bytes = (long)grid.VertexCount * sizeof(float);
+            if (bytes > SystemInfo.maxGraphicsBufferSize)
+            {
+                throw new FluidDeviceException(
+                    $"A surface grid of {grid.Cells} cells a side needs a buffer of {bytes / 1048576.0:F0} MiB; {SystemInfo.graphicsDeviceName} " +
+                    $"allows {SystemInfo.maxGraphicsBufferSize / 1048576.0:F0} MiB. Choose a smaller grid size.");
+            }
+            Grid = grid;
+            resetGrid = new ResetMCGridPass(shaders);
+            setDensityFactors = new SetMCGridDensityFactorsPass(shaders);
+            values = GpuBuffers.Create("MCGrid", grid.VertexCount, sizeof(float));
+        }
+
+        /// <summary>The grid.</summary>
+        public SurfaceGrid Grid { get; }
+
+        /// <summary>Density factors, one float a grid vertex, x fastest.</summary>
+        public GraphicsBuffer Values => values;
+
+        /// <summary>
+        /// Divides the density near a wall of the domain by the part of the kernel that lies inside, as if the liquid went on behind the wall, so
+        /// that the surface meets walls level. Off: as the thesis prints it; the surface then falls away from the walls.
+        /// </summary>
+        public bool WallCompletion { get; set; } = true;
+
+        /// <summary>Records everything from the particles' present positions to the finished field.</summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        /// <param name="solver">The particles; they are sorted into cells first, so that the ranges of the cells fit.</param>
+        public void Record(CommandBuffer cmd, FluidSolver solver)
+        {
+            if (cmd == null)
+                throw new ArgumentNullException(nameof(cmd));
+            if (solver == null)
+                throw new ArgumentNullException(nameof(solver), "A surface field needs a running solver.");
+            solver.RecordNeighbourSetup(cmd);
+            resetGrid.Record(cmd, this);
+            setDensityFactors.Record(cmd, this, solver);
+        }
+
+        /// <summary>Releases the buffer.</summary>
+        public void Dispose() => GpuBuffers.Dispose(ref values);
+    }
+}

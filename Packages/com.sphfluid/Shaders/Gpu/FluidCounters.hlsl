@@ -1,0 +1,34 @@
+#ifndef SPHFLUID_FLUID_COUNTERS
+#define SPHFLUID_FLUID_COUNTERS
+
+// Slots of _Counters, mirrored by CounterReadback.cs.
+#define COUNTER_ACCELERATION_LIMIT 0
+#define COUNTER_DOMAIN_CLAMP 1
+#define COUNTER_NON_FINITE 2
+#define COUNTER_MAX_SPEED 4
+#define COUNTER_MAX_DENSITY 5
+
+RWStructuredBuffer<uint> _Counters;
+
+void CountEvent(uint slot)
+{
+    InterlockedAdd(_Counters[slot], 1u);
+}
+
+// Non-negative floats order as their bits do, so an integer maximum serves and does not depend on thread timing.
+void CountMaximum(uint slot, float value)
+{
+    const uint bits = asuint(value);
+    if (bits > _Counters[slot])
+    {
+        InterlockedMax(_Counters[slot], bits);
+    }
+}
+
+// By bits: compilers may drop isnan and isinf.
+bool IsFinite(float3 v)
+{
+    return all((asuint(v) & 0x7f800000u) != 0x7f800000u);
+}
+
+#endif

@@ -1,0 +1,27 @@
+#ifndef SPHFLUID_FLUID_GRID
+#define SPHFLUID_FLUID_GRID
+
+// The thesis's grid (6.2): cells of side 2h over the domain box, numbered x first, then y, then z.
+float3 _GridOrigin;
+float _CellSize;
+int3 _GridCounts;
+
+// Position in units of cells.
+float3 GridPosition(float3 position)
+{
+    return (position - _GridOrigin) / _CellSize;
+}
+
+uint CellIndex(int3 cell)
+{
+    return uint(cell.x + _GridCounts.x * (cell.y + _GridCounts.y * cell.z));
+}
+
+// A particle on the upper face belongs to the last cell.
+uint CellValue(float3 position)
+{
+    const int3 cell = int3(floor(GridPosition(position)));
+    return CellIndex(clamp(cell, int3(0, 0, 0), _GridCounts - 1));
+}
+
+#endif

@@ -1,0 +1,60 @@
+// The thesis's drawing stages, 6.4.4: a vertex shader that passes its number on, one vertex a cube, and a geometry shader that turns the
+// cube into triangles.
+#ifndef SPHFLUID_SURFACE_GEOMETRY_INCLUDED
+#define SPHFLUID_SURFACE_GEOMETRY_INCLUDED
+
+#include "MarchingCubes.hlsl"
+#include "../Rendering/FluidShading.hlsl"
+
+struct CubePoint
+{
+    uint cube : TEXCOORD0;
+};
+
+struct SurfaceFragment
+{
+    float4 clipPosition : SV_Position;
+    float3 world : TEXCOORD0;
+    float3 normal : TEXCOORD1;
+};
+
+CubePoint PassThrough(uint vertexId : SV_VertexID)
+{
+    CubePoint output;
+    output.cube = vertexId;
+    return output;
+}
+
+SurfaceFragment ProjectSurfaceVertex(SurfaceVertex surface)
+{
+    SurfaceFragment fragment;
+    fragment.world = FluidWorldPosition(surface.position);
+    fragment.normal = FluidWorldDirection(surface.normal);
+#if defined(FLUID_SHADOW_CASTER)
+    fragment.clipPosition = FluidShadowClipPosition(fragment.world);
+#else
+    fragment.clipPosition = FluidClipPosition(fragment.world);
+#endif
+    return fragment;
+}
+
+[maxvertexcount(MC_MAX_VERTICES)]
+void GenerateIsosurface(point CubePoint input[1], inout TriangleStream<SurfaceFragment> triangles)
+{
+    int3 origin = MCCubeOrigin(input[0].cube);
+    uint cubeIndex = MCCubeIndex(origin);
+    uint count = MCVertexCount(cubeIndex);
+    if (count > 0)
+    {
+        SurfaceVertex vertexList[MC_EDGES];
+        Polygonise(origin, cubeIndex, vertexList);
+        for (uint slot = 0; slot < count; slot += 3)
+        {
+            for (uint corner = 0; corner < 3; corner++)
+                triangles.Append(ProjectSurfaceVertex(vertexList[(uint)MCTriangleEdge(cubeIndex, slot + corner)]));
+            triangles.RestartStrip();
+        }
+    }
+}
+
+#endif

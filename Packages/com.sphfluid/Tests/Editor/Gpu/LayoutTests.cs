@@ -1,0 +1,79 @@
+using System.Runtime.InteropServices;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Structs that C# and HLSL share have the same layout.</summary>
+    public sealed class LayoutTests
+    {
+        private static readonly int Particles = Shader.PropertyToID("_Particles");
+        private static readonly int Triangles = Shader.PropertyToID("_Triangles");
+        private static readonly int Colliders = Shader.PropertyToID("_Colliders");
+        private static readonly int Values = Shader.PropertyToID("_Values");
+
+        [Test]
+        public void StrideIsTheSizeOfTheStruct()
+        {
+            Assert.That(Marshal.SizeOf<FluidParticle>(), Is.EqualTo(FluidParticle.Stride));
+            Assert.That(Marshal.SizeOf<CollisionTriangle>(), Is.EqualTo(CollisionTriangle.Stride));
+            Assert.That(Marshal.SizeOf<CollisionCollider>(), Is.EqualTo(CollisionCollider.Stride));
+        }
+
+        [Test]
+        public void ParticleFieldsArriveAtTheirPlaces()
+        {
+            var kernel = new ComputeKernel(TestShaders.Load("Tests/Editor/Gpu/LayoutEcho.compute"), "EchoParticle");
+            var particle = new FluidParticle
+            {
+                Position = new Vector3(1f, 2f, 3f),
+                Id = 4,
+                VelT0 = new Vector3(5f, 6f, 7f),
+                Pad0 = 8f,
+                VelT1 = new Vector3(9f, 10f, 11f),
+                Pad1 = 12f,
+            };
+            using (GraphicsBuffer particles = GpuBuffers.Create("Particles", 2, FluidParticle.Stride))
+            using (GraphicsBuffer values = GpuBuffers.Create("Values", 12, sizeof(float)))
+            {
+                particles.SetData(new[] { default, particle });
+                GpuTest.Run(cmd =>
+                {
+                    kernel.SetBuffer(cmd, Particles, particles);
+                    kernel.SetBuffer(cmd, Values, values);
+                    kernel.DispatchThreads(cmd, 1);
+                });
+                Assert.That(GpuTest.Read<float>(values, 12), Is.EqualTo(new float[] { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12 }));
+            }
+        }
+
+        [Test]
+        public void CollisionFieldsArriveAtTheirPlaces()
+        {
+            var kernel = new ComputeKernel(TestShaders.Load("Tests/Editor/Gpu/LayoutEcho.compute"), "EchoCollision");
+            var triangle = new CollisionTriangle { A = new Vector3(1, 2, 4), B = new Vector3(8, 16, 32), C = new Vector3(64, 128, 256) };
+            var collider = new CollisionCollider
+            {
+                BoundsMin = new Vector3(1, 2, 4),
+                FirstTriangle = 17,
+                BoundsMax = new Vector3(8, 16, 32),
+                TriangleCount = 23,
+            };
+            using (GraphicsBuffer triangles = GpuBuffers.Create("Triangles", 2, CollisionTriangle.Stride))
+            using (GraphicsBuffer colliders = GpuBuffers.Create("Colliders", 2, CollisionCollider.Stride))
+            using (GraphicsBuffer values = GpuBuffers.Create("Values", 7, sizeof(float)))
+            {
+                triangles.SetData(new[] { default, triangle });
+                colliders.SetData(new[] { default, collider });
+                GpuTest.Run(cmd =>
+                {
+                    kernel.SetBuffer(cmd, Triangles, triangles);
+                    kernel.SetBuffer(cmd, Colliders, colliders);
+                    kernel.SetBuffer(cmd, Values, values);
+                    kernel.DispatchThreads(cmd, 1);
+                });
+                Assert.That(GpuTest.Read<float>(values, 7), Is.EqualTo(new float[] { 7, 56, 448, 7, 17, 56, 23 }));
+            }
+        }
+    }
+}

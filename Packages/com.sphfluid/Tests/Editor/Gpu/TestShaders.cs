@@ -1,0 +1,43 @@
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>The package's shaders by path, without the assets that users edit.</summary>
+    public static class TestShaders
+    {
+        private const string Package = "Packages/com.sphfluid/";
+
+        /// <summary>A shader set with the thesis method's blocks; destroy it after use.</summary>
+        public static FluidShaderSet CreateThesisSet()
+        {
+            GpuTest.Require();
+            var set = ScriptableObject.CreateInstance<FluidShaderSet>();
+            set.CalculateParticleCellValue = Thesis("CalculateParticleCellValue");
+            set.BitonicSort = Thesis("BitonicSort");
+            set.ResetGridIndices = Thesis("ResetGridIndices");
+            set.SetGridIndices = Thesis("SetGridIndices");
+            set.SortParticles = Thesis("SortParticles");
+            set.CalculateDensity = Thesis("CalculateDensity");
+            set.CalculateForce = Thesis("CalculateForce");
+            set.CalculateAcceleration = Thesis("CalculateAcceleration");
+            set.CalculateNewPosition = Thesis("CalculateNewPosition");
+            return set;
+        }
+
+        /// <summary>A compute shader of the package.</summary>
+        public static ComputeShader Load(string path)
+        {
+            GpuTest.Require();
+            var shader = AssetDatabase.LoadAssetAtPath<ComputeShader>(Package + path);
+            Assert.That(shader, Is.Not.Null, Package + path);
+            return shader;
+        }
+
+        private static ComputeShader Thesis(string block)
+        {
+            return Load($"Shaders/Methods/Thesis/{block}.compute");
+        }
+    }
+}

@@ -1,0 +1,147 @@
+using System;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>The steps together.</summary>
+    public sealed class FluidSolverTests
+    {
+        private static readonly Vector3 Domain = new Vector3(0.6f, 0.5f, 0.4f);
+        private FluidShaderSet shaders;
+
+        [SetUp]
+        public void CreateShaders() => shaders = TestShaders.CreateThesisSet();
+
+        [TearDown]
+        public void DestroyShaders() => UnityEngine.Object.DestroyImmediate(shaders);
+
+        [Test]
+        public void SameStartGivesTheSameBits()
+        {
+            FluidParticle[] first = Run(TestSettings.ByRule(Domain, 0.025f), Block(), 60);
+            FluidParticle[] second = Run(TestSettings.ByRule(Domain, 0.025f), Block(), 60);
+            Assert.That(second.SequenceEqual(first), Is.True);
+        }
+
+        [Test]
+        public void SolversThatShareShadersDoNotDisturbEachOther()
+        {
+            FluidSolverSettings water = TestSettings.ByRule(Domain, 0.025f);
+            FluidSolverSettings syrup = TestSettings.ByRule(1.5f * Domain, 0.025f);
+            syrup.Viscosity *= 4f;
+            FluidParticle[] waterAlone = Run(water, Block(), 20);
+            FluidParticle[] syrupAlone = Run(syrup, Block(), 20);
+            using (var a = new FluidSolver(water, shaders, Block()))
+            using (var b = new FluidSolver(syrup, shaders, Block()))
+            {
+                GpuTest.Run(cmd =>
+                {
+                    for (int i = 0; i < 20; i++)
+                    {
+                        a.RecordSteps(cmd, 1);
+                        b.RecordSteps(cmd, 1);
+                    }
+                });
+                Assert.That(GpuTest.Read<FluidParticle>(a.Particles, a.ParticleCount).SequenceEqual(waterAlone), Is.True, "first");
+                Assert.That(GpuTest.Read<FluidParticle>(b.Particles, b.ParticleCount).SequenceEqual(syrupAlone), Is.True, "second");
+            }
+        }
+
+        [Test]
+        public void SetupForDrawingDoesNotChangeTheMotion()
+        {
+            FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.025f);
+            FluidParticle[] plain = Run(settings, Block(), 10);
+            using (var solver = new FluidSolver(settings, shaders, Block()))
+            {
+                for (int i = 0; i < 10; i++)
+                {
+                    GpuTest.Run(cmd =>
+                    {
+                        solver.RecordSteps(cmd, 1);
+                        if (i < 9)
+                        {
+                            solver.RecordNeighbourSetup(cmd);
+                        }
+                    });
+                }
+
+                Assert.That(GpuTest.Read<FluidParticle>(solver.Particles, solver.ParticleCount).SequenceEqual(plain), Is.True);
+                Assert.That(solver.StepCount, Is.EqualTo(10));
+                Assert.That(solver.SimulatedTime, Is.EqualTo(10.0 * settings.TimeStep).Within(1e-12));
+            }
+        }
+
+        [Test]
+        public void ScatteredParticlesFallFreely()
+        {
+            FluidSolverSettings settings = TestSettings.ByRule(new Vector3(2f, 2f, 2f), 0.025f);
+            FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(5, 3, 5), 0.1f, 0f, 1);
+            FluidParticle[] end = Run(settings, start, 100);
+            double t = 100.0 * settings.TimeStep;
+            foreach (FluidParticle p in end)
+            {
+                Double3 expected = (Double3)start[p.Id].Position + 0.5 * t * t * (Double3)settings.Gravity;
+                Assert.That(((Double3)p.Position - expected).Length, Is.LessThan(1e-5), $"particle {p.Id}");
+            }
+        }
+
+        [Test]
+        public void BlockFallsAndSettlesInsideTheDomain()
+        {
+            FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.04f);
+            FluidParticle[] block = ParticleSets.Lattice(new Vector3Int(8, 8, 8), 0.04f, 1e-4f, 2);
+            using (var solver = new FluidSolver(settings, shaders, block))
+            {
+                int steps = (int)(2f / settings.TimeStep);
+                for (int done = 0; done < steps; done += 100)
+                {
+                    GpuTest.Run(cmd => solver.RecordSteps(cmd, 100));
+                }
+
+                FluidCounters counters = solver.ReadCountersNow();
+                FluidParticle[] end = GpuTest.Read<FluidParticle>(solver.Particles, solver.ParticleCount);
+                Assert.That(counters.NonFinite, Is.EqualTo(0));
+                Assert.That(counters.AccelerationLimitHits, Is.EqualTo(0), "the limit is for emergencies");
+                Assert.That(counters.DomainClamps, Is.LessThan(10), "walls hold by their force");
+                Assert.That(counters.MaxCompression, Is.LessThan(0.06f));
+                Assert.That(end.Average(p => p.VelT1.magnitude), Is.LessThan(0.25f), "comes to rest");
+                float filled = block.Length * 0.04f * 0.04f * 0.04f / (Domain.x * Domain.z);
+                float centre = end.Average(p => p.Position.y) + 0.5f * Domain.y;
+                Assert.That(centre, Is.EqualTo(0.5f * filled).Within(0.15f * filled), "half the depth");
+            }
+        }
+
+        [Test]
+        public void BadInputIsRefused()
+        {
+            FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.025f);
+            FluidParticle[] outside = { new FluidParticle(new Vector3(9f, 0f, 0f), Vector3.zero, 0) };
+            Assert.Throws<ArgumentException>(() => new FluidSolver(settings, shaders, new FluidParticle[0]));
+            Assert.Throws<ArgumentException>(() => new FluidSolver(settings, shaders, outside));
+            Assert.Throws<ArgumentException>(() => new FluidSolver(settings, null, Block()));
+            FluidSolverSettings stopped = settings;
+            stopped.TimeStep = 0f;
+            Assert.Throws<ArgumentException>(() => new FluidSolver(stopped, shaders, Block()));
+            using (var solver = new FluidSolver(settings, shaders, Block()))
+            {
+                FluidSolverSettings wider = settings;
+                wider.DomainSize *= 2f;
+                Assert.Throws<ArgumentException>(() => solver.ApplySettings(wider));
+            }
+        }
+
+        private static FluidParticle[] Block() => ParticleSets.Lattice(new Vector3Int(11, 9, 10), 0.025f, 1e-4f, 7);
+
+        private FluidParticle[] Run(FluidSolverSettings settings, FluidParticle[] start, int steps)
+        {
+            using (var solver = new FluidSolver(settings, shaders, start))
+            {
+                GpuTest.Run(cmd => solver.RecordSteps(cmd, steps));
+                return GpuTest.Read<FluidParticle>(solver.Particles, solver.ParticleCount);
+            }
+        }
+    }
+}

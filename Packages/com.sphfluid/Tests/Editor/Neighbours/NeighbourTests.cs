@@ -1,0 +1,87 @@
+using NUnit.Framework;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>The neighbour loop finds every pair within h, once, from both sides.</summary>
+    public sealed class NeighbourTests
+    {
+        private static readonly Vector3 Domain = new Vector3(0.5f, 0.37f, 0.43f);
+
+        [TestCase(1, true)]
+        [TestCase(257, true)]
+        [TestCase(2003, true)]
+        [TestCase(2003, false)]
+        public void PairsAgreeWithBruteForce(int count, bool octant)
+        {
+            FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.025f);
+            settings.OctantSearch = octant;
+            using (var rig = new ThesisRig(settings, ParticleSets.Random(count, Domain, 0f, count)))
+            {
+                rig.RunNeighbourSetup();
+                Check(rig, settings.SupportRadius);
+            }
+        }
+
+        [Test]
+        public void PairsAcrossEveryHalfCellAgreeWithBruteForce()
+        {
+            // A lattice of h/2 puts particles on cell faces and half-cell planes.
+            FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.025f);
+            FluidParticle[] lattice = ParticleSets.Lattice(new Vector3Int(19, 14, 16), 0.5f * settings.SupportRadius, 1e-7f, 9);
+            using (var rig = new ThesisRig(settings, lattice))
+            {
+                rig.RunNeighbourSetup();
+                Check(rig, settings.SupportRadius);
+            }
+        }
+
+        private static void Check(ThesisRig rig, double h)
+        {
+            FluidParticle[] particles = rig.ReadParticles();
+            int words = (particles.Length + 31) / 32;
+            uint[] pairs;
+            uint[] visits;
+            using (GraphicsBuffer pairBuffer = GpuBuffers.Create("Pairs", words * particles.Length, sizeof(uint)))
+            using (GraphicsBuffer visitBuffer = GpuBuffers.Create("Visits", particles.Length, sizeof(uint)))
+            {
+                pairBuffer.SetData(new uint[words * particles.Length]);
+                var kernel = new ComputeKernel(TestShaders.Load("Tests/Editor/Neighbours/NeighbourPairs.compute"), "NeighbourPairs");
+                GpuTest.Run(cmd =>
+                {
+                    ThesisBindings.SetNeighbours(cmd, kernel, rig.State);
+                    kernel.SetInt(cmd, Shader.PropertyToID("_RowWords"), words);
+                    kernel.SetInt(cmd, Shader.PropertyToID("_ParticleCount"), particles.Length);
+                    kernel.SetBuffer(cmd, Shader.PropertyToID("_Pairs"), pairBuffer);
+                    kernel.SetBuffer(cmd, Shader.PropertyToID("_Visits"), visitBuffer);
+                    kernel.DispatchThreads(cmd, particles.Length);
+                });
+                pairs = GpuTest.Read<uint>(pairBuffer, words * particles.Length);
+                visits = GpuTest.Read<uint>(visitBuffer, particles.Length);
+            }
+
+            int missing = 0;
+            int oneWay = 0;
+            for (int i = 0; i < particles.Length; i++)
+            {
+                uint found = 0;
+                for (int j = 0; j < particles.Length; j++)
+                {
+                    bool pair = Bit(pairs, words, i, j);
+                    found += pair ? 1u : 0u;
+                    oneWay += pair != Bit(pairs, words, j, i) ? 1 : 0;
+                    double distance = ThesisReference.Distance(particles[i], particles[j]);
+                    bool onTheBorder = System.Math.Abs(distance - h) < 1e-5 * h; // float rounding decides
+                    missing += pair != distance < h && !onTheBorder ? 1 : 0;
+                }
+
+                Assert.That(visits[i], Is.EqualTo(found), $"particle {i} meets each neighbour once");
+            }
+
+            Assert.That(missing, Is.Zero, "pairs that differ from brute force");
+            Assert.That(oneWay, Is.Zero, "one-way pairs");
+        }
+
+        private static bool Bit(uint[] pairs, int words, int i, int j) => (pairs[i * words + j / 32] >> (j % 32) & 1u) != 0u;
+    }
+}

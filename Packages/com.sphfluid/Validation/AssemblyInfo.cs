@@ -1,0 +1,5 @@
+using System.Runtime.CompilerServices;
+
+[assembly: InternalsVisibleTo("SphFluid.Editor")]
+[assembly: InternalsVisibleTo("SphFluid.Tests.Editor")]
+[assembly: InternalsVisibleTo("SphFluid.Tests.Runtime")]

@@ -1,0 +1,71 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using UnityEngine;
+
+namespace SphFluid.Validation
+{
+    /// <summary>Watches the simulations while a scene is played, and writes the liquid's part of the results at the end.</summary>
+    [AddComponentMenu("")]
+    [DefaultExecutionOrder(200)]
+    sealed class PlayRecorder : MonoBehaviour
+    {
+        readonly FrameTable frames = new FrameTable("steps", "particles");
+        readonly FrameTable record = new FrameTable("time_s", "simulation", "steps", "max_speed_m_s", "rms_speed_m_s",
+            "density_error_mean", "density_error_max", "kinetic_energy_j", "centre_x_m", "centre_y_m", "centre_z_m");
+        PlayArguments arguments;
+        long stepsBefore;
+
+        public static void Begin(PlayArguments arguments)
+        {
+            var holder = new GameObject("Play Recorder") { hideFlags = HideFlags.HideAndDontSave };
+            DontDestroyOnLoad(holder);
+            holder.AddComponent<PlayRecorder>().arguments = arguments;
+        }
+
+        void OnEnable() => Application.quitting += Finish;
+
+        void OnDisable() => Application.quitting -= Finish;
+
+        void LateUpdate()
+        {
+            long steps = 0, particles = 0;
+            IReadOnlyList<FluidSimulation> simulations = FluidSimulation.Active;
+            for (int i = 0; i < simulations.Count; i++)
+            {
+                steps += simulations[i].StepCount;
+                particles += simulations[i].ParticleCount;
+                if (arguments.RecordFile != null && simulations[i].IsRunning)
+                    Record(i, simulations[i]);
+            }
+            frames.Add(steps - stepsBefore, particles);
+            stepsBefore = steps;
+        }
+
+        void Record(int index, FluidSimulation simulation)
+        {
+            FluidStatistics s = FluidStatistics.Of(FluidSnapshot.Read(simulation), simulation.Solver.Settings);
+            record.Add(simulation.SimulatedTime, index, simulation.StepCount, s.MaxSpeed, s.RmsSpeed,
+                s.DensityErrorMean, s.DensityErrorMax, s.KineticEnergy, s.Centre.x, s.Centre.y, s.Centre.z);
+        }
+
+        void Finish()
+        {
+            Application.quitting -= Finish;
+            try
+            {
+                var running = new List<FluidSimulation>();
+                foreach (FluidSimulation simulation in FluidSimulation.Active)
+                {
+                    if (simulation.IsRunning)
+                        running.Add(simulation);
+                }
+                new PlayResults(arguments, running).Write(frames, record);
+            }
+            catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException || exception is InvalidDataException)
+            {
+                Debug.LogError($"{FluidMessage.Prefix} The results of the liquid could not be written: {exception.Message}");
+            }
+        }
+    }
+}

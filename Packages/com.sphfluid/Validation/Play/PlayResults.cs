@@ -1,0 +1,89 @@
+using System.Collections.Generic;
+using System.IO;
+using UnityEngine;
+
+namespace SphFluid.Validation
+{
+    /// <summary>The files at the end of a play: particles, surface, the liquid's part of timings.csv and summary.json.</summary>
+    sealed class PlayResults
+    {
+        readonly PlayArguments arguments;
+        readonly IReadOnlyList<FluidSimulation> simulations;
+
+        public PlayResults(PlayArguments arguments, IReadOnlyList<FluidSimulation> simulations)
+        {
+            this.arguments = arguments;
+            this.simulations = simulations;
+        }
+
+        public void Write(FrameTable frames, FrameTable record)
+        {
+            var summaries = new List<JsonObject>();
+            for (int i = 0; i < simulations.Count; i++)
+            {
+                FluidSnapshot snapshot = FluidSnapshot.Read(simulations[i]);
+                summaries.Add(Summary(simulations[i], snapshot));
+                if (arguments.StateFile != null)
+                    PlyWriter.WriteParticles(FileOf(arguments.StateFile, i), snapshot);
+                if (arguments.MeshFile != null)
+                    WriteMesh(FileOf(arguments.MeshFile, i), simulations[i]);
+            }
+            if (arguments.RecordFile != null)
+                record.Write(arguments.RecordFile);
+            if (arguments.OutputFolder == null)
+                return;
+            Directory.CreateDirectory(arguments.OutputFolder);
+            JsonObject all = summaries.Count == 1 ? summaries[0] : new JsonObject().Add("simulations", summaries);
+            all.AppendTo(Path.Combine(arguments.OutputFolder, "summary.json"));
+            string timings = Path.Combine(arguments.OutputFolder, "timings.csv");
+            if (File.Exists(timings))
+                frames.InsertInto(timings, "time_s");
+            else
+                frames.Write(timings);
+        }
+
+        // With several simulations the files are name.ply, name.1.ply, name.2.ply, ...
+        string FileOf(string file, int index) => index == 0 ? file : Path.ChangeExtension(file, $".{index}{Path.GetExtension(file)}");
+
+        static void WriteMesh(string file, FluidSimulation simulation)
+        {
+            SurfaceMesh mesh = FluidSurfaceMesher.Extract(simulation.Solver, simulation.Profile.Shaders,
+                PlayOverrides.GridSizeOf(simulation), PlayOverrides.IsoValueOf(simulation));
+            PlyWriter.WriteMesh(file, mesh.Transformed(simulation.LocalToWorld));
+        }
+
+        static JsonObject Summary(FluidSimulation simulation, FluidSnapshot snapshot)
+        {
+            FluidSolverSettings settings = simulation.Solver.Settings;
+            FluidStatistics statistics = FluidStatistics.Of(snapshot, settings);
+            NeighbourCount neighbours = NeighbourCount.Of(snapshot.LocalPositions, settings.SupportRadius);
+            FluidCounters counters = simulation.Solver.ReadCountersNow();
+            return new JsonObject()
+                .Add("simulation", simulation.name)
+                .Add("method", "thesis")
+                .Add("surface", PlayOverrides.SurfaceOf(simulation))
+                .Add("particles", simulation.ParticleCount)
+                .Add("spacing_m", settings.Spacing)
+                .Add("support_radius_m", settings.SupportRadius)
+                .Add("time_step_s", settings.TimeStep)
+                .Add("sound_speed_m_s", settings.SoundSpeed)
+                .Add("steps", simulation.StepCount)
+                .Add("liquid_time_s", simulation.SimulatedTime)
+                .Add("neighbours_mean", neighbours.Mean)
+                .Add("neighbours_max", neighbours.Maximum)
+                .Add("max_speed_m_s", statistics.MaxSpeed)
+                .Add("rms_speed_m_s", statistics.RmsSpeed)
+                .Add("density_error_mean", statistics.DensityErrorMean)
+                .Add("density_error_max", statistics.DensityErrorMax)
+                .Add("nonfinite_count", statistics.NonFiniteCount)
+                .Add("escaped_count", statistics.EscapedCount)
+                .Add("cap_hits", new JsonObject()
+                    .Add("substeps", simulation.CapHits)
+                    .Add("acceleration", counters.AccelerationLimitHits)
+                    .Add("domain", counters.DomainClamps)
+                    .Add("nonfinite", counters.NonFinite))
+                .Add("fluid_gpu_bytes", simulation.GpuBytes)
+                .Add("state_hash", snapshot.Hash);
+        }
+    }
+}
