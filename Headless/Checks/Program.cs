@@ -26,10 +26,10 @@ void Add(string name, Func<IEnumerable<CheckReport>> run)
 
 Add("api", () => new ApiCheck(package).Run());
 if (standIn is not null) Add("surface", () => [new StandInSurfaceCheck(standIn).Run()]);
-Add("fxc", () => [new FxcCheck(project, package, Path.Combine(cache, "fxc")).Run()]);
+Add("fxc", () => [new FxcCheck(project, package, cache).Run()]);
 Add("form", () => [new PackageManifestCheck(package).Run(), new MetaFileCheck(project).Run(), new SerializedFieldCheck(package).Run(), new AssemblyProjectCheck(project).Run()]);
 
 var failed = reports.Count(r => !r.Passed && r.SkippedBecause is null);
 var skipped = reports.Count(r => r.SkippedBecause is not null);
-Console.WriteLine($"checks: {reports.Count - failed - skipped} passed, {failed} failed, {skipped} skipped");
+Console.WriteLine($"{reports.Count - failed - skipped} passed, {failed} failed, {skipped} skipped");
 return failed > 0 ? 1 : 0;

@@ -8,15 +8,19 @@ internal sealed class FxcToolchain(string cacheFolder)
     private const string CrossCompiler = "x86_64-w64-mingw32-gcc";
     private static readonly string[] winePaths = ["/usr/lib/wine/wine64", "/usr/bin/wine64", "/usr/local/bin/wine64"];
 
-    private string Library => Path.Combine(cacheFolder, "d3dcompiler_47.dll");
-    private string Driver => Path.Combine(cacheFolder, "fxc_jobs.exe");
+    private string Fetched => Path.Combine(cacheFolder, "d3dcompiler_47.dll");
+    private string WorkFolder => Path.Combine(cacheFolder, "fxc");
+    private string Library => Path.Combine(WorkFolder, "d3dcompiler_47.dll");
+    private string Driver => Path.Combine(WorkFolder, "fxc_jobs.exe");
 
     /// <summary>Builds the driver where needed. Returns null when all is there, else what is missing and how to get it.</summary>
     public string? Prepare()
     {
-        if (!File.Exists(Library))
-            return $"d3dcompiler_47.dll is not in {cacheFolder}: run ./setup.sh with a network (it comes from the npm package webgpu)";
+        if (!File.Exists(Fetched))
+            return $"d3dcompiler_47.dll is not in {cacheFolder}: run './setup.sh test' with a network";
         if (Wine is null) return "wine64 is not installed: apt-get install wine64";
+        Directory.CreateDirectory(WorkFolder);
+        File.Copy(Fetched, Library, overwrite: true);
         var source = Path.Combine(AppContext.BaseDirectory, "Fxc", "fxc_jobs.c");
         if (File.Exists(Driver) && File.GetLastWriteTimeUtc(Driver) >= File.GetLastWriteTimeUtc(source)) return null;
         try
@@ -37,7 +41,7 @@ internal sealed class FxcToolchain(string cacheFolder)
     {
         var environment = new Dictionary<string, string>
         {
-            ["WINEPREFIX"] = Path.Combine(cacheFolder, "prefix"),
+            ["WINEPREFIX"] = Path.Combine(WorkFolder, "prefix"),
             ["WINEDEBUG"] = "-all",
             ["WINEDLLOVERRIDES"] = "d3dcompiler_47=n;mscoree=;mshtml=",
         };

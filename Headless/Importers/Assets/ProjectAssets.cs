@@ -49,6 +49,16 @@ public sealed class ProjectAssets : IReferenceResolver
 
     public string? PathOf(Object asset) => imported.Values.FirstOrDefault(i => i.Objects.Values.Any(o => ReferenceEquals(o, asset)))?.AssetPath;
 
+    /// <summary>A shader of the project by the name in its source; reads each .shader until it is found, as Shader.Find does in the Editor.</summary>
+    internal UnityEngine.Shader? FindShader(string name)
+    {
+        foreach (string path in Index.AssetPaths)
+            if (path.EndsWith(".shader", StringComparison.OrdinalIgnoreCase)
+                && File.ReadAllText(Index.FileOf(path)).Contains($"\"{name}\"", StringComparison.Ordinal)
+                && LoadMain(path) is UnityEngine.Shader shader && shader.name == name) return shader;
+        return null;
+    }
+
     public Object? Resolve(FileReference reference, Type expected, string where)
     {
         if (reference.IsNull) return null;

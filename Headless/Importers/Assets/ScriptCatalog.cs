@@ -1,4 +1,5 @@
 using System.Reflection;
+using Headless.Engine;
 using Headless.Importers.Project;
 
 namespace Headless.Importers.Assets;
@@ -31,7 +32,12 @@ internal sealed class ScriptCatalog(ProjectIndex index, Func<string, Assembly?> 
             return null;
         }
         Type[] found = [.. assembly.GetTypes().Where(t => t.Name == className && baseType.IsAssignableFrom(t) && !t.IsAbstract)];
-        if (found.Length == 1) return found[0];
+        if (found.Length == 1)
+        {
+            int order = MetaFile.Read(index.FileOf(path) + ".meta").Settings.Int("executionOrder");
+            if (order != 0) ScriptType.SetProjectOrder(found[0], order);
+            return found[0];
+        }
         report(found.Length == 0
             ? $"{where}: '{path}' has no {baseType.Name} class named '{className}' in '{assemblyName}'; file and class must have the same name. The component is left out."
             : $"{where}: '{assemblyName}' has several classes named '{className}' ({string.Join(", ", found.Select(t => t.FullName))}); rename all but one. The component is left out.");

@@ -180,7 +180,7 @@ internal sealed class ObjectBuilder(ProjectAssets project)
         return reference.IsNull ? null : reference.Scope.Find(reference.FileId);
     }
 
-    private NativeFields Fields(SourceObject item) => new(item.Body, item.Scope, project, Describe(item));
+    public NativeFields Fields(SourceObject item) => new(item.Body, item.Scope, project, Describe(item));
 
     private static string Describe(SourceObject item)
     {

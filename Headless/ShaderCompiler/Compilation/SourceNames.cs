@@ -22,7 +22,7 @@ internal static partial class SourceNames
     /// <summary>Variables whose GetDimensions is called.</summary>
     public static HashSet<string> Sized(string text) => [.. GetDimensions().Matches(text).Select(m => m.Groups[1].Value)];
 
-    [GeneratedRegex(@"\b(?:RW)?ByteAddressBuffer\s+([^;{})]+);")]
+    [GeneratedRegex(@"\b(?:RW)?ByteAddressBuffer\s+((?:[^;(){}]|\([^()]*\))+);")]
     private static partial Regex RawBufferDeclaration();
 
     [GeneratedRegex(@":\s*register\s*\([^)]*\)")]

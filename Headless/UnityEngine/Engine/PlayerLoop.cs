@@ -14,6 +14,7 @@ static class PlayerLoop
             return;
         }
         FrameClock.BeginFrame();
+        ProfilerFrames.BeginFrame();
         EngineHooks.BeginFrame?.Invoke();
         SceneLoading.RunPending();
         ScriptSchedule.RunStarts();
@@ -38,6 +39,7 @@ static class PlayerLoop
     static void RunEditFrame()
     {
         FrameClock.BeginFrame();
+        ProfilerFrames.BeginFrame();
         EngineHooks.BeginFrame?.Invoke();
         EngineHooks.EditorUpdate?.Invoke();
         ScriptSchedule.RunStarts();

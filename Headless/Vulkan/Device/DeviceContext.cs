@@ -41,6 +41,9 @@ internal sealed unsafe class DeviceContext : IDisposable
 
     public MemoryAllocator Memory { get; }
 
+    /// <summary>Buffers and textures that are not disposed.</summary>
+    public HashSet<GpuResource> Resources { get; } = [];
+
     public static DeviceContext Open(GpuDeviceOptions options)
     {
         VulkanInstance instance = new(options.Validate, options.ValidateSynchronization);

@@ -79,7 +79,7 @@ public sealed class GpuDevice : IDisposable
     public GpuTexture CreateTexture(GpuTextureDescription description, string name)
     {
         GpuTexture texture = new(context, ring, description, name);
-        stream.ClearNewTexture(texture);
+        Recorder.ClearTexture(texture);
         return texture;
     }
 
@@ -141,6 +141,11 @@ public sealed class GpuDevice : IDisposable
         }
 
         disposed = true;
+        foreach (GpuResource resource in context.Resources.ToArray())
+        {
+            resource.Dispose();
+        }
+
         ring.Dispose();
         samplers.Dispose();
         pipelines.Dispose();

@@ -100,8 +100,6 @@ internal sealed unsafe class VulkanInstance : IDisposable
         table.vkCreateDebugUtilsMessengerEXT = (delegate* unmanaged<VkInstance, VkDebugUtilsMessengerCreateInfoEXT*, VkAllocationCallbacks*, VkDebugUtilsMessengerEXT*, VkResult>)Find("vkCreateDebugUtilsMessengerEXT");
         table.vkDestroyDebugUtilsMessengerEXT = (delegate* unmanaged<VkInstance, VkDebugUtilsMessengerEXT, VkAllocationCallbacks*, void>)Find("vkDestroyDebugUtilsMessengerEXT");
         table.vkSetDebugUtilsObjectNameEXT = (delegate* unmanaged<VkDevice, VkDebugUtilsObjectNameInfoEXT*, VkResult>)Find("vkSetDebugUtilsObjectNameEXT");
-        table.vkCmdBeginDebugUtilsLabelEXT = (delegate* unmanaged<VkCommandBuffer, VkDebugUtilsLabelEXT*, void>)Find("vkCmdBeginDebugUtilsLabelEXT");
-        table.vkCmdEndDebugUtilsLabelEXT = (delegate* unmanaged<VkCommandBuffer, void>)Find("vkCmdEndDebugUtilsLabelEXT");
         Extensions = table;
     }
 

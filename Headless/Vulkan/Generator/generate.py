@@ -68,6 +68,7 @@ def member_name(enum, value):
     prefix = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", stem).upper() + "_"
     prefix = "VK_" if enum == "VkResult" else prefix + (version.group(1) + "_" if version else "")
     name = value[len(prefix):] if value.startswith(prefix) else value[3:]
+    name = re.sub(r"(_EXT|_KHR)$", "", name) if enum.endswith(("EXT", "KHR")) else name
     name = re.sub(r"_(BIT|BIT_EXT|BIT_KHR)$", "", name)
     name = "".join(part[:1].upper() + part[1:].lower() for part in name.split("_"))
     return "_" + name if name[0].isdigit() else name

@@ -58,6 +58,9 @@ public sealed class CommandRecorder
     public void CopyTexture(GpuTexture source, int sourceMip, int sourceLayer, GpuTexture target, int targetMip, int targetLayer) =>
         textureCopy.Copy(source, sourceMip, sourceLayer, target, targetMip, targetLayer);
 
+    /// <summary>Sets all texels of a texture to zero.</summary>
+    public void ClearTexture(GpuTexture texture) => textureCopy.Clear(texture);
+
     /// <summary>Averages a multisampled color texture into a one-sample texture of the same format and size.</summary>
     public void ResolveTexture(GpuTexture source, GpuTexture target) => textureCopy.Resolve(source, target);
 

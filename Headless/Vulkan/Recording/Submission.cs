@@ -51,6 +51,9 @@ internal sealed unsafe class Submission : IDisposable
 
     public bool HasReadbacks => readbacks.Count > 0;
 
+    /// <summary>Nothing would happen if it were submitted.</summary>
+    public bool IsEmpty => CommandCount == 0 && !HasReadbacks && Timestamps.Count == 0 && garbage.Count == 0;
+
     public void Begin(ulong ticket)
     {
         Ticket = ticket;

@@ -84,7 +84,7 @@ internal sealed class SubmissionRing : IDisposable
 
     public void Dispose()
     {
-        if (Current.CommandCount > 0)
+        if (!Current.IsEmpty)
         {
             SubmitCurrent();
         }

@@ -28,6 +28,8 @@ internal sealed unsafe class TimestampLog : IDisposable
         pool = created;
     }
 
+    public int Count => count;
+
     public bool IsFull => count == Capacity;
 
     public void Reset(VkCommandBuffer commands)

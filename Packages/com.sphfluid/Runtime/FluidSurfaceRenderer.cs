@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -11,6 +12,9 @@ namespace SphFluid
     [DefaultExecutionOrder(100)]
     public sealed class FluidSurfaceRenderer : FluidRenderer
     {
+        [SerializeField, Tooltip("What is drawn: the surface, or the cubes of the grid that it cuts. A material of your own draws what its keyword FLUID_CUBES says.")]
+        FluidSurfaceStyle style = FluidSurfaceStyle.MarchingCubes;
+
         [SerializeField, Tooltip("Cells a side of the grid over the domain. Automatic: 128 on a graphics card, 64 where the CPU draws.")]
         SurfaceGridSize gridSize = SurfaceGridSize.Automatic;
 
@@ -35,6 +39,12 @@ namespace SphFluid
         ParticleSquares fallback;
         FluidShaderSet shaderSet;
 
+        /// <summary>Asks what the device lacks; tests put their own answer here.</summary>
+        internal Func<string> MissingSupport { get; set; } = GeometrySurface.MissingSupport;
+
+        /// <summary>What is drawn, if no material is given: the surface, or the cubes of the grid that it cuts.</summary>
+        public FluidSurfaceStyle Style { get => style; set => style = value; }
+
         /// <summary>Cells a side of the grid over the domain.</summary>
         public SurfaceGridSize GridSize { get => gridSize; set => gridSize = value; }
 
@@ -53,6 +63,9 @@ namespace SphFluid
         /// <summary>Smoothness of the surface, if no material is given, 0 to 1.</summary>
         public float Smoothness { get => smoothness; set => smoothness = value; }
 
+        /// <summary>Bytes of GPU memory of the grid; 0 while nothing is drawn.</summary>
+        public long GpuBytes => field?.GpuBytes ?? 0;
+
         /// <summary>Whether the particles are drawn instead, because the device cannot draw the surface.</summary>
         public bool UsesFallback => fallback != null;
 
@@ -60,7 +73,7 @@ namespace SphFluid
         protected override void CreateResources(FluidShaderSet shaders)
         {
             shaderSet = shaders;
-            string lack = GeometrySurface.MissingSupport();
+            string lack = MissingSupport();
             if (lack != null)
             {
                 Debug.LogWarning($"{FluidMessage.Prefix} '{name}': {lack} The particles are drawn instead.", this);
@@ -103,6 +116,7 @@ namespace SphFluid
             DrawPlacement placement = Placement(drawn, 0f);
             Color? ownColour = material == null ? colour : (Color?)null;
             surface.Properties(field, isoValue, ownColour, smoothness, placement);
+            surface.SetStyle(style);
             surface.Draw(field, material, placement);
         }
 

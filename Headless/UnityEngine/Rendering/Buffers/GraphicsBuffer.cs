@@ -9,6 +9,7 @@ public sealed partial class GraphicsBuffer : IDisposable
 {
     private static uint lastHandle;
     private NativeArray<byte> locked;
+    private readonly bool borrowed;
     private long lockedOffset;
 
     public GraphicsBuffer(Target target, int count, int stride)
@@ -45,9 +46,22 @@ public sealed partial class GraphicsBuffer : IDisposable
         BufferHandles.Add(Handle, Storage);
     }
 
+    /// <summary>A view of a buffer that a mesh owns: disposing it leaves the mesh's buffer alive.</summary>
+    internal GraphicsBuffer(Target target, DeviceBuffer shared)
+    {
+        this.target = target;
+        Storage = shared;
+        borrowed = true;
+        Handle = Interlocked.Increment(ref lastHandle);
+        BufferHandles.Add(Handle, Storage);
+    }
+
     ~GraphicsBuffer()
     {
-        Storage?.Abandon();
+        if (!borrowed)
+        {
+            Storage?.Abandon();
+        }
     }
 
     public Target target { get; }
@@ -71,7 +85,11 @@ public sealed partial class GraphicsBuffer : IDisposable
     public void Dispose()
     {
         BufferHandles.Remove(Handle);
-        Storage.Release();
+        if (!borrowed)
+        {
+            Storage.Release();
+        }
+
         GC.SuppressFinalize(this);
     }
 

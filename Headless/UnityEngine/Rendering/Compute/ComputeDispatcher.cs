@@ -74,21 +74,20 @@ internal static class ComputeDispatcher
         }
 
         ResourceBindings bindings = variant.Bindings;
-        bindings.Clear();
         Span<(int, ImageFormat)> formats = stackalloc (int, ImageFormat)[8];
         int formatCount = 0;
         if (!BindBuffers(variant.Table, kernel, bindings, out string? missing)
-            || !BindTextures(variant.Table, kernel, bindings, formats, ref formatCount, out missing)
-            || !BindBlocks(variant, program.State, bindings, out missing))
+            || !BindTextures(variant.Table, kernel, bindings, formats, ref formatCount, out missing))
         {
             Debug.LogError($"Compute shader ({shader.name}): Property ({missing}) at kernel index ({kernelIndex}) is not set");
             return false;
         }
 
+        BindBlocks(variant, program.State, bindings);
         foreach (SamplerEntry sampler in variant.Table.Samplers)
         {
             Texture? owner = sampler.TextureId >= 0 ? FindTexture(kernel, sampler.TextureId).Texture : null;
-            bindings.Set(variant.Table.Set, sampler.Binding, Samplers.For(sampler, owner));
+            bindings.SetSampler(variant.Table.Set, sampler.Binding, Samplers.For(sampler, owner));
         }
 
         pipeline = variant.Pipeline(formats[..formatCount]);
@@ -110,7 +109,7 @@ internal static class ComputeDispatcher
                 return false;
             }
 
-            bindings.Set(table.Set, entry.Binding, slot.Buffer!.Gpu, 0, slot.Buffer.ByteSize);
+            bindings.SetBuffer(table.Set, entry.Binding, slot.Buffer!.Gpu);
         }
 
         missing = null;
@@ -133,12 +132,12 @@ internal static class ComputeDispatcher
 
             if (entry.Storage)
             {
-                bindings.SetStorage(table.Set, entry.Binding, texture, slot.MipLevel);
+                bindings.SetTexture(table.Set, entry.Binding, texture, slot.MipLevel);
                 formats[formatCount++] = (entry.Binding, TextureFormats.StorageFormat(texture.Description.Format));
             }
             else
             {
-                bindings.Set(table.Set, entry.Binding, texture);
+                bindings.SetTexture(table.Set, entry.Binding, texture);
             }
         }
 
@@ -146,23 +145,20 @@ internal static class ComputeDispatcher
         return true;
     }
 
-    private static bool BindBlocks(ComputeVariant variant, ComputeState state, ResourceBindings bindings, out string? missing)
+    private static void BindBlocks(ComputeVariant variant, ComputeState state, ResourceBindings bindings)
     {
         foreach (ComputeBlock block in variant.Blocks)
         {
             int id = block.Entry.NameId;
             if ((state.ConstantBuffers.TryGetValue(id, out BufferSlot slot) || GlobalProperties.Sheet.ConstantBuffers.TryGetValue(id, out slot)) && slot.IsSet)
             {
-                bindings.Set(variant.Table.Set, block.Entry.Binding, slot.Buffer!.Gpu, slot.Offset, slot.Size > 0 ? slot.Size : slot.Buffer.ByteSize);
+                bindings.SetBuffer(variant.Table.Set, block.Entry.Binding, slot.Buffer!.Gpu, slot.Offset, slot.Size > 0 ? slot.Size : -1);
             }
             else
             {
                 bindings.SetUniform(variant.Table.Set, block.Entry.Binding, block.Pack(state));
             }
         }
-
-        missing = null;
-        return true;
     }
 
     private static TextureSlot FindTexture(ComputeKernel kernel, int id)

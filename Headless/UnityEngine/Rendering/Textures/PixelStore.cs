@@ -83,7 +83,7 @@ internal sealed class PixelStore
     {
         for (int mip = 0; mip < MipLevels; mip++)
         {
-            GraphicsDevice.Recorder.UpdateTexture(texture, ToDevice(mip, texture.Description.Format), mip);
+            GraphicsDevice.Recorder.UpdateTexture(texture, mip, 0, ToDevice(mip, texture.Description.Format));
         }
     }
 

@@ -139,7 +139,7 @@ public partial class RenderTexture : Texture
     {
         if (Created() && color is not null && color.Description.MipLevels > 1)
         {
-            MipChain.Generate(color);
+            GraphicsDevice.Recorder.GenerateMips(color);
         }
     }
 

@@ -11,6 +11,7 @@ internal static class TemporaryTextures
 
     public static RenderTexture Get(RenderTextureDescriptor desc)
     {
+        Free.RemoveAll(f => f.Texture == null);
         int index = Free.FindIndex(f => f.Texture.descriptor.Equals(desc));
         RenderTexture texture;
         if (index >= 0)

@@ -24,7 +24,7 @@ internal static class TextureReader
                 $"Trying to read pixels out of bounds: {source} of a target of {texture.Description.Width}x{texture.Description.Height} into texture '{owner}' of {target.Width}x{target.Height} at ({destX}, {destY}).");
         }
 
-        byte[] bytes = Read(texture, 0);
+        byte[] bytes = GraphicsDevice.Device.ReadTexture(texture);
         TextureFormat layout = Layout(texture.Description.Format);
         int size = PixelCodec.BytesPerPixel(layout);
         bool same = layout == target.Layout;
@@ -45,15 +45,6 @@ internal static class TextureReader
                 }
             }
         }
-    }
-
-    public static byte[] Read(GpuTexture texture, int mip)
-    {
-        GpuTextureDescription d = texture.Description;
-        int texels = Math.Max(1, d.Width >> mip) * Math.Max(1, d.Height >> mip) * Math.Max(1, d.Depth >> mip) * d.Layers;
-        var bytes = new byte[texels * TextureFormats.BytesPerTexel(d.Format)];
-        GraphicsDevice.Device.ReadTexture(texture, bytes, mip);
-        return bytes;
     }
 
     public static TextureFormat Layout(GpuFormat format) => format switch

@@ -1082,7 +1082,6 @@ internal enum VkStructureType : int
     DeviceCreateInfo = 3,
     SubmitInfo = 4,
     MemoryAllocateInfo = 5,
-    MappedMemoryRange = 6,
     FenceCreateInfo = 8,
     QueryPoolCreateInfo = 11,
     BufferCreateInfo = 12,
@@ -1138,23 +1137,23 @@ internal enum VkStructureType : int
 
 internal enum VkValidationFeatureDisableEXT : int
 {
-    AllExt = 0,
-    ShadersExt = 1,
-    ThreadSafetyExt = 2,
-    ApiParametersExt = 3,
-    ObjectLifetimesExt = 4,
-    CoreChecksExt = 5,
-    UniqueHandlesExt = 6,
-    ShaderValidationCacheExt = 7,
+    All = 0,
+    Shaders = 1,
+    ThreadSafety = 2,
+    ApiParameters = 3,
+    ObjectLifetimes = 4,
+    CoreChecks = 5,
+    UniqueHandles = 6,
+    ShaderValidationCache = 7,
 }
 
 internal enum VkValidationFeatureEnableEXT : int
 {
-    GpuAssistedExt = 0,
-    GpuAssistedReserveBindingSlotExt = 1,
-    BestPracticesExt = 2,
-    DebugPrintfExt = 3,
-    SynchronizationValidationExt = 4,
+    GpuAssisted = 0,
+    GpuAssistedReserveBindingSlot = 1,
+    BestPractices = 2,
+    DebugPrintf = 3,
+    SynchronizationValidation = 4,
 }
 
 internal enum VkVertexInputRate : int

@@ -16,9 +16,6 @@ internal static unsafe partial class Vk
     public static partial VkResult vkEnumerateInstanceLayerProperties(uint* pPropertyCount, VkLayerProperties* pProperties);
 
     [LibraryImport(VulkanLibrary.Name)]
-    public static partial VkResult vkEnumerateInstanceExtensionProperties(byte* pLayerName, uint* pPropertyCount, VkExtensionProperties* pProperties);
-
-    [LibraryImport(VulkanLibrary.Name)]
     public static partial VkResult vkCreateInstance(VkInstanceCreateInfo* pCreateInfo, VkAllocationCallbacks* pAllocator, VkInstance* pInstance);
 
     [LibraryImport(VulkanLibrary.Name)]
@@ -52,9 +49,6 @@ internal static unsafe partial class Vk
     public static partial void vkDestroyDevice(VkDevice device, VkAllocationCallbacks* pAllocator);
 
     [LibraryImport(VulkanLibrary.Name)]
-    public static partial VkResult vkDeviceWaitIdle(VkDevice device);
-
-    [LibraryImport(VulkanLibrary.Name)]
     public static partial void vkGetDeviceQueue(VkDevice device, uint queueFamilyIndex, uint queueIndex, VkQueue* pQueue);
 
     [LibraryImport(VulkanLibrary.Name)]
@@ -68,15 +62,6 @@ internal static unsafe partial class Vk
 
     [LibraryImport(VulkanLibrary.Name)]
     public static partial VkResult vkMapMemory(VkDevice device, VkDeviceMemory memory, ulong offset, ulong size, uint flags, void** ppData);
-
-    [LibraryImport(VulkanLibrary.Name)]
-    public static partial void vkUnmapMemory(VkDevice device, VkDeviceMemory memory);
-
-    [LibraryImport(VulkanLibrary.Name)]
-    public static partial VkResult vkInvalidateMappedMemoryRanges(VkDevice device, uint memoryRangeCount, VkMappedMemoryRange* pMemoryRanges);
-
-    [LibraryImport(VulkanLibrary.Name)]
-    public static partial VkResult vkFlushMappedMemoryRanges(VkDevice device, uint memoryRangeCount, VkMappedMemoryRange* pMemoryRanges);
 
     [LibraryImport(VulkanLibrary.Name)]
     public static partial VkResult vkCreateBuffer(VkDevice device, VkBufferCreateInfo* pCreateInfo, VkAllocationCallbacks* pAllocator, VkBuffer* pBuffer);
@@ -292,6 +277,4 @@ internal unsafe struct VkExtensions
     public delegate* unmanaged<VkInstance, VkDebugUtilsMessengerCreateInfoEXT*, VkAllocationCallbacks*, VkDebugUtilsMessengerEXT*, VkResult> vkCreateDebugUtilsMessengerEXT;
     public delegate* unmanaged<VkInstance, VkDebugUtilsMessengerEXT, VkAllocationCallbacks*, void> vkDestroyDebugUtilsMessengerEXT;
     public delegate* unmanaged<VkDevice, VkDebugUtilsObjectNameInfoEXT*, VkResult> vkSetDebugUtilsObjectNameEXT;
-    public delegate* unmanaged<VkCommandBuffer, VkDebugUtilsLabelEXT*, void> vkCmdBeginDebugUtilsLabelEXT;
-    public delegate* unmanaged<VkCommandBuffer, void> vkCmdEndDebugUtilsLabelEXT;
 }

@@ -557,17 +557,6 @@ internal unsafe struct VkLayerProperties
     public fixed byte description[256];
 }
 
-internal unsafe struct VkMappedMemoryRange
-{
-    public VkStructureType sType;
-    public void* pNext;
-    public VkDeviceMemory memory;
-    public ulong offset;
-    public ulong size;
-
-    public VkMappedMemoryRange() => sType = VkStructureType.MappedMemoryRange;
-}
-
 internal unsafe struct VkMemoryAllocateInfo
 {
     public VkStructureType sType;

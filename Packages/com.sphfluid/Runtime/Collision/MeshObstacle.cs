@@ -52,7 +52,8 @@ namespace SphFluid
             return winding > 0;
         }
 
-        bool IsNear(Vector3 point, float clearance)
+        /// <summary>Whether the point is nearer than <paramref name="clearance"/> [m] to a triangle.</summary>
+        public bool IsNear(Vector3 point, float clearance)
         {
             if (!(clearance > 0f)) return false;
             Vector3 reach = Vector3.one * clearance;

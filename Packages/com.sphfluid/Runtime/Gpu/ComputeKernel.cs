@@ -15,8 +15,8 @@ namespace SphFluid
         /// <summary>Groups a dispatch may have in one dimension; MAX_GROUPS in Shaders/Gpu/FluidTypes.hlsl.</summary>
         public const int MaxGroups = 65535;
 
-        private readonly ComputeShader shader;
-        private readonly int index;
+        readonly ComputeShader shader;
+        readonly int index;
 
         /// <summary>Finds a kernel.</summary>
         /// <param name="shader">The compute shader.</param>
@@ -151,12 +151,12 @@ namespace SphFluid
                 : new Vector2Int(MaxGroups, Groups(groups, MaxGroups));
         }
 
-        private static int Groups(int threads, int size)
+        static int Groups(int threads, int size)
         {
             return (int)(((long)threads + size - 1) / size);
         }
 
-        private void Dispatch(CommandBuffer cmd, int x, int y, int z)
+        void Dispatch(CommandBuffer cmd, int x, int y, int z)
         {
             if (x > MaxGroups || y > MaxGroups || z > MaxGroups)
             {

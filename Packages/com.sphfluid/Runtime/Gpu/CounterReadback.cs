@@ -9,20 +9,20 @@ namespace SphFluid
     internal sealed class CounterReadback : IDisposable
     {
         public const int Slots = 8;
-        private const int AccelerationLimit = 0;
-        private const int DomainClamp = 1;
-        private const int NonFinite = 2;
-        private const int MaxSpeed = 4;
-        private const int MaxDensity = 5;
-        private const int FirstMaximum = 4;
+        const int AccelerationLimit = 0;
+        const int DomainClamp = 1;
+        const int NonFinite = 2;
+        const int MaxSpeed = 4;
+        const int MaxDensity = 5;
+        const int FirstMaximum = 4;
 
-        private static readonly uint[] Zeros = new uint[Slots];
+        static readonly uint[] Zeros = new uint[Slots];
 
-        private readonly GraphicsBuffer buffer;
-        private readonly Action<AsyncGPUReadbackRequest> received;
-        private readonly uint[] last = new uint[Slots];
-        private FluidCounters counters;
-        private bool disposed;
+        readonly GraphicsBuffer buffer;
+        readonly Action<AsyncGPUReadbackRequest> received;
+        readonly uint[] last = new uint[Slots];
+        FluidCounters counters;
+        bool disposed;
 
         public CounterReadback(GraphicsBuffer buffer, float restDensity)
         {
@@ -64,7 +64,7 @@ namespace SphFluid
             disposed = true;
         }
 
-        private void Receive(AsyncGPUReadbackRequest request)
+        void Receive(AsyncGPUReadbackRequest request)
         {
             if (!disposed && !request.hasError)
             {
@@ -75,7 +75,7 @@ namespace SphFluid
             }
         }
 
-        private void Take(uint[] values)
+        void Take(uint[] values)
         {
             counters.AccelerationLimitHits += Added(values, AccelerationLimit);
             counters.DomainClamps += Added(values, DomainClamp);
@@ -85,7 +85,7 @@ namespace SphFluid
         }
 
         // The GPU counts modulo 2^32; a difference survives the overflow. A read-back older than ReadNow's adds nothing.
-        private int Added(uint[] values, int slot)
+        int Added(uint[] values, int slot)
         {
             int added = unchecked((int)(values[slot] - last[slot]));
             if (added <= 0)
@@ -97,7 +97,7 @@ namespace SphFluid
             return added;
         }
 
-        private static float ToFloat(uint bits)
+        static float ToFloat(uint bits)
         {
             return BitConverter.Int32BitsToSingle(unchecked((int)bits));
         }

@@ -6,18 +6,18 @@ namespace SphFluid
     /// <summary>The structured buffers of thesis 6.2.1, and those that the sort and the counters need.</summary>
     public sealed class FluidBuffers : IDisposable
     {
-        private GraphicsBuffer particles;
-        private GraphicsBuffer sortedParticles;
-        private GraphicsBuffer grid;
-        private GraphicsBuffer gridTranspose;
-        private GraphicsBuffer gridIndices;
-        private GraphicsBuffer density;
-        private GraphicsBuffer pressure;
-        private GraphicsBuffer force;
-        private GraphicsBuffer acceleration;
-        private GraphicsBuffer counters;
-        private GraphicsBuffer noTriangles;
-        private GraphicsBuffer noColliders;
+        GraphicsBuffer particles;
+        GraphicsBuffer sortedParticles;
+        GraphicsBuffer grid;
+        GraphicsBuffer gridTranspose;
+        GraphicsBuffer gridIndices;
+        GraphicsBuffer density;
+        GraphicsBuffer pressure;
+        GraphicsBuffer force;
+        GraphicsBuffer acceleration;
+        GraphicsBuffer counters;
+        GraphicsBuffer noTriangles;
+        GraphicsBuffer noColliders;
 
         internal FluidBuffers(int particleCount, int cellCount)
         {
@@ -91,7 +91,7 @@ namespace SphFluid
 
         internal GraphicsBuffer NoColliders => noColliders;
 
-        private static long Size(params GraphicsBuffer[] buffers)
+        static long Size(params GraphicsBuffer[] buffers)
         {
             long bytes = 0;
             foreach (GraphicsBuffer buffer in buffers)

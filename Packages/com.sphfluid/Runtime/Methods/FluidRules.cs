@@ -18,16 +18,16 @@ namespace SphFluid
     internal static class FluidRules
     {
         // Lattice stability of Müller's force, leapfrog: dt √k / R < 1.35, k = 2 c².
-        private const double AcousticLimit = 1.35;
+        const double AcousticLimit = 1.35;
 
         // Explicit viscosity with Müller's Laplacian: ν dt / R² < 0.115; about half of it.
-        private const double ViscousLimit = 0.06;
+        const double ViscousLimit = 0.06;
 
         // Penalty wall: k_w dt² < 4 − 2 c_w dt, kept with a tenth to spare.
-        private const double WallMargin = 0.9;
+        const double WallMargin = 0.9;
 
-        // The emergency limit moves a particle by half a spacing in one step from rest.
-        private const double AccelerationReach = 0.5;
+        // The emergency limit moves a particle by one spacing in one step from rest.
+        const double AccelerationReach = 1.0;
 
         public static FluidSolverSettings Derive(in FluidRuleInput input)
         {
@@ -77,7 +77,7 @@ namespace SphFluid
         }
 
         // Largest dt with ω² dt² = margin (4 − 2 c dt).
-        private static double WallStepLimit(double rate, double damping)
+        static double WallStepLimit(double rate, double damping)
         {
             if (rate <= 0.0)
             {
@@ -88,7 +88,7 @@ namespace SphFluid
             return (Math.Sqrt(half * half + 4.0 * WallMargin * rate * rate) - half) / (rate * rate);
         }
 
-        private static void Check(in FluidRuleInput input)
+        static void Check(in FluidRuleInput input)
         {
             FluidSolverSettings.RequirePositive(input.Spacing, nameof(input.Spacing));
             FluidSolverSettings.RequirePositive(input.SupportRatio, nameof(input.SupportRatio));

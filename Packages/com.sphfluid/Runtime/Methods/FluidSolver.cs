@@ -12,11 +12,11 @@ namespace SphFluid
     /// </summary>
     public sealed class FluidSolver : IDisposable
     {
-        private readonly IFluidMethod method;
-        private readonly FluidState state;
-        private readonly CounterReadback counters;
-        private bool neighboursFresh;
-        private bool disposed;
+        readonly IFluidMethod method;
+        readonly FluidState state;
+        readonly CounterReadback counters;
+        bool neighboursFresh;
+        bool disposed;
 
         /// <summary>Uploads the particles and prepares the method.</summary>
         /// <param name="settings">The physics.</param>
@@ -172,7 +172,7 @@ namespace SphFluid
             }
         }
 
-        private static IFluidMethod CreateMethod(FluidMethodKind kind, FluidShaderSet shaders)
+        static IFluidMethod CreateMethod(FluidMethodKind kind, FluidShaderSet shaders)
         {
             if (shaders == null)
             {
@@ -188,7 +188,7 @@ namespace SphFluid
             }
         }
 
-        private static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial)
+        static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial)
         {
             if (initial == null || initial.Count == 0)
             {
@@ -216,7 +216,7 @@ namespace SphFluid
             return particles;
         }
 
-        private void ThrowIfDisposed()
+        void ThrowIfDisposed()
         {
             if (disposed)
             {

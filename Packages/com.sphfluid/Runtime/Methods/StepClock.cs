@@ -9,9 +9,9 @@ namespace SphFluid
     public sealed class StepClock
     {
         // A frame of exactly n steps must give n, whichever way its sum of floats was rounded.
-        private const double RoundingSlack = 1e-6;
+        const double RoundingSlack = 1e-6;
 
-        private double pending;
+        double pending;
 
         /// <summary>Creates a clock at time zero.</summary>
         /// <param name="timeStep">Length of a step [s], positive.</param>

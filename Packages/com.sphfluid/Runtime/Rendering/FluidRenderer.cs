@@ -44,7 +44,9 @@ namespace SphFluid
         protected virtual void OnDisable() => Forget();
 
         /// <summary>Draws the simulation, if it runs.</summary>
-        protected void LateUpdate()
+        protected void LateUpdate() => DrawFrame();
+
+        internal void DrawFrame()
         {
             FluidSimulation drawn = Simulation;
             if (drawn == null)

@@ -11,6 +11,7 @@ namespace SphFluid
     {
         // The grid and the tables.
         const int GeometryBuffers = 2;
+        const string CubesKeyword = "FLUID_CUBES";
 
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
         Material material;
@@ -54,6 +55,15 @@ namespace SphFluid
                 properties.SetFloat(RenderShaderIds.Smoothness, smoothness);
             }
             return properties;
+        }
+
+        /// <summary>What the surface's own material draws.</summary>
+        public void SetStyle(FluidSurfaceStyle style)
+        {
+            if (style == FluidSurfaceStyle.Cubes)
+                material.EnableKeyword(CubesKeyword);
+            else
+                material.DisableKeyword(CubesKeyword);
         }
 
         /// <summary>Draws for every camera of this frame with the properties filled last.</summary>

@@ -24,14 +24,13 @@ namespace SphFluid
                 throw new ArgumentNullException(nameof(shaders), "A surface field needs a shader set: assign one in the fluid profile.");
             if (grid.Cells < 1)
                 throw new ArgumentException("A surface field needs a grid that was made with a size.", nameof(grid));
-            long bytes = (long)grid.VertexCount * sizeof(float);
-            if (bytes > SystemInfo.maxGraphicsBufferSize)
+            Grid = grid;
+            if (GpuBytes > SystemInfo.maxGraphicsBufferSize)
             {
                 throw new FluidDeviceException(
-                    $"A surface grid of {grid.Cells} cells a side needs a buffer of {bytes / 1048576.0:F0} MiB; {SystemInfo.graphicsDeviceName} " +
+                    $"A surface grid of {grid.Cells} cells a side needs a buffer of {GpuBytes / 1048576.0:F0} MiB; {SystemInfo.graphicsDeviceName} " +
                     $"allows {SystemInfo.maxGraphicsBufferSize / 1048576.0:F0} MiB. Choose a smaller grid size.");
             }
-            Grid = grid;
             resetGrid = new ResetMCGridPass(shaders);
             setDensityFactors = new SetMCGridDensityFactorsPass(shaders);
             values = GpuBuffers.Create("MCGrid", grid.VertexCount, sizeof(float));
@@ -42,6 +41,9 @@ namespace SphFluid
 
         /// <summary>Density factors, one float a grid vertex, x fastest.</summary>
         public GraphicsBuffer Values => values;
+
+        /// <summary>Bytes of GPU memory that the field holds.</summary>
+        public long GpuBytes => (long)Grid.VertexCount * sizeof(float);
 
         /// <summary>
         /// Divides the density near a wall of the domain by the part of the kernel that lies inside, as if the liquid went on behind the wall, so

@@ -16,6 +16,7 @@ namespace SphFluid
 
         readonly ComputeKernel countVertices;
         readonly ComputeKernel emitVertices;
+        readonly int vertexLimit;
         GraphicsBuffer tables;
         GraphicsBuffer counter;
         GraphicsBuffer vertices;
@@ -24,11 +25,17 @@ namespace SphFluid
         /// <param name="shaders">Shader set with the surface mesh kernels.</param>
         /// <exception cref="FluidDeviceException">The device cannot run the kernels.</exception>
         public SurfacePolygoniser(FluidShaderSet shaders)
+            : this(shaders, DeviceVertexLimit)
+        {
+        }
+
+        internal SurfacePolygoniser(FluidShaderSet shaders, int vertexLimit)
         {
             if (shaders == null)
                 throw new ArgumentNullException(nameof(shaders), "A surface polygoniser needs a shader set: assign one in the fluid profile.");
             countVertices = new ComputeKernel(shaders.SurfaceMesh, "CountSurfaceVertices");
             emitVertices = new ComputeKernel(shaders.SurfaceMesh, "EmitSurfaceVertices");
+            this.vertexLimit = vertexLimit;
             tables = CreateTables();
             counter = GpuBuffers.Create("SurfaceVertexCount", 1, sizeof(uint));
         }
@@ -37,7 +44,7 @@ namespace SphFluid
         public int VertexCapacity => vertices?.count ?? 0;
 
         /// <summary>Triangle corners that a buffer may hold on this device.</summary>
-        public static int VertexLimit => (int)Math.Min(SystemInfo.maxGraphicsBufferSize / EmittedVertex.Stride, int.MaxValue);
+        public static int DeviceVertexLimit => (int)Math.Min(SystemInfo.maxGraphicsBufferSize / EmittedVertex.Stride, int.MaxValue);
 
         /// <summary>The surface of a field.</summary>
         /// <param name="field">The field as the GPU holds it after all commands executed so far.</param>
@@ -108,16 +115,16 @@ namespace SphFluid
 
         void Reserve(uint count, int cells)
         {
-            if (count > VertexLimit)
+            if (count > vertexLimit)
             {
                 throw new FluidDeviceException(
                     $"The surface has {count / 3} triangles on a grid of {cells} cells a side; a buffer of {SystemInfo.graphicsDeviceName} holds " +
-                    $"{VertexLimit / 3}. Choose a smaller grid size.");
+                    $"{vertexLimit / 3}. Choose a smaller grid size.");
             }
             if (count <= VertexCapacity)
                 return;
             GpuBuffers.Dispose(ref vertices);
-            vertices = GpuBuffers.Create("SurfaceVertices", Math.Min(count + count / 2L, VertexLimit), EmittedVertex.Stride);
+            vertices = GpuBuffers.Create("SurfaceVertices", Math.Min(count + count / 2L, vertexLimit), EmittedVertex.Stride);
         }
     }
 }

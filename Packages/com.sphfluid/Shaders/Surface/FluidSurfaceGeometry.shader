@@ -1,4 +1,5 @@
 // The thesis's surface: marching cubes in a geometry shader, lit per pixel. Drawn with MeshTopology.Points, one point a cube.
+// FLUID_CUBES draws the cubes that the surface cuts instead of the triangles in them.
 Shader "SPH Fluid/Surface (Geometry Shader)"
 {
     Properties
@@ -22,6 +23,7 @@ Shader "SPH Fluid/Surface (Geometry Shader)"
             HLSLPROGRAM
             #pragma target 4.5
             #pragma require geometry
+            #pragma multi_compile_local _ FLUID_CUBES
             #pragma vertex PassThrough
             #pragma geometry GenerateIsosurface
             #pragma fragment ShadeSurface
@@ -42,6 +44,7 @@ Shader "SPH Fluid/Surface (Geometry Shader)"
             HLSLPROGRAM
             #pragma target 4.5
             #pragma require geometry
+            #pragma multi_compile_local _ FLUID_CUBES
             #pragma vertex PassThrough
             #pragma geometry GenerateIsosurface
             #pragma fragment CastShadow

@@ -38,6 +38,42 @@ SurfaceFragment ProjectSurfaceVertex(SurfaceVertex surface)
     return fragment;
 }
 
+#if defined(FLUID_CUBES)
+
+#define MC_CUBE_VERTICES 24
+
+// A corner of a cube's face: the face across an axis, lower or upper side, its corners in the order of a triangle strip.
+SurfaceVertex CubeFaceCorner(int3 origin, uint axis, uint upper, uint corner)
+{
+    float3 along = float3(axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0);
+    float3 first = upper != 0 ? along.zxy : along.yzx;
+    float3 second = upper != 0 ? along.yzx : along.zxy;
+    float3 offset = along * (float)upper + first * (float)(corner & 1) + second * (float)(corner >> 1);
+
+    SurfaceVertex surface;
+    surface.position = _MCGridMinimum.xyz + _MCCellSize.xyz * ((float3)origin + offset);
+    surface.normal = upper != 0 ? along : -along;
+    return surface;
+}
+
+// Fig. 12 of the thesis, middle: the cubes with at least one vertex inside. Cubes that lie wholly inside are hidden behind others.
+[maxvertexcount(MC_CUBE_VERTICES)]
+void GenerateIsosurface(point CubePoint input[1], inout TriangleStream<SurfaceFragment> triangles)
+{
+    int3 origin = MCCubeOrigin(input[0].cube);
+    if (MCEdgeFlags(MCCubeIndex(origin)) != 0)
+    {
+        for (uint face = 0; face < 6; face++)
+        {
+            for (uint corner = 0; corner < 4; corner++)
+                triangles.Append(ProjectSurfaceVertex(CubeFaceCorner(origin, face >> 1, face & 1, corner)));
+            triangles.RestartStrip();
+        }
+    }
+}
+
+#else
+
 [maxvertexcount(MC_MAX_VERTICES)]
 void GenerateIsosurface(point CubePoint input[1], inout TriangleStream<SurfaceFragment> triangles)
 {
@@ -56,5 +92,7 @@ void GenerateIsosurface(point CubePoint input[1], inout TriangleStream<SurfaceFr
         }
     }
 }
+
+#endif
 
 #endif

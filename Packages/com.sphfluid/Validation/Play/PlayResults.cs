@@ -57,6 +57,8 @@ namespace SphFluid.Validation
             FluidSolverSettings settings = simulation.Solver.Settings;
             FluidStatistics statistics = FluidStatistics.Of(snapshot, settings);
             NeighbourCount neighbours = NeighbourCount.Of(snapshot.LocalPositions, settings.SupportRadius);
+            ColliderPenetration penetration = ColliderPenetration.Of(simulation, snapshot);
+            LiquidVolume volume = LiquidVolume.Of(simulation, snapshot);
             FluidCounters counters = simulation.Solver.ReadCountersNow();
             return new JsonObject()
                 .Add("simulation", simulation.name)
@@ -77,6 +79,10 @@ namespace SphFluid.Validation
                 .Add("density_error_max", statistics.DensityErrorMax)
                 .Add("nonfinite_count", statistics.NonFiniteCount)
                 .Add("escaped_count", statistics.EscapedCount)
+                .Add("inside_collider_count", penetration.Inside)
+                .Add("deep_inside_collider_count", penetration.Deep)
+                .Add("volume_m3", volume.Measured)
+                .Add("volume_expected_m3", volume.Expected)
                 .Add("cap_hits", new JsonObject()
                     .Add("substeps", simulation.CapHits)
                     .Add("acceleration", counters.AccelerationLimitHits)

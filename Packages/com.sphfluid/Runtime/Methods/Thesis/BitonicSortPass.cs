@@ -14,13 +14,13 @@ namespace SphFluid
         /// <summary>BIT_BSIZE of the shader.</summary>
         public const int BlockSize = 1024;
 
-        private const int MaxCount = 1 << 30;
+        const int MaxCount = 1 << 30;
 
-        private static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("BitonicSort");
+        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("BitonicSort");
 
-        private readonly ComputeKernel bitonicSort;
-        private readonly ComputeKernel matrixTranspose;
-        private readonly ComputeKernel bitonicMerge;
+        readonly ComputeKernel bitonicSort;
+        readonly ComputeKernel matrixTranspose;
+        readonly ComputeKernel bitonicMerge;
 
         public BitonicSortPass(FluidShaderSet shaders)
         {
@@ -76,7 +76,7 @@ namespace SphFluid
             cmd.EndSample(Marker);
         }
 
-        private void SortRows(CommandBuffer cmd, GraphicsBuffer data, int level, int levelMask, int count)
+        void SortRows(CommandBuffer cmd, GraphicsBuffer data, int level, int levelMask, int count)
         {
             bitonicSort.SetInt(cmd, FluidShaderIds.Level, level);
             bitonicSort.SetInt(cmd, FluidShaderIds.LevelMask, levelMask);
@@ -84,7 +84,7 @@ namespace SphFluid
             bitonicSort.DispatchThreads(cmd, count);
         }
 
-        private void Transpose(CommandBuffer cmd, GraphicsBuffer from, GraphicsBuffer to, int width, int height)
+        void Transpose(CommandBuffer cmd, GraphicsBuffer from, GraphicsBuffer to, int width, int height)
         {
             matrixTranspose.SetInt(cmd, FluidShaderIds.Width, width);
             matrixTranspose.SetInt(cmd, FluidShaderIds.Height, height);
@@ -93,7 +93,7 @@ namespace SphFluid
             matrixTranspose.DispatchThreads(cmd, width, height, 1);
         }
 
-        private void Merge(CommandBuffer cmd, GraphicsBuffer data, int distance, int levelMask, int count)
+        void Merge(CommandBuffer cmd, GraphicsBuffer data, int distance, int levelMask, int count)
         {
             bitonicMerge.SetInt(cmd, FluidShaderIds.MergeDistance, distance);
             bitonicMerge.SetInt(cmd, FluidShaderIds.LevelMask, levelMask);

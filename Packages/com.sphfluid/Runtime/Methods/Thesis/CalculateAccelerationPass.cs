@@ -6,9 +6,9 @@ namespace SphFluid
     /// <summary>Thesis 6.3.3: the fluid's acceleration, limited, then the collisions' over the scene's triangles, then gravity.</summary>
     internal sealed class CalculateAccelerationPass
     {
-        private static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("CalculateAcceleration");
+        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("CalculateAcceleration");
 
-        private readonly ComputeKernel kernel;
+        readonly ComputeKernel kernel;
 
         public CalculateAccelerationPass(FluidShaderSet shaders)
         {

@@ -6,12 +6,12 @@ namespace SphFluid
     /// <summary>Thesis 6.3.1: density by poly6, equations (11) and (12), and pressure, equation (10).</summary>
     internal sealed class CalculateDensityPass
     {
-        private static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("CalculateDensity");
+        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("CalculateDensity");
 
         // Below every pressure: equation (10) as printed.
-        private const float NoFloor = -1e30f;
+        const float NoFloor = -1e30f;
 
-        private readonly ComputeKernel kernel;
+        readonly ComputeKernel kernel;
 
         public CalculateDensityPass(FluidShaderSet shaders)
         {

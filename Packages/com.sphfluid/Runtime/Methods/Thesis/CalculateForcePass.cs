@@ -6,9 +6,9 @@ namespace SphFluid
     /// <summary>Thesis 6.3.2: force densities of pressure, equations (13) and (14), and of viscosity, (15) to (17).</summary>
     internal sealed class CalculateForcePass
     {
-        private static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("CalculateForce");
+        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("CalculateForce");
 
-        private readonly ComputeKernel kernel;
+        readonly ComputeKernel kernel;
 
         public CalculateForcePass(FluidShaderSet shaders)
         {

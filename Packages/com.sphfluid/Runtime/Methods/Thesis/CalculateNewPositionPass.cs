@@ -6,9 +6,9 @@ namespace SphFluid
     /// <summary>Thesis 6.3.4: leapfrog, equations (19) to (21).</summary>
     internal sealed class CalculateNewPositionPass
     {
-        private static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("CalculateNewPosition");
+        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("CalculateNewPosition");
 
-        private readonly ComputeKernel kernel;
+        readonly ComputeKernel kernel;
 
         public CalculateNewPositionPass(FluidShaderSet shaders)
         {

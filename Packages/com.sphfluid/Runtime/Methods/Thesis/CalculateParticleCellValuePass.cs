@@ -6,9 +6,9 @@ namespace SphFluid
     /// <summary>Thesis 6.2.2: the pair (cell, id) of each particle, padded to the power of two that the sort needs.</summary>
     internal sealed class CalculateParticleCellValuePass
     {
-        private static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("CalculateParticleCellValue");
+        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("CalculateParticleCellValue");
 
-        private readonly ComputeKernel kernel;
+        readonly ComputeKernel kernel;
 
         public CalculateParticleCellValuePass(FluidShaderSet shaders)
         {

@@ -6,9 +6,9 @@ namespace SphFluid
     /// <summary>Thesis 6.2.4: every cell is empty.</summary>
     internal sealed class ResetGridIndicesPass
     {
-        private static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("ResetGridIndices");
+        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("ResetGridIndices");
 
-        private readonly ComputeKernel kernel;
+        readonly ComputeKernel kernel;
 
         public ResetGridIndicesPass(FluidShaderSet shaders)
         {

@@ -6,9 +6,9 @@ namespace SphFluid
     /// <summary>Thesis 6.2.5: first and end of each cell's run in the sorted pairs.</summary>
     internal sealed class SetGridIndicesPass
     {
-        private static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("SetGridIndices");
+        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("SetGridIndices");
 
-        private readonly ComputeKernel kernel;
+        readonly ComputeKernel kernel;
 
         public SetGridIndicesPass(FluidShaderSet shaders)
         {

@@ -6,9 +6,9 @@ namespace SphFluid
     /// <summary>Thesis 6.2.6: the particles in the order of their cells, written to the second buffer; the two are exchanged.</summary>
     internal sealed class SortParticlesPass
     {
-        private static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("SortParticles");
+        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("SortParticles");
 
-        private readonly ComputeKernel kernel;
+        readonly ComputeKernel kernel;
 
         public SortParticlesPass(FluidShaderSet shaders)
         {

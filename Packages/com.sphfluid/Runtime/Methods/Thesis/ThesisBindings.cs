@@ -7,7 +7,7 @@ namespace SphFluid
     internal static class ThesisBindings
     {
         // Copied when recorded, so one array serves; command buffers are recorded on the main thread.
-        private static readonly int[] Counts = new int[3];
+        static readonly int[] Counts = new int[3];
 
         public static void SetGrid(CommandBuffer cmd, ComputeKernel kernel, in FluidGrid grid)
         {

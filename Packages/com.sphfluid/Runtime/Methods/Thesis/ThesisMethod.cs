@@ -9,15 +9,15 @@ namespace SphFluid
     /// </summary>
     internal sealed class ThesisMethod : IFluidMethod
     {
-        private readonly CalculateParticleCellValuePass calculateParticleCellValue;
-        private readonly BitonicSortPass bitonicSort;
-        private readonly ResetGridIndicesPass resetGridIndices;
-        private readonly SetGridIndicesPass setGridIndices;
-        private readonly SortParticlesPass sortParticles;
-        private readonly CalculateDensityPass calculateDensity;
-        private readonly CalculateForcePass calculateForce;
-        private readonly CalculateAccelerationPass calculateAcceleration;
-        private readonly CalculateNewPositionPass calculateNewPosition;
+        readonly CalculateParticleCellValuePass calculateParticleCellValue;
+        readonly BitonicSortPass bitonicSort;
+        readonly ResetGridIndicesPass resetGridIndices;
+        readonly SetGridIndicesPass setGridIndices;
+        readonly SortParticlesPass sortParticles;
+        readonly CalculateDensityPass calculateDensity;
+        readonly CalculateForcePass calculateForce;
+        readonly CalculateAccelerationPass calculateAcceleration;
+        readonly CalculateNewPositionPass calculateNewPosition;
 
         public ThesisMethod(FluidShaderSet shaders)
         {

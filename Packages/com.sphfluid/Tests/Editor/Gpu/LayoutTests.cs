@@ -7,10 +7,10 @@ namespace SphFluid.Tests
     /// <summary>Structs that C# and HLSL share have the same layout.</summary>
     public sealed class LayoutTests
     {
-        private static readonly int Particles = Shader.PropertyToID("_Particles");
-        private static readonly int Triangles = Shader.PropertyToID("_Triangles");
-        private static readonly int Colliders = Shader.PropertyToID("_Colliders");
-        private static readonly int Values = Shader.PropertyToID("_Values");
+        static readonly int Particles = Shader.PropertyToID("_Particles");
+        static readonly int Triangles = Shader.PropertyToID("_Triangles");
+        static readonly int Colliders = Shader.PropertyToID("_Colliders");
+        static readonly int Values = Shader.PropertyToID("_Values");
 
         [Test]
         public void StrideIsTheSizeOfTheStruct()

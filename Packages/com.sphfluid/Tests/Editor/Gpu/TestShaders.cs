@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>The package's shaders by path, without the assets that users edit.</summary>
     public static class TestShaders
     {
-        private const string Package = "Packages/com.sphfluid/";
+        const string Package = "Packages/com.sphfluid/";
 
         /// <summary>A shader set with the thesis method's blocks; destroy it after use.</summary>
         public static FluidShaderSet CreateThesisSet()
@@ -35,7 +35,7 @@ namespace SphFluid.Tests
             return shader;
         }
 
-        private static ComputeShader Thesis(string block)
+        static ComputeShader Thesis(string block)
         {
             return Load($"Shaders/Methods/Thesis/{block}.compute");
         }

@@ -8,9 +8,9 @@ namespace SphFluid.Tests
     /// <summary>Block 6.3.3 against double precision: f/ρ, its limit, gravity, and the scene's triangles.</summary>
     public sealed class AccelerationTests
     {
-        private const float Spacing = 0.02f;
+        const float Spacing = 0.02f;
 
-        private static readonly Vector3 Domain = new Vector3(0.4f, 0.4f, 0.4f);
+        static readonly Vector3 Domain = new Vector3(0.4f, 0.4f, 0.4f);
 
         [TestCase(1)]
         [TestCase(255)]
@@ -159,7 +159,7 @@ namespace SphFluid.Tests
             }
         }
 
-        private static FluidSolverSettings CollisionSettings()
+        static FluidSolverSettings CollisionSettings()
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
             settings.Gravity = Vector3.zero;
@@ -168,7 +168,7 @@ namespace SphFluid.Tests
             return settings;
         }
 
-        private static Double3 Collide(in FluidSolverSettings settings, ReferenceMesh mesh, Vector3 position, Vector3 velocity)
+        static Double3 Collide(in FluidSolverSettings settings, ReferenceMesh mesh, Vector3 position, Vector3 velocity)
         {
             using (var rig = new ThesisRig(settings, new[] { At(position, velocity) }))
             {
@@ -178,7 +178,7 @@ namespace SphFluid.Tests
             }
         }
 
-        private static Double3 FirstAcceleration(in FluidSolverSettings settings, FluidParticle[] particles)
+        static Double3 FirstAcceleration(in FluidSolverSettings settings, FluidParticle[] particles)
         {
             using (var rig = new ThesisRig(settings, particles))
             {
@@ -187,7 +187,7 @@ namespace SphFluid.Tests
             }
         }
 
-        private static void Run(ThesisRig rig, out FluidParticle[] particles, out Double3[] acceleration)
+        static void Run(ThesisRig rig, out FluidParticle[] particles, out Double3[] acceleration)
         {
             rig.RunNeighbourSetup();
             var force = new CalculateForcePass(rig.Shaders);
@@ -201,8 +201,8 @@ namespace SphFluid.Tests
             acceleration = rig.ReadAcceleration().Select(a => (Double3)(Vector3)a).ToArray();
         }
 
-        private static FluidParticle At(Vector3 position, Vector3 velocity) => new FluidParticle(position, velocity, 0);
+        static FluidParticle At(Vector3 position, Vector3 velocity) => new FluidParticle(position, velocity, 0);
 
-        private static Double3 Rounded(Double3 v) => new Double3((float)v.X, (float)v.Y, (float)v.Z);
+        static Double3 Rounded(Double3 v) => new Double3((float)v.X, (float)v.Y, (float)v.Z);
     }
 }

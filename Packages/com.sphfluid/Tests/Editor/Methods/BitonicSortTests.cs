@@ -63,7 +63,7 @@ namespace SphFluid.Tests
             Assert.Throws<FluidDeviceException>(() => BitonicSortPass.PaddedCount((1 << 30) + 1));
         }
 
-        private static void CheckSort(ulong[] pairs)
+        static void CheckSort(ulong[] pairs)
         {
             FluidShaderSet shaders = TestShaders.CreateThesisSet();
             int padded = BitonicSortPass.PaddedCount(pairs.Length);
@@ -91,12 +91,12 @@ namespace SphFluid.Tests
             UnityEngine.Object.DestroyImmediate(shaders);
         }
 
-        private static ulong[] RandomPairs(int count, int cells)
+        static ulong[] RandomPairs(int count, int cells)
         {
             var random = new System.Random(count + 1);
             return Enumerable.Range(0, count).Select(i => Pair((uint)random.Next(cells), (uint)i)).ToArray();
         }
 
-        private static ulong Pair(uint cell, uint id) => (ulong)cell << 32 | id;
+        static ulong Pair(uint cell, uint id) => (ulong)cell << 32 | id;
     }
 }

@@ -8,9 +8,9 @@ namespace SphFluid.Tests
     public sealed class DensityTests
     {
         // A term (h² − r²)³ is off by about 3 h⁴ · 4e-7 h² in float; the ~30 terms of a neighbourhood add to 1e-5 of the density.
-        private const double Tolerance = 1e-5;
+        const double Tolerance = 1e-5;
 
-        private static readonly Vector3 Domain = new Vector3(0.3f, 0.2f, 0.25f);
+        static readonly Vector3 Domain = new Vector3(0.3f, 0.2f, 0.25f);
 
         [TestCase(1)]
         [TestCase(255)]
@@ -59,7 +59,7 @@ namespace SphFluid.Tests
             }
         }
 
-        private static void Check(in FluidSolverSettings settings, int count)
+        static void Check(in FluidSolverSettings settings, int count)
         {
             using (var rig = new ThesisRig(settings, ParticleSets.Random(count, Domain, 1f, count)))
             {

@@ -80,7 +80,7 @@ namespace SphFluid.Tests
             Assert.That(error.Message, Does.Contain("Spacing"));
         }
 
-        private static FluidRuleInput Example()
+        static FluidRuleInput Example()
         {
             FluidRuleInput input = FluidRuleInput.Water;
             input.DomainSize = new Vector3(1.8f, 1.2f, 0.8f);

@@ -8,8 +8,8 @@ namespace SphFluid.Tests
     /// <summary>The steps together.</summary>
     public sealed class FluidSolverTests
     {
-        private static readonly Vector3 Domain = new Vector3(0.6f, 0.5f, 0.4f);
-        private FluidShaderSet shaders;
+        static readonly Vector3 Domain = new Vector3(0.6f, 0.5f, 0.4f);
+        FluidShaderSet shaders;
 
         [SetUp]
         public void CreateShaders() => shaders = TestShaders.CreateThesisSet();
@@ -133,9 +133,9 @@ namespace SphFluid.Tests
             }
         }
 
-        private static FluidParticle[] Block() => ParticleSets.Lattice(new Vector3Int(11, 9, 10), 0.025f, 1e-4f, 7);
+        static FluidParticle[] Block() => ParticleSets.Lattice(new Vector3Int(11, 9, 10), 0.025f, 1e-4f, 7);
 
-        private FluidParticle[] Run(FluidSolverSettings settings, FluidParticle[] start, int steps)
+        FluidParticle[] Run(FluidSolverSettings settings, FluidParticle[] start, int steps)
         {
             using (var solver = new FluidSolver(settings, shaders, start))
             {

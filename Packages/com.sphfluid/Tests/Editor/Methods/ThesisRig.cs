@@ -7,9 +7,9 @@ namespace SphFluid.Tests
     /// <summary>Buffers and passes of the thesis method around given particles, to test one block at a time.</summary>
     internal sealed class ThesisRig : IDisposable
     {
-        private readonly FluidShaderSet shaders;
-        private GraphicsBuffer triangles;
-        private GraphicsBuffer colliders;
+        readonly FluidShaderSet shaders;
+        GraphicsBuffer triangles;
+        GraphicsBuffer colliders;
 
         public ThesisRig(in FluidSolverSettings settings, FluidParticle[] particles)
         {
@@ -67,7 +67,7 @@ namespace SphFluid.Tests
             UnityEngine.Object.DestroyImmediate(shaders);
         }
 
-        private static CollisionCollider Record(ReferenceMesh mesh, List<CollisionTriangle> all)
+        static CollisionCollider Record(ReferenceMesh mesh, List<CollisionTriangle> all)
         {
             const uint closedBit = 0x80000000u;
             Vector3 min = Vector3.positiveInfinity;
@@ -92,6 +92,6 @@ namespace SphFluid.Tests
             };
         }
 
-        private static Vector3 ToFloat(Double3 v) => new Vector3((float)v.X, (float)v.Y, (float)v.Z);
+        static Vector3 ToFloat(Double3 v) => new Vector3((float)v.X, (float)v.Y, (float)v.Z);
     }
 }

@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>Blocks 6.2.2 to 6.2.6: each particle is in the range of its cell, and empty cells have empty ranges.</summary>
     public sealed class GridIndicesTests
     {
-        private static readonly Vector3 Domain = new Vector3(1.1f, 0.7f, 0.9f);
+        static readonly Vector3 Domain = new Vector3(1.1f, 0.7f, 0.9f);
 
         [TestCase(1)]
         [TestCase(2)]
@@ -47,7 +47,7 @@ namespace SphFluid.Tests
             }
         }
 
-        private static void Check(FluidParticle[] particles)
+        static void Check(FluidParticle[] particles)
         {
             using (var rig = new ThesisRig(TestSettings.ByRule(Domain, 0.03f), particles))
             {
@@ -58,7 +58,7 @@ namespace SphFluid.Tests
             }
         }
 
-        private static void CheckRanges(ThesisRig rig)
+        static void CheckRanges(ThesisRig rig)
         {
             FluidGrid grid = rig.State.Grid;
             FluidParticle[] sorted = rig.ReadParticles();
@@ -78,7 +78,7 @@ namespace SphFluid.Tests
             }
         }
 
-        private static int Cell(in FluidGrid grid, Vector3 position)
+        static int Cell(in FluidGrid grid, Vector3 position)
         {
             Vector3 p = (position - grid.Origin) / grid.CellSize;
             int x = Mathf.Clamp(Mathf.FloorToInt(p.x), 0, grid.Counts.x - 1);
@@ -87,7 +87,7 @@ namespace SphFluid.Tests
             return x + grid.Counts.x * (y + grid.Counts.y * z);
         }
 
-        private static FluidParticle Moved(FluidParticle particle, Vector3 by)
+        static FluidParticle Moved(FluidParticle particle, Vector3 by)
         {
             particle.Position += by;
             return particle;

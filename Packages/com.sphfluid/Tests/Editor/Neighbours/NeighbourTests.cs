@@ -6,7 +6,7 @@ namespace SphFluid.Tests
     /// <summary>The neighbour loop finds every pair within h, once, from both sides.</summary>
     public sealed class NeighbourTests
     {
-        private static readonly Vector3 Domain = new Vector3(0.5f, 0.37f, 0.43f);
+        static readonly Vector3 Domain = new Vector3(0.5f, 0.37f, 0.43f);
 
         [TestCase(1, true)]
         [TestCase(257, true)]
@@ -36,7 +36,7 @@ namespace SphFluid.Tests
             }
         }
 
-        private static void Check(ThesisRig rig, double h)
+        static void Check(ThesisRig rig, double h)
         {
             FluidParticle[] particles = rig.ReadParticles();
             int words = (particles.Length + 31) / 32;
@@ -82,6 +82,6 @@ namespace SphFluid.Tests
             Assert.That(oneWay, Is.Zero, "one-way pairs");
         }
 
-        private static bool Bit(uint[] pairs, int words, int i, int j) => (pairs[i * words + j / 32] >> (j % 32) & 1u) != 0u;
+        static bool Bit(uint[] pairs, int words, int i, int j) => (pairs[i * words + j / 32] >> (j % 32) & 1u) != 0u;
     }
 }

@@ -9,6 +9,7 @@ namespace SphFluid.Tests
     public sealed class GeometrySurfaceTests
     {
         const int Size = 256;
+        const int Cells = 32;
         const int GeometryPass = 0;
         const int MeshPass = 1;
         const string ShaderPath = "Packages/com.sphfluid/Tests/Editor/Surface/SurfaceCompare.shader";
@@ -72,6 +73,25 @@ namespace SphFluid.Tests
             }
         }
 
+        // One grid vertex inside: the eight cubes around it, seen from the front a square of two cells.
+        [Test]
+        public void CubesAroundAVertexAreDrawnWhole()
+        {
+            material.EnableKeyword("FLUID_CUBES");
+            float cell = 1f / Cells;
+            using (SurfaceField field = Field(p => p.magnitude < 0.5f * cell ? 1f : 0f))
+            using (var surface = new GeometrySurface(shaders))
+            {
+                Matrix4x4 projection = Matrix4x4.Ortho(-2f * cell, 2f * cell, -2f * cell, 2f * cell, 0.1f, 10f);
+                Color[] picture = SurfaceTestScene.Render(Size, SurfaceTestScene.LookAtOrigin(new Vector3(0f, 0f, -1f)), projection, cmd =>
+                    cmd.DrawProcedural(Matrix4x4.identity, material, GeometryPass, MeshTopology.Points, field.Grid.CellCount, 1, Properties(surface, field)));
+                int covered = 0;
+                foreach (Color pixel in picture)
+                    covered += pixel.a > 0f ? 1 : 0;
+                Assert.AreEqual(Size * Size / 4, covered, Size);
+            }
+        }
+
         void CompareBackends(Func<Vector3, float> density, double leastCoverage)
         {
             using (SurfaceField field = Field(density))
@@ -97,7 +117,7 @@ namespace SphFluid.Tests
             a.a != b.a || Mathf.Abs(a.r - b.r) > 1e-4f || Mathf.Abs(a.g - b.g) > 1e-3f || Mathf.Abs(a.b - b.b) > 1e-3f;
 
         SurfaceField Field(Func<Vector3, float> density) =>
-            SurfaceTestScene.Field(shaders, new SurfaceGrid(Vector3.one * -0.5f, Vector3.one, 32), density);
+            SurfaceTestScene.Field(shaders, new SurfaceGrid(Vector3.one * -0.5f, Vector3.one, Cells), density);
 
         static MaterialPropertyBlock Properties(GeometrySurface surface, SurfaceField field)
         {

@@ -13,6 +13,7 @@ Shader "Hidden/SPH Fluid/Tests/Surface Compare"
             HLSLPROGRAM
             #pragma target 4.5
             #pragma require geometry
+            #pragma multi_compile_local _ FLUID_CUBES
             #pragma vertex PassThrough
             #pragma geometry GenerateIsosurface
             #pragma fragment WriteNumbers

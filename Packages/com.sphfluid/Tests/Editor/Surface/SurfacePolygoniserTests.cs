@@ -126,6 +126,18 @@ namespace SphFluid.Tests
             Assert.AreEqual(grown, polygoniser.VertexCapacity);
         }
 
+        [Test]
+        public void SurfaceLargerThanTheBufferIsRefusedByName()
+        {
+            using (var small = new SurfacePolygoniser(shaders, 300))
+            using (SurfaceField field = Field(Cube(1f, 16), p => Ball(p, Vector3.zero, 0.3f)))
+            {
+                var exception = Assert.Throws<FluidDeviceException>(() => small.Polygonise(field, Iso));
+                StringAssert.Contains("holds 100", exception.Message);
+                StringAssert.Contains("Choose a smaller grid size", exception.Message);
+            }
+        }
+
         [TestCase(0f)]
         [TestCase(-1f)]
         [TestCase(float.NaN)]

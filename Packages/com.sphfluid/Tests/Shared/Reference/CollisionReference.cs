@@ -35,7 +35,7 @@ namespace SphFluid.Tests
             return Math.Max(0.0, push) * normal;
         }
 
-        private static Double3 Domain(Double3 p, Double3 v, in FluidSolverSettings s)
+        static Double3 Domain(Double3 p, Double3 v, in FluidSolverSettings s)
         {
             var half = 0.5 * (Double3)s.DomainSize;
             return Wall(new Double3(1, 0, 0), p.X + half.X, v, s) + Wall(new Double3(-1, 0, 0), half.X - p.X, v, s)
@@ -43,7 +43,7 @@ namespace SphFluid.Tests
                 + Wall(new Double3(0, 0, 1), p.Z + half.Z, v, s) + Wall(new Double3(0, 0, -1), half.Z - p.Z, v, s);
         }
 
-        private static Double3 Mesh(ReferenceMesh mesh, Double3 p, Double3 v, in FluidSolverSettings s)
+        static Double3 Mesh(ReferenceMesh mesh, Double3 p, Double3 v, in FluidSolverSettings s)
         {
             double nearest = double.PositiveInfinity;
             Double3 foot = Double3.Zero;
@@ -101,7 +101,7 @@ namespace SphFluid.Tests
             return firstHit < 1.0 && missing > 0.0 ? force + missing * hitNormal : force;
         }
 
-        private static Double3 Closest(Double3[] t, Double3 p, Double3 normal, out bool onFace)
+        static Double3 Closest(Double3[] t, Double3 p, Double3 normal, out bool onFace)
         {
             Double3 projected = p - Double3.Dot(p - t[0], normal) * normal;
             onFace = Inside(t, projected, normal);
@@ -124,7 +124,7 @@ namespace SphFluid.Tests
         }
 
         // On the inner side of each edge.
-        private static bool Inside(Double3[] t, Double3 q, Double3 normal)
+        static bool Inside(Double3[] t, Double3 q, Double3 normal)
         {
             for (int i = 0; i < 3; i++)
             {

@@ -1,0 +1,28 @@
+using Headless.Engine;
+using Headless.Player.Output;
+using Headless.Player.Scripts;
+
+namespace Headless.Player.Commands;
+
+/// <summary>Calls a static method of the project in play mode with an empty scene; coroutines and objects it leaves behind run until it quits.</summary>
+internal static class ExecCommand
+{
+    public static int Run(ExecOptions options)
+    {
+        var console = new ConsoleLines();
+        using var interruption = new Interruption();
+        using EngineSession session = EngineSession.Start(options.Project, options.Assemblies, options.Device, options.Validate, console.Write);
+        PlaySession.Begin(null, session.Assemblies);
+        int code = MethodRunner.Run(session.Scripts.FindMethod("--executeMethod", options.ExecuteMethod)) ?? RunLoop(interruption);
+        PlaySession.End();
+        bool valid = EngineSession.ReportValidation();
+        return code != 0 ? code : valid ? 0 : 1;
+    }
+
+    /// <summary>Frames go on while the method left anything that could still work; without objects there is nothing to wait for.</summary>
+    private static int RunLoop(Interruption interruption)
+    {
+        while (!interruption.Requested && !EngineState.QuitRequested && SceneTable.Scenes.Exists(s => s.Roots.Count > 0)) PlayerLoop.RunFrame();
+        return EngineState.ExitCode;
+    }
+}

@@ -1,0 +1,24 @@
+namespace Headless.Player.Commands;
+
+/// <summary>Flags of <c>sphplayer exec</c>.</summary>
+public sealed record ExecOptions
+{
+    public required string Project { get; init; }
+    public required string ExecuteMethod { get; init; }
+    public string? Assemblies { get; init; }
+    public string? Device { get; init; }
+    public bool Validate { get; init; }
+
+    public static ExecOptions Parse(IReadOnlyList<string> words)
+    {
+        var arguments = new Arguments("exec", words, ["--project", "--assemblies", "--executeMethod", "--device"], ["--validate"]);
+        return new ExecOptions
+        {
+            Project = arguments.Folder("--project"),
+            ExecuteMethod = arguments.Required("--executeMethod"),
+            Assemblies = arguments.Has("--assemblies") ? arguments.Folder("--assemblies") : null,
+            Device = arguments.Text("--device"),
+            Validate = arguments.Has("--validate"),
+        };
+    }
+}

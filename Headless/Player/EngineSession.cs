@@ -1,0 +1,55 @@
+using System.Reflection;
+using Headless.Engine;
+using Headless.Importers;
+using Headless.Player.Scripts;
+using Headless.Shaders;
+using Headless.Vulkan;
+using UnityEngine;
+
+namespace Headless.Player;
+
+/// <summary>The engine with a project open: device, shader compiler, script assemblies, assets.</summary>
+internal sealed class EngineSession : IDisposable
+{
+    private EngineSession(UnityProject project, ScriptAssemblies scripts)
+    {
+        Project = project;
+        Scripts = scripts;
+    }
+
+    public UnityProject Project { get; }
+    public ScriptAssemblies Scripts { get; }
+    public Assembly[] Assemblies { get; private init; } = [];
+
+    /// <param name="console">Takes the lines of the console.</param>
+    public static EngineSession Start(string project, string? assemblies, string? device, bool validate, Action<LogType, string> console)
+    {
+        EngineHooks.Console = console;
+        var scripts = new ScriptAssemblies(assemblies);
+        Assembly[] loaded = [.. scripts.LoadAll()];
+        EngineState.ScriptAssemblies = loaded;
+        var includes = new IncludeResolver(project);
+        GraphicsDevice.Initialize(new GpuDeviceOptions { Adapter = device, Validate = validate }, new ShaderCompiler(ShaderCache, includes));
+        UnityProject opened = UnityProject.Open(project, scripts.Find, includes, line => console(LogType.Warning, "[Import] " + line));
+        return new EngineSession(opened, scripts) { Assemblies = loaded };
+    }
+
+    /// <summary>Prints what the validation layer found; true when it found nothing.</summary>
+    public static bool ReportValidation()
+    {
+        IReadOnlyList<string> messages = GraphicsDevice.Device.ValidationMessages;
+        foreach (string message in messages.Distinct()) Console.Error.WriteLine("[Validation] " + message);
+        if (messages.Count > 0) Console.Error.WriteLine($"sphplayer: the validation layers had {messages.Count} message(s).");
+        return messages.Count == 0;
+    }
+
+    public void Dispose()
+    {
+        PlaySession.End();
+        EngineState.Reset();
+        GraphicsDevice.Shutdown();
+    }
+
+    private static string ShaderCache =>
+        Path.Combine(Environment.GetEnvironmentVariable("XDG_CACHE_HOME") is { Length: > 0 } cache ? cache : Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.UserProfile), ".cache"), "sphfluid", "shaders");
+}

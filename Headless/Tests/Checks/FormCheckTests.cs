@@ -1,0 +1,92 @@
+using Headless.Checks.Form;
+using NUnit.Framework;
+
+namespace Headless.Tests.Checks;
+
+public sealed class FormCheckTests
+{
+    private const string Guid = "0123456789abcdef0123456789abcdef";
+    private const string Other = "fedcba9876543210fedcba9876543210";
+
+    private TemporaryPackage package = null!;
+
+    [SetUp]
+    public void MakePackage()
+    {
+        package = new TemporaryPackage();
+        package.WriteMeta("Runtime", Guid).WriteMeta("Runtime/A.asmdef", Other);
+    }
+
+    [TearDown]
+    public void RemovePackage() => package.Dispose();
+
+    [Test]
+    public void CompleteMetasPass() => Assert.That(Metas(), Is.Empty);
+
+    [Test]
+    public void AMissingMetaIsFound()
+    {
+        package.Write("Runtime/B.cs", "");
+
+        Assert.That(Metas(), Has.One.Contains("B.cs has no .meta"));
+    }
+
+    [Test]
+    public void ALeftOverMetaIsFound()
+    {
+        package.WriteMeta("Runtime/Gone.cs", "00000000000000000000000000000001");
+
+        Assert.That(Metas(), Has.One.Contains("Gone.cs.meta belongs to nothing"));
+    }
+
+    [Test]
+    public void ASharedGuidIsFound()
+    {
+        package.Write("Runtime/B.cs", "").WriteMeta("Runtime/B.cs", Guid);
+
+        Assert.That(Metas(), Has.One.Contains("have the same GUID"));
+    }
+
+    [Test]
+    public void ADanglingReferenceIsFound()
+    {
+        package.Write("Samples~/S/S.unity", "  m_Script: {fileID: 11500000, guid: 11111111111111111111111111111111, type: 3}\n")
+            .WriteMeta("Samples~/S", "00000000000000000000000000000002").WriteMeta("Samples~/S/S.unity", "00000000000000000000000000000003");
+
+        Assert.That(Metas(), Has.One.Contains("11111111111111111111111111111111"));
+    }
+
+    [Test]
+    public void ManifestFaultsAreFound()
+    {
+        package.Write("package.json", """{ "name": "com.sphfluid", "version": "1.0", "unity": "2021.3", "samples": [ { "path": "Samples~/Nowhere" } ] }""")
+            .Write("CHANGELOG.md", "## [0.9.0]").Write("Samples~/Unlisted/a.txt", "");
+
+        var findings = new PackageManifestCheck(package.Root).Run().Findings;
+
+        Assert.That(findings, Has.Some.Contains("'1.0' is not a semantic version"));
+        Assert.That(findings, Has.Some.Contains("2022.3"));
+        Assert.That(findings, Has.Some.Contains("## [1.0]"));
+        Assert.That(findings, Has.Some.Contains("Samples~/Nowhere"));
+        Assert.That(findings, Has.Some.Contains("Samples~/Unlisted"));
+        Assert.That(findings, Has.Some.Contains("README.md is missing"));
+    }
+
+    [Test]
+    public void AFieldWithoutATooltipIsFound()
+    {
+        package.Write("Runtime/A.cs", """
+            class A : MonoBehaviour
+            {
+                [SerializeField] float bare;
+                [SerializeField, Tooltip("words")] float told;
+                [SerializeField, HideInInspector] float hidden;
+                float own;
+            }
+            """);
+
+        Assert.That(new SerializedFieldCheck(package.Root).Run().Findings, Is.EqualTo(new[] { "A.cs: A.bare has no [Tooltip]" }));
+    }
+
+    private List<string> Metas() => new MetaFileCheck(package.Project).Run().Findings;
+}

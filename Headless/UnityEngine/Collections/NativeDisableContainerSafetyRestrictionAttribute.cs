@@ -1,0 +1,6 @@
+using System;
+
+namespace Unity.Collections.LowLevel.Unsafe;
+
+[AttributeUsage(AttributeTargets.Field)]
+public sealed class NativeDisableContainerSafetyRestrictionAttribute : Attribute { }

@@ -1,0 +1,6 @@
+using System;
+
+namespace Unity.Collections;
+
+[AttributeUsage(AttributeTargets.Field | AttributeTargets.Parameter)]
+public sealed class WriteOnlyAttribute : Attribute { }

@@ -1,0 +1,55 @@
+using Headless.Vulkan;
+
+namespace Headless.Engine;
+
+/// <summary>GPU milliseconds by marker name, as far as the device has finished them.</summary>
+internal static class GpuTimings
+{
+    private static readonly Dictionary<string, (double Milliseconds, int Count)> Frame = new(StringComparer.Ordinal);
+    private static readonly Dictionary<string, (double Milliseconds, int Count)> Totals = new(StringComparer.Ordinal);
+
+    /// <summary>Scopes that were finished since the last collection: name, summed milliseconds, how many.</summary>
+    public static IReadOnlyDictionary<string, (double Milliseconds, int Count)> LastFrame => Frame;
+
+    /// <summary>Since the start or the last <see cref="Reset"/>.</summary>
+    public static IReadOnlyDictionary<string, (double Milliseconds, int Count)> Total => Totals;
+
+    /// <summary>Milliseconds of all outermost scopes in the last collection.</summary>
+    public static double FrameMilliseconds { get; private set; }
+
+    public static double TotalMilliseconds { get; private set; }
+
+    /// <summary>Told each finished scope by name with its milliseconds.</summary>
+    public static event Action<string, double>? Finished;
+
+    public static void Collect()
+    {
+        Frame.Clear();
+        FrameMilliseconds = 0;
+        foreach (TimerResult result in GraphicsDevice.Device.CollectTimers())
+        {
+            Add(Frame, result);
+            Add(Totals, result);
+            if (result.Depth == 0)
+            {
+                FrameMilliseconds += result.Milliseconds;
+                TotalMilliseconds += result.Milliseconds;
+            }
+
+            Finished?.Invoke(result.Name, result.Milliseconds);
+        }
+    }
+
+    public static void Reset()
+    {
+        Frame.Clear();
+        Totals.Clear();
+        FrameMilliseconds = TotalMilliseconds = 0;
+    }
+
+    private static void Add(Dictionary<string, (double Milliseconds, int Count)> sums, TimerResult result)
+    {
+        (double milliseconds, int count) = sums.GetValueOrDefault(result.Name);
+        sums[result.Name] = (milliseconds + result.Milliseconds, count + 1);
+    }
+}

@@ -1,0 +1,112 @@
+using Headless.Shaders;
+using Headless.Vulkan;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Headless.Engine;
+
+/// <summary>Fills the bindings of a draw's stages.</summary>
+internal static class StageBinder
+{
+    private static byte[] scratch = new byte[1024];
+
+    /// <summary>False after naming the buffer that is missing.</summary>
+    public static bool Bind(BindingTable table, in PropertyChain chain, ResourceBindings bindings, out string? missing)
+    {
+        foreach (BufferEntry entry in table.Buffers)
+        {
+            BufferSlot slot = chain.Buffer(entry.NameId);
+            if (!slot.IsSet)
+            {
+                missing = entry.Name;
+                return false;
+            }
+
+            bindings.SetBuffer(table.Set, entry.Binding, slot.Buffer!.Gpu);
+        }
+
+        foreach (TextureEntry entry in table.Textures)
+        {
+            if (!BindTexture(table, entry, chain, bindings))
+            {
+                missing = entry.Name;
+                return false;
+            }
+        }
+
+        foreach (SamplerEntry entry in table.Samplers)
+        {
+            Texture? owner = entry.TextureId >= 0 ? chain.Texture(entry.TextureId).Texture : null;
+            bindings.SetSampler(table.Set, entry.Binding, Samplers.For(entry, owner));
+        }
+
+        foreach (BlockEntry block in table.Blocks)
+        {
+            BindBlock(table, block, chain, bindings);
+        }
+
+        missing = null;
+        return true;
+    }
+
+    private static bool BindTexture(BindingTable table, in TextureEntry entry, in PropertyChain chain, ResourceBindings bindings)
+    {
+        TextureSlot slot = chain.Texture(entry.NameId);
+        GpuTexture? texture = slot.Texture?.DeviceTexture(slot.Element);
+        if (entry.Storage)
+        {
+            if (texture is null)
+            {
+                return false;
+            }
+
+            bindings.SetTexture(table.Set, entry.Binding, texture, slot.MipLevel);
+            return true;
+        }
+
+        bool fits = texture is not null && DimensionOf(texture) == entry.Dimension;
+        bindings.SetTexture(table.Set, entry.Binding, fits ? texture! : DefaultTextures.Empty(entry.Dimension));
+        return true;
+    }
+
+    private static string DimensionOf(GpuTexture texture) => texture.Description.Dimension switch
+    {
+        GpuTextureDimension.Texture3D => "3D",
+        GpuTextureDimension.Cube => "Cube",
+        GpuTextureDimension.Texture2DArray => "2DArray",
+        _ => "2D",
+    };
+
+    private static void BindBlock(BindingTable table, BlockEntry block, in PropertyChain chain, ResourceBindings bindings)
+    {
+        BufferSlot slot = chain.ConstantBuffer(block.NameId);
+        if (slot.IsSet)
+        {
+            bindings.SetBuffer(table.Set, block.Binding, slot.Buffer!.Gpu, slot.Offset, slot.Size > 0 ? slot.Size : -1);
+            return;
+        }
+
+        if (scratch.Length < block.Size)
+        {
+            scratch = new byte[block.Size];
+        }
+
+        Span<byte> bytes = scratch.AsSpan(0, block.Size);
+        bytes.Clear();
+        foreach (MemberEntry member in block.Members)
+        {
+            if (chain.Value(member.NameId) is { } value)
+            {
+                ConstantPacker.Write(bytes, member.Constant, value);
+            }
+            else if (member.TexelSizeOf >= 0)
+            {
+                var size = new ShaderValue();
+                size.Set(chain.TexelSize(member.TexelSizeOf), ShaderValueKind.Vector);
+                ConstantPacker.Write(bytes, member.Constant, size);
+            }
+        }
+
+        bindings.SetUniform(table.Set, block.Binding, bytes);
+    }
+}

@@ -1,0 +1,90 @@
+using Headless.Vulkan.Native;
+
+namespace Headless.Vulkan;
+
+/// <summary>The command buffer being recorded, and what every kind of command needs: hazards, bindings, submission.</summary>
+internal sealed unsafe class CommandStream
+{
+    private const int CommandLimit = 4000;
+    private const long UploadLimit = 128 << 20;
+
+    public CommandStream(DeviceContext context, SubmissionRing ring, PipelineLibrary pipelines)
+    {
+        Context = context;
+        Ring = ring;
+        Pipelines = pipelines;
+        Binder = new PipelineBinder(context);
+        ring.SubmitCurrent = () => SubmitNow();
+    }
+
+    public DeviceContext Context { get; }
+
+    public SubmissionRing Ring { get; }
+
+    public PipelineLibrary Pipelines { get; }
+
+    public HazardTracker Hazards { get; } = new();
+
+    public PipelineBinder Binder { get; }
+
+    public Submission Current => Ring.Current;
+
+    public VkCommandBuffer Commands => Ring.Current.Commands;
+
+    public long CommandCount { get; private set; }
+
+    /// <summary>Closes an open rendering instance; set by the draw commands.</summary>
+    public Action LeaveRendering { get; set; } = static () => { };
+
+    /// <summary>First call of every command; a full command buffer is submitted before it.</summary>
+    public void Begin(bool insideRendering = false)
+    {
+        Submission current = Current;
+        if (current.CommandCount >= CommandLimit || current.Uploads.Used + current.Downloads.Used > UploadLimit)
+        {
+            SubmitNow();
+        }
+
+        if (!insideRendering)
+        {
+            LeaveRendering();
+        }
+
+        Hazards.Forget();
+    }
+
+    /// <summary>Last call of every command.</summary>
+    public void Count()
+    {
+        Current.CommandCount++;
+        CommandCount++;
+    }
+
+    /// <summary>Submits what is recorded; nothing recorded gives the last ticket again.</summary>
+    public ulong Submit() => Current.IsEmpty ? Ring.CurrentTicket - 1 : SubmitNow();
+
+    private ulong SubmitNow()
+    {
+        LeaveRendering();
+        if (Current.HasReadbacks)
+        {
+            ShowToHost();
+        }
+
+        Binder.Forget();
+        return Ring.Advance();
+    }
+
+    private void ShowToHost()
+    {
+        VkMemoryBarrier2 memory = new()
+        {
+            srcStageMask = VkPipelineStageFlags2.AllTransfer,
+            srcAccessMask = VkAccessFlags2.TransferWrite,
+            dstStageMask = VkPipelineStageFlags2.Host,
+            dstAccessMask = VkAccessFlags2.HostRead,
+        };
+        VkDependencyInfo info = new() { memoryBarrierCount = 1, pMemoryBarriers = &memory };
+        Vk.vkCmdPipelineBarrier2(Commands, &info);
+    }
+}

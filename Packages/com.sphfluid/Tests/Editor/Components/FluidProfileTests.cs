@@ -1,0 +1,75 @@
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Profiles hold only numbers that can be computed with, and the package's assets are complete.</summary>
+    public sealed class FluidProfileTests
+    {
+        const string Assets = "Packages/com.sphfluid/Runtime/Assets/";
+        FluidProfile profile;
+
+        [SetUp]
+        public void Create() => profile = ScriptableObject.CreateInstance<FluidProfile>();
+
+        [TearDown]
+        public void Destroy() => Object.DestroyImmediate(profile);
+
+        [Test]
+        public void DefaultsAreWater()
+        {
+            FluidRuleInput water = FluidRuleInput.Water;
+            Assert.That(profile.RestDensity, Is.EqualTo(water.RestDensity));
+            Assert.That(profile.KinematicViscosity, Is.EqualTo(water.KinematicViscosity));
+            Assert.That(profile.SupportRatio, Is.EqualTo(water.SupportRatio));
+            Assert.That(profile.SoundSpeedRatio, Is.EqualTo(water.SoundSpeedRatio));
+            Assert.That(profile.MaxCompression, Is.EqualTo(water.MaxCompression));
+            Assert.That(profile.ViscosityRatio, Is.EqualTo(water.ViscosityRatio));
+            Assert.That(profile.TimeStepFraction, Is.EqualTo(water.TimeStepFraction));
+            Assert.That(profile.WallDistanceRatio, Is.EqualTo(water.WallDistanceRatio));
+            Assert.That(profile.WallStiffnessRatio, Is.EqualTo(water.WallStiffnessRatio));
+            Assert.That(profile.WallDampingRatio, Is.EqualTo(water.WallDampingRatio));
+            Assert.That(profile.Version, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void ValuesOutOfRangeAreClamped()
+        {
+            profile.RestDensity = -5f;
+            Assert.That(profile.RestDensity, Is.EqualTo(1f));
+            profile.TimeStepFraction = float.NaN;
+            Assert.That(profile.TimeStepFraction, Is.EqualTo(0.6f));
+            profile.SoundSpeedRatio = float.PositiveInfinity;
+            Assert.That(profile.SoundSpeedRatio, Is.EqualTo(20f));
+            profile.MaxParticles = 0;
+            Assert.That(profile.MaxParticles, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void ShippedAssetsAreComplete()
+        {
+            var water = AssetDatabase.LoadAssetAtPath<FluidProfile>(Assets + "WaterProfile.asset");
+            Assert.That(water, Is.Not.Null);
+            Assert.That(water.Shaders, Is.Not.Null);
+            Assert.That(water.Shaders.Validate(), Is.Empty);
+            Assert.That(water.RestDensity, Is.EqualTo(1000f));
+            Assert.That(water.Version, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void ShaderSetNamesWhatIsMissing()
+        {
+            var set = ScriptableObject.CreateInstance<FluidShaderSet>();
+            try
+            {
+                Assert.That(set.MissingForSimulation(), Does.Contain("bitonicSort").And.Contain("calculateNewPosition").And.Not.Contain("particleShader"));
+                Assert.That(set.Validate(), Does.Contain("particleShader").And.Contain("surfaceMesh"));
+            }
+            finally
+            {
+                Object.DestroyImmediate(set);
+            }
+        }
+    }
+}

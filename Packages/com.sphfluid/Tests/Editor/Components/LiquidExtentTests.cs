@@ -1,0 +1,39 @@
+using NUnit.Framework;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>How far the liquid can fall and how fast it starts.</summary>
+    public sealed class LiquidExtentTests
+    {
+        static readonly Vector3 Domain = new Vector3(2f, 3f, 4f);
+        static readonly Vector3 Down = new Vector3(0f, -9.81f, 0f);
+
+        [Test]
+        public void FallHeightIsFromTheTopOfTheLiquidToTheFloor()
+        {
+            LiquidExtent extent = Extent(new Vector3(0f, 0.5f, 0f), new Vector3(1f, 1f, 1f));
+            Assert.That(extent.FallHeight(Down), Is.EqualTo(1.5f + 1f).Within(1e-5f));
+            Assert.That(extent.FallHeight(new Vector3(5f, 0f, 0f)), Is.EqualTo(1f + 0.5f).Within(1e-5f), "sideways gravity");
+            Assert.That(extent.FallHeight(Vector3.zero), Is.Zero);
+        }
+
+        [Test]
+        public void LiquidAboveTheDomainFallsNoFartherThanTheDomain() =>
+            Assert.That(Extent(new Vector3(0f, 1.5f, 0f), Vector3.one).FallHeight(Down), Is.EqualTo(3f).Within(1e-5f));
+
+        [Test]
+        public void InitialSpeedIsTheLargest()
+        {
+            LiquidExtent extent = LiquidExtent.Of(new[]
+            {
+                new LiquidBox("slow", Matrix4x4.identity, new Vector3(0f, 1f, 0f)),
+                new LiquidBox("fast", Matrix4x4.identity, new Vector3(3f, 0f, 4f)),
+            }, Domain);
+            Assert.That(extent.InitialSpeed, Is.EqualTo(5f).Within(1e-5f));
+        }
+
+        static LiquidExtent Extent(Vector3 center, Vector3 size) =>
+            LiquidExtent.Of(new[] { new LiquidBox("box", Matrix4x4.TRS(center, Quaternion.identity, size), Vector3.zero) }, Domain);
+    }
+}

@@ -1,0 +1,71 @@
+using NUnit.Framework;
+using SphFluid.Validation;
+
+namespace SphFluid.Tests
+{
+    public sealed class PlayArgumentsTests
+    {
+        [Test]
+        public void ReadsTheLiquidsFlagsBehindTheSeparator()
+        {
+            PlayArguments arguments = Parse("player", "--scene", "A.unity", "--out", "there", "--", "--method", "thesis", "--surface", "particles",
+                "--particles", "4096", "--seed", "7", "--state", "a.ply", "--mesh", "b.ply", "--record", "c.csv");
+
+            Assert.That(arguments.OutputFolder, Is.EqualTo("there"));
+            Assert.That(arguments.Method, Is.EqualTo(FluidMethodKind.Thesis));
+            Assert.That(arguments.Surface, Is.EqualTo("particles"));
+            Assert.That(arguments.Particles, Is.EqualTo(4096));
+            Assert.That(arguments.Seed, Is.EqualTo(7));
+            Assert.That(arguments.StateFile, Is.EqualTo("a.ply"));
+            Assert.That(arguments.MeshFile, Is.EqualTo("b.ply"));
+            Assert.That(arguments.RecordFile, Is.EqualTo("c.csv"));
+        }
+
+        [Test]
+        public void KeepsTheSceneWithoutFlags()
+        {
+            PlayArguments arguments = Parse("player", "--scene", "A.unity", "--");
+
+            Assert.That(arguments.Method, Is.Null);
+            Assert.That(arguments.Surface, Is.Null);
+            Assert.That(arguments.Particles, Is.Null);
+            Assert.That(arguments.Seed, Is.Null);
+            Assert.That(arguments.OutputFolder, Is.Null);
+        }
+
+        [Test]
+        public void PassesOverFlagsOfOthersWithoutASeparator()
+        {
+            PlayArguments arguments = Parse("Unity", "-batchmode", "-executeMethod", "A.B", "--seed", "3", "-quit");
+
+            Assert.That(arguments.Seed, Is.EqualTo(3));
+        }
+
+        [TestCase("--sead", "1", "--sead")]
+        [TestCase("--seed", "-1", "--seed")]
+        [TestCase("--seed", "x", "'x'")]
+        [TestCase("--particles", "0", "at least 1")]
+        [TestCase("--particles", "1.5", "whole number")]
+        [TestCase("--surface", "bubbles", "marching-cubes-gs")]
+        [TestCase("--method", "magic", "thesis")]
+        [TestCase("--state", "a.txt", ".ply")]
+        [TestCase("--record", "a.ply", ".csv")]
+        public void NamesTheFlagAndTheCure(string flag, string value, string mentioned)
+        {
+            var exception = Assert.Throws<CommandLineException>(() => Parse("player", "--", flag, value));
+
+            Assert.That(exception.Message, Does.Contain(flag));
+            Assert.That(exception.Message, Does.Contain(mentioned));
+            Assert.That(exception.Message, Does.Not.Contain("\n"));
+        }
+
+        [Test]
+        public void AsksForAMissingValue()
+        {
+            Assert.That(() => Parse("player", "--", "--seed"), Throws.TypeOf<CommandLineException>().With.Message.Contains("--seed needs a value"));
+            Assert.That(() => Parse("player", "--", "--seed", "--mesh", "a.ply"), Throws.TypeOf<CommandLineException>().With.Message.Contains("--seed needs a value"));
+        }
+
+        static PlayArguments Parse(params string[] words) => PlayArguments.Parse(words);
+    }
+}
