@@ -1,5 +1,6 @@
 using Headless.Importers;
 using Headless.Player.Commands;
+using Headless.Shaders;
 using Headless.Vulkan;
 
 namespace Headless.Player;
@@ -40,6 +41,10 @@ public static class Program
             return Fail(e.Message, WrongUsage);
         }
         catch (ImportException e)
+        {
+            return Fail(e.Message, Failed);
+        }
+        catch (ShaderCompilerMissingException e)
         {
             return Fail(e.Message, Failed);
         }

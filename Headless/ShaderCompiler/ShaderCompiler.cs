@@ -47,7 +47,8 @@ public sealed class ShaderCompiler
         return Once(source, kernel, chosen, () =>
         {
             string text = StageText.Build(source.Expanded, ShaderStage.Compute, ComputeTarget, [.. GlobalDefines, .. declaration.Defines], chosen);
-            return [new StageJob(source.Expanded, ShaderStage.Compute, kernel, text, $"kernel '{kernel}'")];
+            (text, string name) = KernelNames.Separate(text, kernel);
+            return [new StageJob(source.Expanded, ShaderStage.Compute, kernel, text, $"kernel '{kernel}'") { SourceEntryPoint = name }];
         })[0];
     }
 

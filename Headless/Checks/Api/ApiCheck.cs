@@ -24,7 +24,7 @@ internal sealed class ApiCheck(string packageRoot)
         var editorOnly = ApiList.LoadEditorOnlyMembers();
         foreach (var line in ApiList.Lines)
         {
-            var references = new ReferenceAssemblies(ApiList.Load(line));
+            var references = ReferenceAssemblies.Of(line);
             yield return Compile(line, references, editor: true, editorOnly);
             yield return Compile(line, references, editor: false, editorOnly);
         }

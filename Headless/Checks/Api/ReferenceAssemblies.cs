@@ -1,5 +1,6 @@
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
+using System.Collections.Concurrent;
 using System.Reflection;
 
 namespace Headless.Checks.Api;
@@ -18,7 +19,11 @@ internal sealed class ReferenceAssemblies
 
     public static MetadataReference NUnit { get; } = MetadataReference.CreateFromFile(Metadata("NUnitFramework"));
 
-    public ReferenceAssemblies(ApiList list)
+    private static readonly ConcurrentDictionary<string, ReferenceAssemblies> made = new();
+
+    public static ReferenceAssemblies Of(string line) => made.GetOrAdd(line, l => new ReferenceAssemblies(ApiList.Load(l)));
+
+    private ReferenceAssemblies(ApiList list)
     {
         MemberCount = list.Engine.Count + list.Editor.Count + list.TestFramework.Count;
         Engine = Emit("UnityEngine", list.Engine, NetStandard);

@@ -27,7 +27,7 @@ internal sealed class ObjImporter : IAssetImporter
         for (int i = 0; i < geometry.SubMeshes.Count; i++) mesh.SetTriangles(geometry.SubMeshes[i], i, false);
         mesh.RecalculateBounds();
         if (geometry.Normals.Count > 0 && geometry.TextureCoordinates.Count > 0) mesh.RecalculateTangents();
-        mesh.UploadMeshData(!settings.IsReadable);
+        if (!settings.IsReadable) mesh.UploadMeshData(true);
         return mesh;
     }
 }

@@ -31,7 +31,7 @@ internal sealed class ScriptCatalog(ProjectIndex index, Func<string, Assembly?> 
             report($"{where}: '{path}' belongs to the assembly '{assemblyName}', which is not among the script assemblies; the component is left out.");
             return null;
         }
-        Type[] found = [.. assembly.GetTypes().Where(t => t.Name == className && baseType.IsAssignableFrom(t) && !t.IsAbstract)];
+        Type[] found = [.. TypeLookup.Types(assembly).Where(t => t.Name == className && baseType.IsAssignableFrom(t) && !t.IsAbstract)];
         if (found.Length == 1)
         {
             int order = MetaFile.Read(index.FileOf(path) + ".meta").Settings.Int("executionOrder");

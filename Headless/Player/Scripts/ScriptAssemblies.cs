@@ -3,7 +3,10 @@ using System.Runtime.Loader;
 
 namespace Headless.Player.Scripts;
 
-/// <summary>The project's compiled scripts: one .dll an .asmdef, in one folder. What the player itself has (the engine, NUnit) is never loaded twice.</summary>
+/// <summary>
+/// The project's compiled scripts: one .dll an .asmdef, in one folder. What the player itself has (the engine, NUnit) is
+/// never loaded twice, so the folder may hold copies of it.
+/// </summary>
 public sealed class ScriptAssemblies
 {
     public const string DefaultFolder = "ScriptAssemblies";
@@ -23,7 +26,7 @@ public sealed class ScriptAssemblies
     {
         if (known.TryGetValue(name, out Assembly? assembly)) return assembly;
         string file = Path.Combine(folder, name + ".dll");
-        return known[name] = File.Exists(file) ? loader.LoadFromAssemblyPath(file) : Loader.OfThePlayer(new AssemblyName(name));
+        return known[name] = Loader.OfThePlayer(new AssemblyName(name)) ?? (File.Exists(file) ? loader.LoadFromAssemblyPath(file) : null);
     }
 
     /// <summary>All assemblies of the folder, in ordinal order.</summary>

@@ -42,6 +42,7 @@ internal static class BinaryBuilder
         layout.Apply(keepConstantOffsets: job.Text.Contains("packoffset", StringComparison.Ordinal));
         DescriptorNumbers.Assign(index, set);
         AtomicOperands.Repair(index.Module);
+        EntryPointName.Set(index.Module, job.EntryPoint);
         Precision.MakeFull(index.Module);
         return new ShaderReflector(index, layout, SourceNames.RawBuffers(job.Text), SourceNames.Sized(job.Text))
             .Read(job.Stage, job.EntryPoint, inputs);

@@ -9,6 +9,9 @@ internal sealed partial class GlslangProcess(string program)
 {
     private static readonly TimeSpan Limit = TimeSpan.FromMinutes(5);
 
+    // glslang prints it and ends well, with SPIR-V that is not valid.
+    private const string MissingMark = "Missing functionality:";
+
     private readonly Lazy<string?> _version = new(() => ReadVersion(program));
 
     /// <summary>Version text, or null when the program is not there.</summary>
@@ -31,6 +34,12 @@ internal sealed partial class GlslangProcess(string program)
             if (exit != 0 || !File.Exists(output) || text.Contains("Entry point not found", StringComparison.Ordinal))
             {
                 throw Failure(job, text);
+            }
+            int missing = text.IndexOf(MissingMark, StringComparison.Ordinal);
+            if (missing >= 0)
+            {
+                string what = text[(missing + MissingMark.Length)..].Split('\n')[0].Trim();
+                throw new ShaderCompileException(job.Source.Files[0], 0, $"glslangValidator cannot translate a {what} ({job.Owner})");
             }
             return File.ReadAllBytes(output);
         }
@@ -58,7 +67,7 @@ internal sealed partial class GlslangProcess(string program)
         string[] arguments =
         [
             "--stdin", "-V", "--target-env", "vulkan1.1", "-D", "--hlsl-offsets", "-fhlsl_functionality1", "--nan-clamp",
-            "--hlsl-dx-position-w", "-S", stage, "-e", job.EntryPoint, "-o", output,
+            "--hlsl-dx-position-w", "-S", stage, "-e", job.SourceEntryPoint, "-o", output,
         ];
         foreach (string argument in arguments)
         {

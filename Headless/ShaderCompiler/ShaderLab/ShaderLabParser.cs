@@ -95,6 +95,11 @@ internal sealed class ShaderLabParser(string path, ShaderLabReader reader, Inclu
             {
                 continue;
             }
+            if (reader.Peek.Kind == ShaderLabTokenKind.Program)
+            {
+                passes.Add(ProgramOutsidePass(state, includeBlocks));
+                continue;
+            }
             switch (reader.Peek.Text.ToUpperInvariant())
             {
                 case "TAGS":
@@ -127,6 +132,16 @@ internal sealed class ShaderLabParser(string path, ShaderLabReader reader, Inclu
             }
         }
         return met ? new SubShader(tags, lod, passes) : null;
+    }
+
+    // Only surface shaders stand there; using one is an error.
+    private ShaderPass ProgramOutsidePass(RenderState state, List<ShaderLabToken> includeBlocks)
+    {
+        UnsupportedFeature? unsupported = null;
+        ShaderLabToken token = reader.Next();
+        ShaderProgram program = ProgramReader.Read(path, token, includeBlocks, includes, ref unsupported);
+        unsupported ??= new UnsupportedFeature(token.Line, "a program outside of a pass is no surface shader");
+        return new ShaderPass(_name, "", new Dictionary<string, string>(), state, program) { Unsupported = unsupported };
     }
 
     /// <summary>Null when its package requirements are not met.</summary>

@@ -67,6 +67,6 @@ public sealed class ComputeSource
             string[] parts = word.Split('=', 2);
             defines.Add(KeyValuePair.Create(parts[0], parts.Length == 2 ? parts[1] : "1"));
         }
-        return new KernelDeclaration(pragma.Words[1], defines, pragma.Line);
+        return new KernelDeclaration(pragma.Words[1].TrimEnd(';'), defines, pragma.Line);
     }
 }

@@ -79,6 +79,16 @@ internal sealed class SpirVIndex
         Insert(new SpirVInstruction(SpirVOp.Decorate, id, (uint)decoration, value));
     }
 
+    /// <summary>Puts a one-word decoration in the place of another.</summary>
+    public void Replace(uint id, SpirVDecoration old, SpirVDecoration decoration, uint value)
+    {
+        if (_decorations.Remove((id, old), out SpirVInstruction? found))
+        {
+            Module.Instructions.Remove(found);
+        }
+        Set(id, decoration, value);
+    }
+
     public void SetFlag(uint id, SpirVDecoration decoration)
     {
         if (!Has(id, decoration))

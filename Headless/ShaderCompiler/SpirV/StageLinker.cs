@@ -21,17 +21,16 @@ internal static class StageLinker
         return inputs;
     }
 
-    /// <summary>Gives SV_TargetN location N.</summary>
+    /// <summary>Gives SV_TargetN, or COLORN as Direct3D 9 had it, location N.</summary>
     public static void NumberTargets(SpirVIndex fragment)
     {
         foreach (StageVariable output in StageInterface.Read(fragment, SpirVStorage.Output, perVertex: false))
         {
-            const string target = "SV_TARGET";
-            if (!output.Semantic.StartsWith(target, StringComparison.Ordinal))
+            string? number = TargetNumber(output.Semantic, "SV_TARGET") ?? TargetNumber(output.Semantic, "COLOR");
+            if (number is null)
             {
                 throw new InvalidDataException($"fragment output has semantic {output.Semantic}; write SV_Target or SV_Depth");
             }
-            string number = output.Semantic[target.Length..];
             fragment.Set(output.Id, SpirVDecoration.Location, number.Length == 0 ? 0 : uint.Parse(number));
         }
     }
@@ -39,6 +38,7 @@ internal static class StageLinker
     /// <exception cref="InvalidDataException">The later stage reads what the earlier one does not write.</exception>
     public static void Link(SpirVIndex earlier, ShaderStage earlierStage, SpirVIndex later, ShaderStage laterStage)
     {
+        LegacyPosition.Replace(earlier, later, laterStage);
         Dictionary<string, (StageVariable Output, int Location)> outputs = [];
         int location = 0;
         foreach (StageVariable output in StageInterface.Read(earlier, SpirVStorage.Output, perVertex: false))
@@ -71,6 +71,9 @@ internal static class StageLinker
             }
         }
     }
+
+    private static string? TargetNumber(string semantic, string name) =>
+        semantic.StartsWith(name, StringComparison.Ordinal) ? semantic[name.Length..] : null;
 
     private static string Describe(StageVariable v) =>
         v.Scalar + (v.Components > 1 ? v.Components : "") + (v.Rows > 1 ? "x" + v.Rows : "") + (v.Elements > 1 ? $"[{v.Elements}]" : "");

@@ -138,7 +138,7 @@ public sealed class ScriptReaderTests
                 data:
                   radius: 2.5
             """);
-        Assert.That(s.shape, Is.TypeOf<SerializedSample.Circle>().With.Field("radius").EqualTo(2.5f));
+        Assert.That((s.shape as SerializedSample.Circle)?.radius, Is.EqualTo(2.5f));
         Assert.That(s.shapes, Is.EqualTo(new[] { null, s.shape }));
     }
 

@@ -1,4 +1,5 @@
 using Headless.Shaders;
+using Headless.Shaders.SpirV;
 using NUnit.Framework;
 
 namespace Headless.Tests.Shaders;
@@ -52,7 +53,7 @@ public sealed class KeywordTests : SandboxTests
     public void KernelsAndTheirDefines()
     {
         string path = Sandbox.Add("Assets/K.compute", """
-            #pragma kernel First
+            #pragma kernel First;
             #pragma kernel Second SIZE=64 FAST
             #pragma require wavebasic
             #ifndef SIZE
@@ -70,6 +71,20 @@ public sealed class KeywordTests : SandboxTests
         Assert.That(compiler.CompileKernel(source, "Second", []).GroupX, Is.EqualTo(64));
         var error = Assert.Throws<ShaderCompileException>(() => compiler.CompileKernel(source, "Third", []));
         Assert.That(error!.Message, Does.Contain("#pragma kernel Third"));
+    }
+
+    [Test]
+    public void AKernelMayShareItsNameWithAFunction()
+    {
+        ShaderBinary binary = Sandbox.Kernel("""
+            RWStructuredBuffer<float2> _V;
+            float2 CS(float2 a, float2 b) { return a + b; }
+            [numthreads(64, 1, 1)]
+            void CS (uint3 id : SV_DispatchThreadID) { _V[id.x] += CS(_V[id.x], 1); }
+            """);
+        Assert.That(binary.EntryPoint, Is.EqualTo("CS"));
+        SpirVInstruction entry = new SpirVModule(binary.SpirV).Instructions.Single(i => i.Op == SpirVOp.EntryPoint);
+        Assert.That(entry.Text(2), Is.EqualTo("CS"));
     }
 
     [Test]

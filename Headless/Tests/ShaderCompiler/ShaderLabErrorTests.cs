@@ -26,6 +26,15 @@ public sealed class ShaderLabErrorTests : SandboxTests
         Assert.That(error.Message, Does.Contain(expected).And.Contain($"Assets/S.shader({line})"));
     }
 
+    [Test]
+    public void ASurfaceShaderFailsOnUse()
+    {
+        string path = Sandbox.Add("Assets/S.shader", "Shader \"S\" { SubShader {\nCGPROGRAM\n#pragma surface surf Standard\nENDCG\n} }");
+        ShaderPass pass = ShaderLabSource.Parse(path, Sandbox.Includes).SubShaders[0].Passes[0];
+        var error = Assert.Throws<ShaderCompileException>(() => Sandbox.Compiler().CompilePass(pass, []));
+        Assert.That(error!.Message, Does.Contain("surface shaders are not supported").And.Contain("S.shader(3)"));
+    }
+
     [TestCase("Stencil { Ref 2 Comp Always Pass Replace }", "", "Stencil is not supported")]
     [TestCase("", "#pragma surface surf Standard", "surface shaders are not supported")]
     [TestCase("", "#pragma hull H", "tessellation is not supported")]

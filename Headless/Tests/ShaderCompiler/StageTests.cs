@@ -131,6 +131,39 @@ public sealed class StageTests : SandboxTests
         Assert.That(stages[1].Resources.Where(r => r.Comparison).Select(r => r.Name), Is.EqualTo(new[] { "sampler_Shadow" }));
     }
 
+    [Test]
+    public void SemanticsOfDirect3D9()
+    {
+        IReadOnlyList<ShaderBinary> stages = Sandbox.Pass("""
+            #pragma vertex vert
+            #pragma fragment frag
+            struct V { float4 position : POSITION; float2 uv : TEXCOORD0; };
+            V vert(float4 p : POSITION) { V o; o.position = p; o.uv = 0; return o; }
+            float4 frag(V i) : COLOR { return i.uv.xyxy; }
+            """);
+        SpirVIndex vertex = new(new SpirVModule(stages[0].SpirV));
+        uint position = vertex.Variables.Single(v => vertex.Name(v[1]) == "@entryPointOutput.position")[1];
+        Assert.That(vertex.Find(position, SpirVDecoration.BuiltIn)![2], Is.Zero);
+        Assert.That(vertex.Find(position, SpirVDecoration.Location), Is.Null);
+    }
+
+    [Test]
+    public void MatrixSwizzles()
+    {
+        Assert.DoesNotThrow(() => Sandbox.Pass("""
+            #pragma vertex vert
+            #pragma fragment frag
+            float4x4 _M; float3x3 _A[2]; struct S { float4x4 m; }; StructuredBuffer<S> _S;
+            float4 vert(uint id : SV_VertexID) : SV_Position { return float4(_M._m00_m10_m20, 1) + _M._11_22_33_44; }
+            float4 frag() : SV_Target
+            {
+                float4x4 m = 0;
+                m._m00_m11 = float2(1, 2);
+                return mul(m, float4(_A[1]._m20_m21, _S[0].m._m00_m01));
+            }
+            """));
+    }
+
     /// <summary>Location by the part of the variable's name after a prefix.</summary>
     private static Dictionary<string, uint> Locations(ShaderBinary binary, string prefix)
     {

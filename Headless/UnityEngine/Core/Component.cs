@@ -53,6 +53,9 @@ public partial class Component : Object
         OnRemoved();
     }
 
+    /// <summary>Sizes a new component after what its object already has, e.g. a collider after the mesh.</summary>
+    internal virtual void FitToMesh() { }
+
     internal virtual void OnAdded() { }
     internal virtual void OnRemoved() { }
 

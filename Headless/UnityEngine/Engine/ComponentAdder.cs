@@ -27,6 +27,7 @@ static class ComponentAdder
             Require(owner, required.m_Type2);
         }
         Component component = owner.AddComponentRaw(type);
+        component.FitToMesh();
         if (component is MonoBehaviour script && EngineState.IsEditor && !EngineState.IsPlaying)
         {
             script.ScriptType.Invoke(script, "Reset");

@@ -32,6 +32,7 @@ static class EngineState
         ScriptSchedule.Clear();
         CoroutineScheduler.Clear();
         SceneTable.Clear();
+        PhysicsWorld.Clear();
         FrameClock.Reset();
         QuitRequested = false;
         ExitCode = 0;

@@ -21,6 +21,7 @@ static class PlayerLoop
         while (FrameClock.StepFixed())
         {
             ScriptSchedule.FixedUpdate();
+            if (Physics.simulationMode == SimulationMode.FixedUpdate) PhysicsWorld.Sync();
             CoroutineScheduler.Run(WaitKind.FixedUpdate);
             ScriptSchedule.RunStarts();
         }

@@ -65,13 +65,13 @@ namespace SphFluid
 
         FluidRun run;
         bool wanted;
-        FluidStartKey? failedKey;
+        (FluidStartKey, FluidLiveKey)? failed;
         readonly List<FluidMessage> messages = new List<FluidMessage>();
 
         /// <summary>Raised after a start or a new start.</summary>
         public event Action<FluidSimulation> Started;
 
-        /// <summary>Raised after a stop, before the GPU memory is gone for readers that still hold it.</summary>
+        /// <summary>Raised after a stop; the GPU memory is freed by then.</summary>
         public event Action<FluidSimulation> Stopped;
 
         /// <summary>Raised for each new message, after it was written to the console.</summary>
@@ -163,6 +163,9 @@ namespace SphFluid
 
         internal Vector3 LocalGravity => Quaternion.Inverse(transform.rotation) * EffectiveGravity;
 
+        // After a failure the next try comes with the next change.
+        (FluidStartKey, FluidLiveKey) Given => (FluidStartKey.Of(this), FluidLiveKey.AsGiven(this));
+
         internal CollisionScene Collision => run?.Collision;
 
         /// <summary>Starts the liquid from its volumes, again if it runs already.</summary>
@@ -173,7 +176,7 @@ namespace SphFluid
             Release();
             messages.Clear();
             run = FluidReports.TryStart(this, Report);
-            failedKey = run == null ? FluidStartKey.Of(this) : (FluidStartKey?)null;
+            failed = run == null ? Given : ((FluidStartKey, FluidLiveKey)?)null;
             if (run != null) Started?.Invoke(this);
             return run != null;
         }
@@ -219,7 +222,7 @@ namespace SphFluid
         {
             ActiveList.Add(this);
             wanted = playOnEnable;
-            failedKey = null;
+            failed = null;
         }
 
         void OnDisable()
@@ -233,13 +236,12 @@ namespace SphFluid
             if (!wanted) return;
             if (run == null || !run.Key.Equals(FluidStartKey.Of(this)))
             {
-                if (failedKey is FluidStartKey key && key.Equals(FluidStartKey.Of(this))) return;
-                StartSimulation();
+                if (failed == null || !failed.Value.Equals(Given)) StartSimulation();
                 return;
             }
             if (FluidReports.TryAdvance(this, run, Time.deltaTime)) return;
             Release();
-            failedKey = FluidStartKey.Of(this);
+            failed = Given;
         }
 
         void Release()
@@ -252,6 +254,6 @@ namespace SphFluid
 
         // Without a domain reload statics outlive play mode.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        static void ResetStatics() => ActiveList.Clear();
+        internal static void ResetStatics() => ActiveList.Clear();
     }
 }

@@ -15,15 +15,16 @@ namespace SphFluid
         public static List<FluidMessage> Validate(FluidSimulation simulation)
         {
             using (var collision = new CollisionScene())
-                return Prepare(simulation, collision, out _);
+                return Prepare(simulation, collision, false, out _);
         }
 
-        /// <summary>Checks the simulation and, when nothing speaks against it, makes its first particles.</summary>
+        /// <summary>Checks the simulation and, when nothing speaks against it, tells its start.</summary>
         /// <param name="simulation">The simulation.</param>
         /// <param name="collision">Receives the colliders.</param>
-        /// <param name="start">The first particles; null when there is an error.</param>
+        /// <param name="fill">Whether to make the first particles, not only count them.</param>
+        /// <param name="start">How it starts; null when there is an error.</param>
         /// <returns>The messages, errors first.</returns>
-        internal static List<FluidMessage> Prepare(FluidSimulation simulation, CollisionScene collision, out FluidStart start)
+        internal static List<FluidMessage> Prepare(FluidSimulation simulation, CollisionScene collision, bool fill, out FluidStart start)
         {
             start = null;
             var messages = new List<FluidMessage>();
@@ -33,9 +34,11 @@ namespace SphFluid
             bool measurable = CheckNumbers(simulation, messages);
             if (measurable)
             {
-                collision.Gather(FluidScene.Query(simulation));
+                CollisionQuery query = FluidScene.Query(simulation);
+                collision.Gather(query);
                 messages.AddRange(collision.Messages);
-                start = LiquidRules.Check(simulation, collision, messages);
+                MeshColliderRules.Check(query, messages);
+                start = LiquidRules.Check(simulation, collision, fill, messages);
             }
             if (HasErrors(messages)) start = null;
             if (start != null) CheckTimeStep(simulation, start, messages);

@@ -54,7 +54,9 @@ internal static class GraphicsDevice
         ShaderLibrary.Reset();
         GlobalProperties.Sheet.Clear();
         GlobalKeywords.Clear();
-        RenderQueueList.Clear();
+        DrawQueue.Clear();
+        Blitter.Reset();
+        FrameRenderer.Reset();
         Drawer.Reset();
         device.Dispose();
         device = null;

@@ -26,7 +26,7 @@ namespace SphFluid
         public float Spacing;
 
         /// <summary>World space to simulation space.</summary>
-        public Matrix4x4 WorldToSimulation => Matrix4x4.TRS(Position, Rotation, Vector3.one).inverse;
+        public Matrix4x4 WorldToSimulation => FluidScene.WorldToLocal(Position, Rotation);
 
         /// <summary>Half the domain's size with the margin for nearby triangles [m].</summary>
         public Vector3 HalfExtents => DomainSize * 0.5f + Vector3.one * Spacing;

@@ -60,7 +60,7 @@ namespace SphFluid
             Vector3 size = simulation.DomainSize;
             Vector3 up = gravity.normalized;
             float height = Mathf.Abs(up.x) * size.x + Mathf.Abs(up.y) * size.y + Mathf.Abs(up.z) * size.z;
-            double liquid = start.Particles.Count * System.Math.Pow(simulation.Spacing, 3);
+            double liquid = start.Count * System.Math.Pow(simulation.Spacing, 3);
             return (float)(liquid / ((double)size.x * size.y * size.z) * height);
         }
     }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using UnityEngine;
 
 namespace SphFluid
 {
@@ -10,8 +11,13 @@ namespace SphFluid
         /// <returns>Null when an error was reported.</returns>
         public static FluidRun TryStart(FluidSimulation simulation, Action<FluidMessage> report)
         {
+            if (!Application.isPlaying || !simulation.isActiveAndEnabled)
+            {
+                report(NotPlaying(simulation));
+                return null;
+            }
             var collision = new CollisionScene();
-            List<FluidMessage> found = FluidValidation.Prepare(simulation, collision, out FluidStart start);
+            List<FluidMessage> found = FluidValidation.Prepare(simulation, collision, true, out FluidStart start);
             foreach (FluidMessage message in found) report(message);
             if (start != null)
             {
@@ -64,6 +70,13 @@ namespace SphFluid
             particles.AddRange(read);
             return true;
         }
+
+        // Nothing would free the GPU memory of a run that OnDisable does not end.
+        static FluidMessage NotPlaying(FluidSimulation simulation) => Application.isPlaying
+            ? new FluidMessage(FluidSeverity.Error, FluidIssue.StartFailed, simulation,
+                "The component or its object is disabled, so the simulation cannot start.", "Enable both first.")
+            : new FluidMessage(FluidSeverity.Error, FluidIssue.StartFailed, simulation,
+                "Simulations run in play mode only.", "Press Play, or use FluidSolver directly in Editor tools.");
 
         static FluidMessage Failure(FluidSimulation simulation, Exception exception) => new FluidMessage(
             FluidSeverity.Error, exception is FluidDeviceException ? FluidIssue.DeviceUnsupported : FluidIssue.StartFailed,

@@ -16,7 +16,7 @@ namespace SphFluid
             FluidSimulation[] simulations = UnityEngine.Object.FindObjectsByType<FluidSimulation>(FindObjectsSortMode.None);
             var found = new List<FluidVolume>();
             foreach (FluidVolume volume in UnityEngine.Object.FindObjectsByType<FluidVolume>(FindObjectsSortMode.None))
-                if (volume.isActiveAndEnabled && Owner(volume, simulations) == simulation) found.Add(volume);
+                if (volume.enabled && Owner(volume, simulations) == simulation) found.Add(volume);
             found.Sort(HierarchyOrder.Compare);
             return found;
         }
@@ -31,11 +31,11 @@ namespace SphFluid
             int count = 0;
             foreach (FluidSimulation simulation in simulations)
             {
-                if (!simulation.isActiveAndEnabled) continue;
+                if (!simulation.enabled) continue;
                 count++;
                 only = simulation;
             }
-            return count == 1 ? only : Array.Find(simulations, s => s.isActiveAndEnabled && Holds(s, volume.transform.position));
+            return count == 1 ? only : Array.Find(simulations, s => s.enabled && Holds(s, volume.transform.position));
         }
 
         /// <summary>Simulation space to world space: position and rotation of the simulation's transform, without scale.</summary>
@@ -43,10 +43,13 @@ namespace SphFluid
             Matrix4x4.TRS(transform.position, transform.rotation, Vector3.one);
 
         /// <summary>World space to simulation space.</summary>
-        public static Matrix4x4 WorldToLocal(Transform transform)
+        public static Matrix4x4 WorldToLocal(Transform transform) => WorldToLocal(transform.position, transform.rotation);
+
+        /// <summary>World space to the space of a pose.</summary>
+        public static Matrix4x4 WorldToLocal(Vector3 position, Quaternion rotation)
         {
-            Quaternion inverse = Quaternion.Inverse(transform.rotation);
-            return Matrix4x4.TRS(inverse * -transform.position, inverse, Vector3.one);
+            Quaternion inverse = Quaternion.Inverse(rotation);
+            return Matrix4x4.TRS(inverse * -position, inverse, Vector3.one);
         }
 
         /// <summary>A volume as the spawner needs it.</summary>
@@ -78,7 +81,7 @@ namespace SphFluid
                 DomainSize = simulation.DomainSize,
                 Spacing = simulation.Spacing,
                 Boxes = boxes,
-                MaxParticles = simulation.Profile != null ? simulation.Profile.MaxParticles : int.MaxValue,
+                MaxParticles = simulation.Profile != null ? simulation.Profile.MaxParticles : FluidProfile.ParticleLimit,
                 Seed = simulation.Seed,
                 Jitter = simulation.StartJitter,
                 Obstacle = obstacles ? point => collision.FindCovering(point, clearance) : (Func<Vector3, int>)null,

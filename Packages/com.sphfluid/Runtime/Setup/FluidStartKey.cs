@@ -49,9 +49,9 @@ namespace SphFluid
         readonly float fixedTimeStep, expectedSpeed;
         readonly int maxSubsteps, revision;
 
-        FluidLiveKey(FluidSimulation simulation)
+        FluidLiveKey(FluidSimulation simulation, Vector3 gravity)
         {
-            gravity = simulation.LocalGravity;
+            this.gravity = gravity;
             mode = simulation.TimeStepMode;
             fixedTimeStep = simulation.FixedTimeStep;
             expectedSpeed = simulation.ExpectedSpeed;
@@ -59,7 +59,11 @@ namespace SphFluid
             revision = simulation.Profile != null ? simulation.Profile.Revision : 0;
         }
 
-        public static FluidLiveKey Of(FluidSimulation simulation) => new FluidLiveKey(simulation);
+        /// <summary>Settings as a running simulation sees them: gravity turns with the domain.</summary>
+        public static FluidLiveKey Of(FluidSimulation simulation) => new FluidLiveKey(simulation, simulation.LocalGravity);
+
+        /// <summary>Settings as the user gave them: turning the domain is no change.</summary>
+        public static FluidLiveKey AsGiven(FluidSimulation simulation) => new FluidLiveKey(simulation, simulation.EffectiveGravity);
 
         public bool Equals(FluidLiveKey other) =>
             gravity.Equals(other.gravity) && mode == other.mode && fixedTimeStep.Equals(other.fixedTimeStep) &&

@@ -7,23 +7,30 @@ namespace SphFluid
     /// <summary>First particles of a simulation and how far and fast its liquid can fall.</summary>
     internal sealed class FluidStart
     {
-        public FluidStart(List<FluidParticle> particles, LiquidExtent extent)
+        public FluidStart(List<FluidParticle> particles, long count, LiquidExtent extent)
         {
             Particles = particles;
+            Count = count;
             Extent = extent;
         }
 
+        /// <summary>The particles; empty when only a check was asked for.</summary>
         public List<FluidParticle> Particles { get; }
+
+        /// <summary>Their number.</summary>
+        public long Count { get; }
+
         public LiquidExtent Extent { get; }
     }
 
-    /// <summary>Rules about the liquid volumes; fills them on the way.</summary>
+    /// <summary>Rules about the liquid volumes.</summary>
     internal static class LiquidRules
     {
         /// <summary>Share of a volume outside the domain below which nothing is said.</summary>
         const double OutsideTolerance = 0.001;
 
-        public static FluidStart Check(FluidSimulation simulation, CollisionScene collision, List<FluidMessage> messages)
+        /// <summary>Checks the volumes and counts, or with <paramref name="fill"/> makes, their particles.</summary>
+        public static FluidStart Check(FluidSimulation simulation, CollisionScene collision, bool fill, List<FluidMessage> messages)
         {
             List<FluidVolume> volumes = FluidScene.FindVolumes(simulation);
             var boxes = new List<LiquidBox>();
@@ -41,10 +48,11 @@ namespace SphFluid
                     "Add a Fluid Volume, for instance as a child: GameObject > Fluid > Fluid Volume."));
             if (boxes.Count == 0) return null;
 
-            SpawnResult spawn = FluidSpawner.Fill(FluidScene.Request(simulation, boxes, collision));
+            SpawnRequest request = FluidScene.Request(simulation, boxes, collision);
+            SpawnResult spawn = fill ? FluidSpawner.Fill(request) : FluidSpawner.Measure(request);
             CheckCount(simulation, spawn, messages);
             for (int i = 0; i < boxes.Count; i++) CheckTally(simulation, sources[i], spawn.Tallies[i], collision, messages);
-            return new FluidStart(spawn.Particles, LiquidExtent.Of(boxes, simulation.DomainSize));
+            return new FluidStart(spawn.Particles, spawn.Needed, LiquidExtent.Of(boxes, simulation.DomainSize));
         }
 
         static bool CheckVolume(FluidVolume volume, in LiquidBox box, List<FluidMessage> messages)

@@ -26,12 +26,12 @@ namespace SphFluid
             return new SpawnResult(particles, tallies, needed);
         }
 
-        /// <summary>Number of particles that the request's boxes need.</summary>
+        /// <summary>Counts what <see cref="Fill"/> would make, without making it.</summary>
         /// <exception cref="ArgumentException">The domain or the spacing is not positive and finite.</exception>
-        public static long Count(SpawnRequest request)
+        public static SpawnResult Measure(SpawnRequest request)
         {
-            Walk(request, null, 0, out long needed);
-            return needed;
+            SpawnTally[] tallies = Walk(request, null, 0, out long needed);
+            return new SpawnResult(new List<FluidParticle>(), tallies, needed);
         }
 
         static SpawnTally[] Walk(SpawnRequest request, Action<Vector3, LiquidBox> place, long most, out long needed)

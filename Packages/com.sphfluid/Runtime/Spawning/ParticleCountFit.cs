@@ -10,11 +10,20 @@ namespace SphFluid
         const int Iterations = 16;
 
         /// <summary>Spacing for a simulation's volumes and colliders as they are in the scene.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">The count is less than one.</exception>
+        /// <exception cref="InvalidOperationException">The domain has no size or holds no liquid.</exception>
         public static float Spacing(FluidSimulation simulation, int count)
         {
+            Vector3 size = simulation.DomainSize;
+            if (!AffineMath.IsFinite(size) || !(size.x > 0f && size.y > 0f && size.z > 0f))
+                throw new InvalidOperationException($"The domain size of '{simulation.name}' is {size} m; it must be greater than zero.");
             var boxes = new List<LiquidBox>();
             Matrix4x4 worldToLocal = FluidScene.WorldToLocal(simulation.transform);
-            foreach (FluidVolume volume in FluidScene.FindVolumes(simulation)) boxes.Add(FluidScene.ToBox(volume, worldToLocal));
+            foreach (FluidVolume volume in FluidScene.FindVolumes(simulation))
+            {
+                LiquidBox box = FluidScene.ToBox(volume, worldToLocal);
+                if (!AffineMath.IsSingular(box.UnitToSimulation)) boxes.Add(box);
+            }
             using (var collision = new CollisionScene())
             {
                 collision.Gather(FluidScene.Query(simulation));
@@ -40,7 +49,7 @@ namespace SphFluid
             for (int i = 0; i < Iterations && bestMiss > 0; i++)
             {
                 request.Spacing = (float)spacing;
-                long found = FluidSpawner.Count(request);
+                long found = FluidSpawner.Measure(request).Needed;
                 long miss = Math.Abs(found - count);
                 if (miss < bestMiss)
                 {

@@ -16,24 +16,43 @@ namespace SphFluid.Validation
         /// Prepares a play: the flags --method, --surface, --particles and --seed change every simulation of the scene
         /// that is loaded next; --state, --mesh and --record write files when the program quits, and the liquid's part of
         /// timings.csv and summary.json is added in the folder of --out. A wrong flag ends the program with exit code 2.
+        /// In the Unity Editor the scene is given by --scene, its length by --seconds and --fps.
         /// </summary>
         public static void Play()
         {
-            PlayArguments arguments;
             try
             {
-                arguments = PlayArguments.Parse(Environment.GetCommandLineArgs());
+                string[] commandLine = Environment.GetCommandLineArgs();
+                PlayArguments arguments = PlayArguments.Parse(commandLine);
+#if UNITY_EDITOR
+                if (!Application.isPlaying)
+                {
+                    EditorPlay.Enter(commandLine);
+                    return;
+                }
+#endif
+                Prepare(arguments);
             }
             catch (CommandLineException exception)
             {
-                Console.Error.WriteLine(exception.Message);
-                Application.Quit(UsageExitCode);
-                return;
+                Fail(exception.Message);
             }
-            SceneManager.sceneLoaded += Prepare;
-            PlayRecorder.Begin(arguments);
+        }
 
-            void Prepare(Scene scene, LoadSceneMode mode) => PlayOverrides.Apply(arguments, FluidSimulation.Active);
+        internal static void Prepare(PlayArguments arguments)
+        {
+            SceneManager.sceneLoaded += (scene, mode) => PlayOverrides.Apply(arguments, FluidSimulation.Active);
+            PlayRecorder.Begin(arguments);
+        }
+
+        static void Fail(string message)
+        {
+            Console.Error.WriteLine(message);
+#if UNITY_EDITOR
+            UnityEditor.EditorApplication.Exit(UsageExitCode);
+#else
+            Application.Quit(UsageExitCode);
+#endif
         }
     }
 }

@@ -148,7 +148,7 @@ namespace SphFluid.Tests
         {
             SpawnRequest request = Request(0.1f, Box(new Vector3(-0.3f, -0.25f, 0f), new Vector3(0.61f, 1.23f, 0.87f)));
             request.Spacing = ParticleCountFit.Spacing(request, count);
-            long found = FluidSpawner.Count(request);
+            long found = FluidSpawner.Measure(request).Needed;
             Assert.That(found, Is.EqualTo(count).Within(8).Percent);
             Assert.That(found * Math.Pow(request.Spacing, 3), Is.EqualTo(0.61 * 1.23 * 0.87).Within(12).Percent);
         }

@@ -89,6 +89,24 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void MomentumIsKeptWithoutGravityAndWalls()
+        {
+            FluidSolverSettings settings = TestSettings.ByRule(2f * Vector3.one, 0.025f);
+            settings.Gravity = Vector3.zero;
+            FluidParticle[] start = Block();
+            var random = new System.Random(3);
+            for (int i = 0; i < start.Length; i++)
+            {
+                start[i].VelT0 = 2f * ParticleSets.RandomVector(random);
+            }
+
+            FluidParticle[] end = Run(settings, start, 200);
+            Double3 before = Momentum(start, out double size);
+            Double3 drift = Momentum(end, out _) - before;
+            Assert.That(drift.Length, Is.LessThan(1e-5 * size));
+        }
+
+        [Test]
         public void BlockFallsAndSettlesInsideTheDomain()
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.04f);
@@ -134,6 +152,20 @@ namespace SphFluid.Tests
         }
 
         static FluidParticle[] Block() => ParticleSets.Lattice(new Vector3Int(11, 9, 10), 0.025f, 1e-4f, 7);
+
+        // Per unit mass.
+        static Double3 Momentum(FluidParticle[] particles, out double size)
+        {
+            Double3 sum = Double3.Zero;
+            size = 0.0;
+            foreach (FluidParticle p in particles)
+            {
+                sum += p.VelT0;
+                size += p.VelT0.magnitude;
+            }
+
+            return sum;
+        }
 
         FluidParticle[] Run(FluidSolverSettings settings, FluidParticle[] start, int steps)
         {

@@ -69,7 +69,6 @@ namespace SphFluid.Tests
 
         static CollisionCollider Record(ReferenceMesh mesh, List<CollisionTriangle> all)
         {
-            const uint closedBit = 0x80000000u;
             Vector3 min = Vector3.positiveInfinity;
             Vector3 max = Vector3.negativeInfinity;
             int first = all.Count;
@@ -88,7 +87,7 @@ namespace SphFluid.Tests
                 BoundsMin = min,
                 FirstTriangle = (uint)first,
                 BoundsMax = max,
-                TriangleCount = (uint)mesh.Triangles.Count | (mesh.Closed ? closedBit : 0u),
+                TriangleCount = (uint)mesh.Triangles.Count | (mesh.Closed ? CollisionCollider.ClosedBit : 0u),
             };
         }
 

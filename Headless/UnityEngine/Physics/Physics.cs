@@ -1,0 +1,26 @@
+using Headless.Engine;
+
+namespace UnityEngine;
+
+/// <summary>Overlap queries. Colliders are where they were at the last physics step or SyncTransforms, as with Unity's default settings.</summary>
+public partial class Physics
+{
+    public const int IgnoreRaycastLayer = 1 << 2;
+    public const int DefaultRaycastLayers = ~IgnoreRaycastLayer;
+    public const int AllLayers = ~0;
+
+    public static Vector3 gravity { get; set; } = new(0f, -9.81f, 0f);
+    public static bool queriesHitTriggers { get; set; } = true;
+    public static bool queriesHitBackfaces { get; set; }
+    public static bool autoSyncTransforms { get; set; }
+    public static SimulationMode simulationMode { get; set; } = SimulationMode.FixedUpdate;
+    public static float defaultContactOffset { get; set; } = 0.01f;
+    public static PhysicsScene defaultPhysicsScene => new(1);
+
+    public static void SyncTransforms() => PhysicsWorld.Sync();
+
+    /// <summary>Only synchronises colliders: bodies do not move here.</summary>
+    public static void Simulate(float step) => PhysicsWorld.Sync();
+
+    public static Vector3 ClosestPoint(Vector3 point, Collider collider, Vector3 position, Quaternion rotation) => collider.ClosestPointAt(point, position, rotation);
+}

@@ -1,0 +1,57 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Headless.Engine;
+
+/// <summary>Enabled colliders of all scenes, and the queries over them.</summary>
+static class PhysicsWorld
+{
+    static readonly List<Collider> s_Colliders = new();
+
+    public static void Add(Collider collider) => s_Colliders.Add(collider);
+
+    public static void Remove(Collider collider)
+    {
+        int index = s_Colliders.FindIndex(c => ReferenceEquals(c, collider));
+        if (index >= 0) s_Colliders.RemoveAt(index);
+    }
+
+    public static void Clear() => s_Colliders.Clear();
+
+    public static void Sync()
+    {
+        foreach (Collider collider in s_Colliders) collider.SyncPose();
+    }
+
+    public static List<Collider> OverlapBox(Vector3 center, Vector3 halfExtents, Quaternion orientation, int layerMask, QueryTriggerInteraction triggers)
+    {
+        var size = new Vector3(MathF.Abs(halfExtents.x), MathF.Abs(halfExtents.y), MathF.Abs(halfExtents.z));
+        PhysicsBox box = PhysicsBox.Oriented(center, size, Quaternion.Normalize(orientation));
+        return Query(layerMask, triggers, c => c.OverlapsBox(box));
+    }
+
+    public static List<Collider> OverlapSphere(Vector3 center, float radius, int layerMask, QueryTriggerInteraction triggers) =>
+        Query(layerMask, triggers, c => c.OverlapsSphere(center, radius));
+
+    public static int Fill(List<Collider> found, Collider[] results)
+    {
+        int count = Math.Min(found.Count, results.Length);
+        found.CopyTo(0, results, 0, count);
+        return count;
+    }
+
+    static List<Collider> Query(int layerMask, QueryTriggerInteraction triggers, Predicate<Collider> overlaps)
+    {
+        if (Physics.autoSyncTransforms) Sync();
+        bool hitTriggers = triggers == QueryTriggerInteraction.Collide || (triggers == QueryTriggerInteraction.UseGlobal && Physics.queriesHitTriggers);
+        var found = new List<Collider>();
+        foreach (Collider collider in s_Colliders)
+        {
+            if ((layerMask & (1 << collider.gameObject.layer)) == 0) continue;
+            if (collider.isTrigger && !hitTriggers) continue;
+            if (collider.HasShape && overlaps(collider)) found.Add(collider);
+        }
+        return found;
+    }
+}

@@ -1,0 +1,119 @@
+using Headless.Engine;
+
+namespace UnityEngine.Rendering;
+
+public partial class CommandBuffer
+{
+    public void SetRenderTarget(RenderTargetIdentifier rt) => Add(c => SwitchTo(c.Target(rt)));
+
+    public void SetRenderTarget(RenderTargetIdentifier rt, int mipLevel) => SetRenderTarget(rt, mipLevel, CubemapFace.Unknown, 0);
+
+    public void SetRenderTarget(RenderTargetIdentifier rt, int mipLevel, CubemapFace cubemapFace) => SetRenderTarget(rt, mipLevel, cubemapFace, 0);
+
+    public void SetRenderTarget(RenderTargetIdentifier rt, int mipLevel, CubemapFace cubemapFace, int depthSlice) =>
+        SetRenderTarget(new RenderTargetIdentifier(rt, mipLevel, cubemapFace, depthSlice));
+
+    public void SetRenderTarget(RenderTargetIdentifier rt, RenderBufferLoadAction loadAction, RenderBufferStoreAction storeAction) => SetRenderTarget(rt);
+
+    public void SetRenderTarget(
+        RenderTargetIdentifier rt, RenderBufferLoadAction colorLoadAction, RenderBufferStoreAction colorStoreAction,
+        RenderBufferLoadAction depthLoadAction, RenderBufferStoreAction depthStoreAction) => SetRenderTarget(rt);
+
+    public void SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth) => Add(c =>
+    {
+        DrawTarget? colors = c.Target(color);
+        DrawTarget? depths = c.Target(depth);
+        SwitchTo(colors is null ? null : Combine([colors], depths));
+    });
+
+    public void SetRenderTarget(RenderTargetIdentifier[] colors, RenderTargetIdentifier depth)
+    {
+        RenderTargetIdentifier[] copy = [.. colors];
+        Add(c =>
+        {
+            DrawTarget[] targets = [.. copy.Select(id => c.Target(id)).OfType<DrawTarget>()];
+            SwitchTo(targets.Length == 0 ? null : Combine(targets, c.Target(depth)));
+        });
+    }
+
+    public void ClearRenderTarget(bool clearDepth, bool clearColor, Color backgroundColor) =>
+        ClearRenderTarget(clearDepth, clearColor, backgroundColor, 1f);
+
+    public void ClearRenderTarget(bool clearDepth, bool clearColor, Color backgroundColor, float depth) =>
+        Add(_ => TargetState.Clear(clearColor, clearDepth, backgroundColor, 1f - depth));
+
+    public void ClearRenderTarget(RTClearFlags clearFlags, Color backgroundColor, float depth, uint stencil) =>
+        ClearRenderTarget((clearFlags & RTClearFlags.Depth) != 0, (clearFlags & RTClearFlags.Color) != 0, backgroundColor, depth);
+
+    public void SetViewport(Rect pixelRect) => Add(_ => TargetState.SetViewport(pixelRect));
+
+    public void EnableScissorRect(Rect scissor) => Add(_ => TargetState.SetScissor(scissor));
+
+    public void DisableScissorRect() => Add(_ => TargetState.SetScissor(null));
+
+    public void SetInvertCulling(bool invertCulling) => Add(_ => Drawer.InvertCulling = invertCulling);
+
+    public void SetViewMatrix(Matrix4x4 view) => Add(_ => ViewState.Set(view, ViewState.Projection));
+
+    public void SetProjectionMatrix(Matrix4x4 proj) => Add(_ => ViewState.Set(ViewState.View, proj));
+
+    public void SetViewProjectionMatrices(Matrix4x4 view, Matrix4x4 proj) => Add(_ => ViewState.Set(view, proj));
+
+    public void GetTemporaryRT(int nameID, RenderTextureDescriptor desc) => GetTemporaryRT(nameID, desc, FilterMode.Point);
+
+    public void GetTemporaryRT(int nameID, RenderTextureDescriptor desc, FilterMode filter) =>
+        Add(c => c.GetTemporary(nameID, desc, filter));
+
+    public void GetTemporaryRT(int nameID, int width, int height) => GetTemporaryRT(nameID, width, height, 0);
+
+    public void GetTemporaryRT(int nameID, int width, int height, int depthBuffer) =>
+        GetTemporaryRT(nameID, width, height, depthBuffer, FilterMode.Point);
+
+    public void GetTemporaryRT(int nameID, int width, int height, int depthBuffer, FilterMode filter) =>
+        GetTemporaryRT(nameID, width, height, depthBuffer, filter, RenderTextureFormat.Default);
+
+    public void GetTemporaryRT(int nameID, int width, int height, int depthBuffer, FilterMode filter, RenderTextureFormat format) =>
+        GetTemporaryRT(nameID, width, height, depthBuffer, filter, format, RenderTextureReadWrite.Default);
+
+    public void GetTemporaryRT(
+        int nameID, int width, int height, int depthBuffer, FilterMode filter, RenderTextureFormat format, RenderTextureReadWrite readWrite) =>
+        GetTemporaryRT(nameID, width, height, depthBuffer, filter, format, readWrite, 1, false);
+
+    public void GetTemporaryRT(
+        int nameID, int width, int height, int depthBuffer, FilterMode filter, RenderTextureFormat format, RenderTextureReadWrite readWrite,
+        int antiAliasing, bool enableRandomWrite) =>
+
+        // -1 and -2 ask for the camera's size and for fractions of it.
+        Add(c => c.GetTemporary(
+            nameID,
+            new RenderTextureDescriptor(CameraSize(width, ScreenTarget.Width), CameraSize(height, ScreenTarget.Height), format, depthBuffer)
+            {
+                graphicsFormat = TextureFormats.Of(format, readWrite),
+                msaaSamples = antiAliasing,
+                enableRandomWrite = enableRandomWrite,
+            },
+            filter));
+
+    public void ReleaseTemporaryRT(int nameID) => Add(c => c.ReleaseTemporary(nameID));
+
+    private static int CameraSize(int size, int camera) => size < 0 ? camera / -size : size;
+
+    private static void SwitchTo(DrawTarget? target)
+    {
+        if (target is not null)
+        {
+            TargetState.Set(target);
+            ViewState.Apply();
+        }
+    }
+
+    private static DrawTarget Combine(DrawTarget[] colors, DrawTarget? depth) => new()
+    {
+        Colors = [.. colors.SelectMany(t => t.Colors)],
+        Resolves = [.. colors.SelectMany(t => t.Resolves)],
+        Depth = depth?.Depth,
+        MipLevel = colors[0].MipLevel,
+        Slice = colors[0].Slice,
+        Flipped = colors[0].Flipped,
+    };
+}

@@ -1,0 +1,54 @@
+using Headless.Engine;
+
+namespace UnityEngine.Rendering;
+
+public partial class CommandBuffer
+{
+    public void Blit(Texture source, RenderTargetIdentifier dest) => Blit(new RenderTargetIdentifier(source), dest);
+
+    public void Blit(Texture source, RenderTargetIdentifier dest, Vector2 scale, Vector2 offset) =>
+        Blit(new RenderTargetIdentifier(source), dest, scale, offset);
+
+    public void Blit(Texture source, RenderTargetIdentifier dest, Material mat) => Blit(source, dest, mat, -1);
+
+    public void Blit(Texture source, RenderTargetIdentifier dest, Material mat, int pass) => Blit(new RenderTargetIdentifier(source), dest, mat, pass);
+
+    public void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest) => Blit(source, dest, Vector2.one, Vector2.zero);
+
+    public void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest, Vector2 scale, Vector2 offset) =>
+        Add(c => Blitter.Blit(Source(c, source), c.Target(dest), null, -1, scale, offset));
+
+    public void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest, Material mat) => Blit(source, dest, mat, -1);
+
+    public void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest, Material mat, int pass) =>
+        Add(c => Blitter.Blit(Source(c, source), c.Target(dest), mat, pass, Vector2.one, Vector2.zero));
+
+    public void CopyTexture(RenderTargetIdentifier src, RenderTargetIdentifier dst) => Add(c => TextureCopies.Copy(c.Texture(src), c.Texture(dst)));
+
+    public void CopyTexture(RenderTargetIdentifier src, int srcElement, int srcMip, RenderTargetIdentifier dst, int dstElement, int dstMip) =>
+        Add(c => TextureCopies.Copy(c.Texture(src), srcElement, srcMip, c.Texture(dst), dstElement, dstMip));
+
+    public void GenerateMips(RenderTexture rt)
+    {
+        Require(rt);
+        Add(_ => rt.GenerateMips());
+    }
+
+    public void ResolveAntiAliasedSurface(RenderTexture rt, RenderTexture? target = null)
+    {
+        Require(rt);
+        Add(_ =>
+        {
+            // The texture itself is resolved whenever drawing to it ends.
+            if (target != null)
+            {
+                TextureCopies.Copy(rt, target);
+            }
+        });
+    }
+
+    private static Texture? Source(CommandContext context, in RenderTargetIdentifier id) =>
+        id.Builtin is BuiltinRenderTextureType.CameraTarget or BuiltinRenderTextureType.CurrentActive
+            ? BorrowedTexture.Of(context.Target(id))
+            : context.Texture(id);
+}

@@ -1,0 +1,31 @@
+using Headless.Vulkan;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Headless.Engine;
+
+/// <summary>A device texture that belongs to someone else, as a Texture that shaders can read.</summary>
+internal sealed class BorrowedTexture : Texture
+{
+    private readonly GpuTexture texture;
+    private readonly bool bottomFirst;
+
+    public BorrowedTexture(GpuTexture texture, bool bottomFirst)
+    {
+        this.texture = texture;
+        this.bottomFirst = bottomFirst;
+        wrapMode = TextureWrapMode.Clamp;
+    }
+
+    internal override (int Width, int Height) Size => (texture.Description.Width, texture.Description.Height);
+    internal override bool BottomFirst => bottomFirst;
+
+    /// <summary>The color texture of a target, resolved if it is multisampled.</summary>
+    public static BorrowedTexture? Of(DrawTarget? target)
+    {
+        GpuTexture? color = target is null ? null : target.Resolves.FirstOrDefault() ?? target.Colors.FirstOrDefault();
+        return color is null ? null : new BorrowedTexture(color, target!.Flipped) { hideFlags = HideFlags.HideAndDontSave };
+    }
+
+    internal override GpuTexture? DeviceTexture(RenderTextureSubElement element) => texture;
+}

@@ -1,0 +1,66 @@
+using Headless.Vulkan;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Headless.Engine;
+
+/// <summary>All read-backs that are under way or whose data is still valid.</summary>
+internal static class AsyncReadbacks
+{
+    private static readonly List<ReadbackState> States = [];
+
+    public static void StartBuffer(ReadbackState state, DeviceBuffer? buffer, int size, int offset)
+    {
+        States.Add(state);
+        if (buffer is not { IsValid: true } || offset < 0 || size <= 0 || offset + (long)size > buffer.ByteSize)
+        {
+            Debug.LogError(buffer is { IsValid: true }
+                ? $"AsyncGPUReadback: bytes {offset} to {offset + (long)size} are not in buffer '{buffer.Name}' of {buffer.ByteSize} bytes."
+                : "AsyncGPUReadback: the source buffer is null or has been released.");
+            state.Fail();
+            return;
+        }
+
+        state.Width = size;
+        state.Start(GraphicsDevice.Device.RequestRead(buffer.Gpu, offset, size));
+    }
+
+    public static void StartTexture(ReadbackState state, Texture? texture, int mip)
+    {
+        States.Add(state);
+        GpuTexture? gpu = texture == null ? null : texture.DeviceTexture(RenderTextureSubElement.Default);
+        if (gpu is null || mip < 0 || mip >= gpu.Description.MipLevels)
+        {
+            Debug.LogError(gpu is null
+                ? "AsyncGPUReadback: the source texture is null or has been destroyed."
+                : $"AsyncGPUReadback: texture '{texture!.name}' has {gpu.Description.MipLevels} mip levels; there is no level {mip}.");
+            state.Fail();
+            return;
+        }
+
+        (state.Width, state.Height, state.Depth) = gpu.MipSize(mip);
+        state.Start(GraphicsDevice.Device.RequestRead(gpu, mip));
+    }
+
+    /// <summary>Once a frame: finishes what has arrived and forgets what is over.</summary>
+    public static void Update()
+    {
+        foreach (ReadbackState state in States.ToArray())
+        {
+            state.Age();
+            state.Poll();
+        }
+
+        States.RemoveAll(s => s.Expired);
+    }
+
+    public static void WaitAll()
+    {
+        foreach (ReadbackState state in States.ToArray())
+        {
+            state.Wait();
+        }
+    }
+
+    public static void Reset() => States.Clear();
+}

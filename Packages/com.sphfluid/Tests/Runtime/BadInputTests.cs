@@ -1,0 +1,230 @@
+using System.Collections;
+using System.Linq;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Each wrong input is one message that names the object and the cure; nothing crashes, nothing is skipped in silence.</summary>
+    public sealed class BadInputTests
+    {
+        SimulationRig rig;
+
+        [SetUp]
+        public void SetUp() => rig = new SimulationRig();
+
+        [TearDown]
+        public void TearDown() => rig.Dispose();
+
+        [UnityTest]
+        public IEnumerator MissingProfile()
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.Profile = null;
+            LogAssert.Expect(LogType.Error, new Regex(@"\[SPH Fluid\] 'Fluid': No profile is assigned\. Assign a Fluid Profile"));
+            yield return null;
+            yield return null;
+            yield return null;
+            Assert.That(simulation.IsRunning, Is.False);
+            simulation.Profile = rig.Profile;
+            yield return null;
+            yield return null;
+            Assert.That(simulation.IsRunning, simulation.StatusMessage);
+        }
+
+        [Test]
+        public void MissingShaders()
+        {
+            rig.Profile.Shaders = null;
+            Fails(rig.Create(), FluidIssue.ShadersMissing, "'Test Water': The profile has no shader set");
+
+            var set = ScriptableObject.CreateInstance<FluidShaderSet>();
+            set.name = "Half Set";
+            rig.Profile.Shaders = set;
+            Fails(rig.Create(), FluidIssue.ShadersMissing, "'Half Set': The shader set lacks .*bitonicSort");
+            Object.DestroyImmediate(set);
+        }
+
+        [TestCase(0f)]
+        [TestCase(-1f)]
+        [TestCase(float.NaN)]
+        [TestCase(float.PositiveInfinity)]
+        public void WrongDomainSize(float value)
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.DomainSize = new Vector3(0.4f, value, 0.4f);
+            Fails(simulation, FluidIssue.DomainSizeInvalid, "'Fluid': The domain size is .*greater than zero");
+        }
+
+        [TestCase(0f, "The particle spacing is 0 m.*greater than zero")]
+        [TestCase(-0.1f, "The particle spacing is")]
+        [TestCase(float.NaN, "The particle spacing is")]
+        [TestCase(0.3f, "less than two particles of 0\\.3 m wide.*smaller Particle Spacing")]
+        public void WrongSpacing(float value, string expected)
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.Spacing = value;
+            Fails(simulation, FluidIssue.SpacingInvalid, "'Fluid': .*" + expected);
+        }
+
+        [Test]
+        public void WrongTimeStepAndGravity()
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.TimeStepMode = FluidTimeStepMode.Fixed;
+            simulation.FixedTimeStep = 0f;
+            Fails(simulation, FluidIssue.TimeStepInvalid, "'Fluid': The fixed time step is 0 s.*Automatic");
+            simulation.TimeStepMode = FluidTimeStepMode.Automatic;
+            simulation.UseSceneGravity = false;
+            simulation.Gravity = new Vector3(0f, float.NaN, 0f);
+            Fails(simulation, FluidIssue.GravityInvalid, "'Fluid': Gravity is not a finite number");
+        }
+
+        [Test]
+        public void UnstableTimeStepIsAWarningWithTheLimit()
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.TimeStepMode = FluidTimeStepMode.Fixed;
+            simulation.FixedTimeStep = 0.1f;
+            FluidMessage message = simulation.Validate().Single();
+            Assert.That(message.Issue, Is.EqualTo(FluidIssue.TimeStepInvalid));
+            Assert.That(message.Severity, Is.EqualTo(FluidSeverity.Warning));
+            Assert.That(message.Text, Does.Contain("100 ms").And.Contain("stability limit"));
+        }
+
+        [Test]
+        public void DomainWithoutLiquid() =>
+            Fails(rig.Create(liquid: false), FluidIssue.NoLiquid, "'Fluid': The domain holds no liquid.*Fluid Volume");
+
+        [TestCase(0f)]
+        [TestCase(-0.2f)]
+        [TestCase(float.NaN)]
+        public void WrongVolumeSize(float value)
+        {
+            FluidSimulation simulation = rig.Create(liquid: false);
+            rig.AddVolume(simulation).Size = new Vector3(0.2f, value, 0.2f);
+            Fails(simulation, FluidIssue.VolumeSizeInvalid, "'Liquid': The liquid volume's size is .*greater than zero");
+        }
+
+        [Test]
+        public void VolumeTooSmallForAParticle()
+        {
+            FluidSimulation simulation = rig.Create();
+            FluidVolume speck = rig.AddVolume(simulation, "Speck");
+            speck.Size = new Vector3(0.001f, 0.001f, 0.001f);
+            speck.transform.localPosition = new Vector3(0.125f, 0.15f, 0.15f);
+            Fails(simulation, FluidIssue.VolumeSizeInvalid, "'Speck': .*too small to hold a particle");
+        }
+
+        [Test]
+        public void LiquidOutsideTheDomain()
+        {
+            FluidSimulation simulation = rig.Create();
+            FluidVolume volume = simulation.GetComponentInChildren<FluidVolume>();
+            volume.transform.localPosition = new Vector3(1f, 0f, 0f);
+            Fails(simulation, FluidIssue.VolumeOutsideDomain, "'Liquid': The liquid volume lies outside the domain of 'Fluid'.*Domain Size");
+        }
+
+        [Test]
+        public void LiquidPartlyOutsideTheDomainRunsWithAWarning()
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.GetComponentInChildren<FluidVolume>().transform.localPosition = new Vector3(0.2f, 0f, 0f);
+            LogAssert.Expect(LogType.Warning, new Regex(@"\[SPH Fluid\] 'Liquid': 50 % of the liquid volume lies outside"));
+            Assert.That(simulation.StartSimulation(), simulation.StatusMessage);
+            Assert.That(simulation.ParticleCount, Is.EqualTo(32));
+        }
+
+        [Test]
+        public void LiquidInsideAColliderIsCarvedAndCounted()
+        {
+            FluidSimulation simulation = rig.Create();
+            BoxCollider box = rig.NewObject("Crate").AddComponent<BoxCollider>();
+            box.size = new Vector3(0.2f, 0.4f, 0.4f);
+            box.transform.position = new Vector3(0.1f, 0f, 0f);
+            LogAssert.Expect(LogType.Warning, new Regex(@"\[SPH Fluid\] 'Liquid': 32 of 64 particles would start inside colliders.*'Crate'"));
+            Assert.That(simulation.StartSimulation(), simulation.StatusMessage);
+            Assert.That(simulation.ParticleCount, Is.EqualTo(32));
+
+            box.size = new Vector3(1f, 1f, 1f);
+            Fails(simulation, FluidIssue.VolumeInsideCollider, "'Liquid': The liquid volume lies wholly inside colliders.*'Crate'.*Collider Layers");
+        }
+
+        [Test]
+        public void OverlappingVolumesAreFilledOnceAndToldAsInformation()
+        {
+            FluidSimulation simulation = rig.Create();
+            rig.AddVolume(simulation, "Again").transform.localPosition = new Vector3(0.1f, 0f, 0f);
+            Assert.That(simulation.StartSimulation(), simulation.StatusMessage);
+            Assert.That(simulation.ParticleCount, Is.EqualTo(96));
+            Assert.That(simulation.Messages.Single().Issue, Is.EqualTo(FluidIssue.VolumesOverlap));
+            Assert.That(simulation.Messages.Single().Severity, Is.EqualTo(FluidSeverity.Info));
+        }
+
+        [Test]
+        public void MoreParticlesThanTheCap()
+        {
+            rig.Profile.MaxParticles = 60;
+            Fails(rig.Create(), FluidIssue.TooManyParticles, @"'Fluid': The liquid needs 64 particles at a spacing of 0\.05 m, but the profile 'Test Water' allows 60.*Particle Spacing of 0\.05\d* m or more");
+        }
+
+        [Test]
+        public void ScaledSimulation()
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.transform.localScale = new Vector3(1f, 2f, 1f);
+            Fails(simulation, FluidIssue.TransformScaled, "'Fluid': The transform's scale is 1 × 2 × 1.*Domain Size");
+            simulation.transform.localScale = Vector3.one;
+            simulation.transform.rotation = Quaternion.Euler(10f, 20f, 30f);
+            Assert.That(simulation.StartSimulation(), simulation.StatusMessage);
+        }
+
+        [Test]
+        public void MeshesThatCannotServe()
+        {
+            FluidSimulation simulation = rig.Create();
+            rig.NewObject("Bare Rock").AddComponent<MeshCollider>();
+            LogAssert.Expect(LogType.Warning, new Regex(@"\[SPH Fluid\] 'Bare Rock': The Mesh Collider has no mesh.*Assign a mesh"));
+            Assert.That(simulation.StartSimulation(), simulation.StatusMessage);
+            Assert.That(simulation.Messages.Single().Issue, Is.EqualTo(FluidIssue.MeshEmpty));
+        }
+
+        [Test]
+        public void FlattenedCollider()
+        {
+            FluidSimulation simulation = rig.Create();
+            BoxCollider box = rig.NewObject("Flat").AddComponent<BoxCollider>();
+            box.transform.localScale = new Vector3(0.1f, 0f, 0.1f);
+            var messages = simulation.Validate();
+            if (messages.Count == 0) Assert.Ignore("The physics scene does not return a collider of no height.");
+            Assert.That(messages.Single().Issue, Is.EqualTo(FluidIssue.ColliderTransformSingular));
+            Assert.That(messages.Single().ToString(), Does.StartWith("[SPH Fluid] 'Flat'"));
+        }
+
+        [Test]
+        public void VolumeBetweenTwoSimulationsBelongsToTheOneThatHoldsIt()
+        {
+            FluidSimulation left = rig.Create("Left", liquid: false), right = rig.Create("Right", position: new Vector3(3f, 0f, 0f));
+            FluidVolume loose = rig.NewObject("Loose").AddComponent<FluidVolume>();
+            loose.Size = new Vector3(0.1f, 0.1f, 0.1f);
+            Assert.That(FluidScene.FindVolumes(left), Is.EqualTo(new[] { loose }));
+            loose.transform.position = new Vector3(3f, 0f, 0f);
+            Assert.That(FluidScene.FindVolumes(left), Is.Empty);
+            Assert.That(FluidScene.FindVolumes(right), Has.Member(loose));
+            loose.Simulation = left;
+            Assert.That(FluidScene.FindVolumes(left), Is.EqualTo(new[] { loose }));
+        }
+
+        static void Fails(FluidSimulation simulation, FluidIssue issue, string pattern)
+        {
+            LogAssert.Expect(LogType.Error, new Regex(@"\[SPH Fluid\] " + pattern));
+            Assert.That(simulation.StartSimulation(), Is.False);
+            Assert.That(simulation.Messages[0].Issue, Is.EqualTo(issue));
+            Assert.That(simulation.Messages[0].Cure, Is.Not.Empty);
+            Assert.That(simulation.GpuBytes, Is.Zero);
+            simulation.StopSimulation();
+        }
+    }
+}

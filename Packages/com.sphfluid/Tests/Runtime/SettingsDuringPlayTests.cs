@@ -1,0 +1,134 @@
+using System.Collections;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Changed settings take effect: at once where the liquid can go on, else by a new start.</summary>
+    public sealed class SettingsDuringPlayTests
+    {
+        SimulationRig rig;
+        FluidSimulation simulation;
+
+        [SetUp]
+        public void SetUp()
+        {
+            rig = new SimulationRig();
+            simulation = rig.Create();
+            Assert.That(simulation.StartSimulation(), simulation.StatusMessage);
+        }
+
+        [TearDown]
+        public void TearDown() => rig.Dispose();
+
+        [UnityTest]
+        public IEnumerator GravityTimeStepAndProfileConstantsGoOn()
+        {
+            yield return null;
+            yield return null;
+            FluidSolver solver = simulation.Solver;
+            long steps = simulation.StepCount;
+            simulation.UseSceneGravity = false;
+            simulation.Gravity = new Vector3(0f, 3f, 0f);
+            simulation.TimeStepMode = FluidTimeStepMode.Fixed;
+            simulation.FixedTimeStep = 0.0001f;
+            simulation.Profile.RestDensity = 800f;
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Solver, Is.SameAs(solver));
+            Assert.That(simulation.StepCount, Is.GreaterThan(steps));
+            Assert.That(simulation.TimeStep, Is.EqualTo(0.0001f));
+            Assert.That(solver.Settings.Gravity.y, Is.EqualTo(3f).Within(1e-5f));
+            Assert.That(solver.Settings.RestDensity, Is.EqualTo(800f));
+        }
+
+        [UnityTest]
+        public IEnumerator TurningTheDomainTurnsGravity()
+        {
+            simulation.transform.rotation = Quaternion.Euler(0f, 0f, 90f);
+            yield return null;
+            yield return null;
+            Vector3 gravity = simulation.Solver.Settings.Gravity;
+            Assert.That((gravity - new Vector3(Physics.gravity.y, 0f, 0f)).magnitude, Is.LessThan(1e-3f), gravity.ToString());
+        }
+
+        [UnityTest]
+        public IEnumerator SpacingDomainAndProfileStartAgain()
+        {
+            yield return null;
+            FluidSolver solver = simulation.Solver;
+            GraphicsBuffer buffer = solver.Particles;
+            simulation.Spacing = 0.04f;
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Solver, Is.Not.SameAs(solver));
+            Assert.That(buffer.IsValid(), Is.False);
+            Assert.That(simulation.ParticleCount, Is.EqualTo(125));
+
+            solver = simulation.Solver;
+            simulation.DomainSize = new Vector3(0.5f, 0.5f, 0.5f);
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Solver, Is.Not.SameAs(solver));
+
+            solver = simulation.Solver;
+            simulation.Profile = Object.Instantiate(rig.Profile);
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Solver, Is.Not.SameAs(solver));
+            Object.DestroyImmediate(simulation.Profile);
+        }
+
+        [UnityTest]
+        public IEnumerator AWrongSettingIsToldOnceAndTheRightOneStartsAgain()
+        {
+            yield return null;
+            simulation.DomainSize = new Vector3(0.4f, -1f, 0.4f);
+            LogAssert.Expect(LogType.Error, new Regex(@"\[SPH Fluid\] 'Fluid': The domain size is"));
+            for (int frame = 0; frame < 4; frame++) yield return null;
+            Assert.That(simulation.IsRunning, Is.False);
+            simulation.DomainSize = new Vector3(0.4f, 0.4f, 0.4f);
+            yield return null;
+            yield return null;
+            Assert.That(simulation.IsRunning, simulation.StatusMessage);
+        }
+
+        [UnityTest]
+        public IEnumerator ColliderThatMovesInIsCollidedWith()
+        {
+            yield return null;
+            BoxCollider box = rig.NewObject("Late Box").AddComponent<BoxCollider>();
+            box.size = new Vector3(0.1f, 0.1f, 0.1f);
+            box.transform.position = new Vector3(0f, -0.15f, 0f);
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Collision.Colliders.Count, Is.EqualTo(1));
+            box.transform.position = new Vector3(0.1f, -0.15f, 0f);
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Collision.Colliders[0].BoundsMin.x, Is.EqualTo(0.05f).Within(1e-4f));
+            Object.DestroyImmediate(box.gameObject);
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Collision.Colliders, Is.Empty);
+        }
+
+        [UnityTest]
+        public IEnumerator SubstepCapSlowsTimeAndSaysSoOnce()
+        {
+            yield return null;
+            simulation.MaxSubstepsPerFrame = 1;
+            LogAssert.Expect(LogType.Warning, new Regex(@"\[SPH Fluid\] 'Fluid': A frame of 10 ms needs \d+ steps of .* at most 1 are allowed.*Max Substeps Per Frame"));
+            double before = simulation.SimulatedTime;
+            int reported = 0;
+            simulation.Reported += message => reported += message.Issue == FluidIssue.SubstepCap ? 1 : 0;
+            for (int frame = 0; frame < 12; frame++) yield return null;
+            Assert.That(simulation.SimulatedTime - before, Is.LessThan(0.09));
+            Assert.That(simulation.CapHits, Is.GreaterThanOrEqualTo(10));
+            Assert.That(simulation.RealTimeFactor, Is.LessThan(0.9));
+            Assert.That(reported, Is.EqualTo(1));
+        }
+    }
+}
