@@ -8,6 +8,7 @@ internal static class SceneSettings
 {
     public static void Apply(NativeFields f)
     {
+        RenderSettings.Reset();
         RenderSettings.ambientMode = (AmbientMode)f.Int("m_AmbientMode");
         RenderSettings.ambientSkyColor = f.Color("m_AmbientSkyColor", new Color(0.212f, 0.227f, 0.259f));
         RenderSettings.ambientEquatorColor = f.Color("m_AmbientEquatorColor", new Color(0.114f, 0.125f, 0.133f));

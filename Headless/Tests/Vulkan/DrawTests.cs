@@ -209,6 +209,56 @@ public sealed class DrawTests : DrawFixture
     }
 
     [Test]
+    public void MoreDrawsThanACommandBufferHoldsAllArrive()
+    {
+        using GpuTexture sum = Target(GpuFormat.R32Float, "sum");
+        RenderPipelineDescription additive = new()
+        {
+            Stages = Corner.Stages,
+            ColorFormats = [GpuFormat.R32Float],
+            DepthCompare = GpuCompare.Always,
+            DepthWrite = false,
+            Blend = [new BlendState { TargetColor = GpuBlend.One }],
+        };
+        ResourceBindings bindings = Bind(new Vector4(1, 0, 0, 1));
+        GpuRenderPipeline pipeline = Device.GetRenderPipeline(additive);
+        Recorder.BeginRendering(new RenderTargets { Colors = [new ColorTarget(sum) { Load = TargetLoad.Clear }] });
+        for (int i = 0; i < 5000; i++)
+        {
+            Recorder.Draw(pipeline, bindings, 3);
+        }
+
+        Recorder.EndRendering();
+        Assert.That(MemoryMarshal.Cast<byte, float>(Device.ReadTexture(sum))[Size + 1], Is.EqualTo(5000f));
+    }
+
+    [Test]
+    public void AFragmentMayWriteABufferThatTheNextDrawReads()
+    {
+        ShaderBinary count = TestShader.Stage(ShaderStage.Fragment, "Count", """
+            [[vk::binding(0, 2)]] RWStructuredBuffer<uint> _Counter;
+            float4 Count() : SV_Target
+            {
+                uint old;
+                InterlockedAdd(_Counter[0], 1, old);
+                return 0;
+            }
+            """, TestShader.Write(0, "_Counter"));
+        using GpuBuffer counter = StorageBuffer(4, "counter");
+        ResourceBindings bindings = new();
+        bindings.SetBuffer(2, 0, counter);
+        GpuRenderPipeline pipeline = Device.GetRenderPipeline(Pipeline(DrawShaders.FullScreen, count));
+        BeginCleared();
+        for (int i = 0; i < 3; i++)
+        {
+            Recorder.Draw(pipeline, bindings, 3);
+        }
+
+        Recorder.EndRendering();
+        Assert.That(Read<uint>(counter)[0], Is.EqualTo(3u * Size * Size));
+    }
+
+    [Test]
     public void ADrawForOtherTargetsIsNamed()
     {
         RenderPipelineDescription other = new() { Stages = Corner.Stages, ColorFormats = [GpuFormat.R16G16B16A16Float], Name = "Other" };

@@ -41,8 +41,8 @@ public sealed class GpuDevice : IDisposable
     /// <summary>Records work.</summary>
     public CommandRecorder Recorder { get; }
 
-    /// <summary>All Vulkan devices of this machine; empty when there is a loader but no driver.</summary>
-    /// <exception cref="GpuException">There is no Vulkan loader.</exception>
+    /// <summary>All Vulkan devices of this machine.</summary>
+    /// <exception cref="GpuException">There is no Vulkan loader or no driver; the message says what to install.</exception>
     public static IReadOnlyList<AdapterInfo> Enumerate()
     {
         using VulkanInstance instance = new(validate: false, synchronization: false);

@@ -21,7 +21,7 @@ internal static class ResultCheck
             VkResult.ErrorOutOfDeviceMemory => "the device's memory is full: use fewer or smaller buffers and textures",
             VkResult.ErrorOutOfHostMemory => "the machine's memory is full",
             VkResult.ErrorDeviceLost => "the device was lost: a shader ran too long or wrote out of bounds, or the driver failed",
-            VkResult.ErrorIncompatibleDriver => "no driver can be used: check the Vulkan driver's installation",
+            VkResult.ErrorIncompatibleDriver => "no Vulkan driver is installed; on Debian: apt install mesa-vulkan-drivers",
             VkResult.ErrorInitializationFailed => "the driver failed to start",
             _ => "the driver refused",
         };

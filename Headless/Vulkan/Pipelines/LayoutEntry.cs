@@ -3,10 +3,14 @@ using Headless.Vulkan.Native;
 
 namespace Headless.Vulkan;
 
-/// <summary>One binding of a stage's descriptor set; Words is its length in a set's content.</summary>
+/// <summary>One binding of a stage's descriptor set.</summary>
 internal sealed record LayoutEntry(ShaderResource Resource, VkDescriptorType Type, bool Writes, VkImageViewType ViewType)
 {
     public int Binding => Resource.Binding;
+
+    /// <summary>Whether the format that the shader names for a RWTexture is the texture's; other kinds name none.</summary>
+    public bool FitsFormat(GpuTexture texture) =>
+        Type != VkDescriptorType.StorageImage || Resource.Format == ImageFormat.Unknown || Resource.Format == texture.Info.Image;
 
     public static LayoutEntry From(ShaderResource resource, string shader)
     {

@@ -44,13 +44,19 @@ internal sealed class PipelineLibrary : IDisposable
     /// <summary>The kernel for the formats of the RW textures that are bound: SPIR-V names a format, HLSL does not.</summary>
     public GpuComputePipeline FitImageFormats(GpuComputePipeline pipeline, ResourceBindings bindings)
     {
-        Dictionary<int, ImageFormat> formats = [];
+        Dictionary<int, ImageFormat>? formats = null;
         foreach (LayoutEntry entry in pipeline.Stages[0].Entries)
         {
-            if (entry.Type == Native.VkDescriptorType.StorageImage && bindings.Slot(0, entry.Binding).Resource is GpuTexture texture)
+            if (bindings.Slot(0, entry.Binding).Resource is GpuTexture texture && !entry.FitsFormat(texture))
             {
-                formats[entry.Binding] = FormatTable.ImageFormat(texture.Description.Format);
+                formats ??= [];
+                formats[entry.Binding] = texture.Info.Image;
             }
+        }
+
+        if (formats is null)
+        {
+            return pipeline;
         }
 
         string key = $"{pipeline.Shader.Hash} {pipeline.Shader.EntryPoint} {string.Join(',', formats)}";

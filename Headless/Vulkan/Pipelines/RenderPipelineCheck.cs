@@ -33,6 +33,12 @@ internal static class RenderPipelineCheck
             throw new GpuException($"Shader '{name}' wants depth clamping or wireframe, which device '{device}' lacks.");
         }
 
+        int constants = d.Stages.Sum(stage => stage.Resources.Count(resource => resource.Kind == ResourceKind.ConstantBuffer));
+        if (constants > context.Limits.MaxUniformBuffersPerPipeline)
+        {
+            throw new GpuException($"Shader '{name}' binds {constants} constant buffers; device '{device}' has {context.Limits.MaxUniformBuffersPerPipeline}.");
+        }
+
         CheckWrites(context, d, name);
         CheckInputs(d, name);
     }

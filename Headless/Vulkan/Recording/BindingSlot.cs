@@ -1,14 +1,5 @@
 namespace Headless.Vulkan;
 
-internal enum BindingKind : byte
-{
-    Empty,
-    Buffer,
-    Texture,
-    Sampler,
-    Uniform,
-}
-
 /// <summary>One binding; Offset and Size are a buffer's range or the place of constant data in the owner's bytes.</summary>
 internal struct BindingSlot
 {

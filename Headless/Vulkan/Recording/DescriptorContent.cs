@@ -131,6 +131,12 @@ internal sealed class DescriptorContent(DeviceContext context)
         GpuTexture texture = (GpuTexture)slot.Resource!;
         bool storage = entry.Type == VkDescriptorType.StorageImage;
         texture.Require(storage ? TextureUse.Storage : TextureUse.Sampled, entry.ViewType, pipeline.Name, entry.Resource.Name);
+        if (!entry.FitsFormat(texture))
+        {
+            throw new GpuException(
+                $"'{pipeline.Name}': '{entry.Resource.Name}' was compiled for texels of {entry.Resource.Format}; '{texture.Name}' is {texture.Description.Format}.");
+        }
+
         VkImageLayout imageLayout = storage ? VkImageLayout.General : VkImageLayout.ShaderReadOnlyOptimal;
         hazards.Use(texture, imageLayout, storage, layout.Stages);
         int mips = storage ? 1 : texture.Description.MipLevels;

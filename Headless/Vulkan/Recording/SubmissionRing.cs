@@ -84,12 +84,7 @@ internal sealed class SubmissionRing : IDisposable
 
     public void Dispose()
     {
-        if (!Current.IsEmpty)
-        {
-            SubmitCurrent();
-        }
-
-        Poll(wait: true);
+        Finish();
         foreach (Submission submission in submissions)
         {
             submission.Dispose();
@@ -98,6 +93,23 @@ internal sealed class SubmissionRing : IDisposable
         uploads.Dispose();
         downloads.Dispose();
         context.Memory.Reclaim = null;
+    }
+
+    /// <summary>A lost device has nothing to wait for, and its first error is the one to report.</summary>
+    private void Finish()
+    {
+        try
+        {
+            if (!Current.IsEmpty)
+            {
+                SubmitCurrent();
+            }
+
+            Poll(wait: true);
+        }
+        catch (GpuException)
+        {
+        }
     }
 
     private Submission At(ulong ticket) => submissions[ticket % Length];

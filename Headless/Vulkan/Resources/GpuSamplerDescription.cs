@@ -1,34 +1,5 @@
 namespace Headless.Vulkan;
 
-/// <summary>How texels between centres are read.</summary>
-public enum GpuFilter
-{
-    /// <summary>The nearest texel of the nearest mip.</summary>
-    Point,
-
-    /// <summary>Linear in a mip, nearest mip (Unity's Bilinear).</summary>
-    Bilinear,
-
-    /// <summary>Linear in and between mips.</summary>
-    Trilinear,
-}
-
-/// <summary>What lies outside 0 to 1.</summary>
-public enum GpuWrap
-{
-    /// <summary>Repeats.</summary>
-    Repeat,
-
-    /// <summary>The edge texel.</summary>
-    Clamp,
-
-    /// <summary>Mirrored repeats.</summary>
-    Mirror,
-
-    /// <summary>Mirrored once, then the edge texel.</summary>
-    MirrorOnce,
-}
-
 /// <summary>Content of a sampler; equal descriptions share one sampler.</summary>
 public sealed record GpuSamplerDescription
 {

@@ -1,35 +1,5 @@
 namespace Headless.Vulkan;
 
-/// <summary>Shape of a texture.</summary>
-public enum GpuTextureDimension
-{
-    /// <summary>Width x height.</summary>
-    Texture2D,
-
-    /// <summary>Width x height x depth.</summary>
-    Texture3D,
-
-    /// <summary>Six square layers: +X, -X, +Y, -Y, +Z, -Z.</summary>
-    Cube,
-
-    /// <summary>Layers of width x height.</summary>
-    Texture2DArray,
-}
-
-/// <summary>What a texture may be bound as; copying to and from it is always allowed for one sample.</summary>
-[Flags]
-public enum TextureUse
-{
-    /// <summary>Texture2D, Texture3D, ... in shaders.</summary>
-    Sampled = 1,
-
-    /// <summary>RWTexture2D, RWTexture3D in shaders.</summary>
-    Storage = 2,
-
-    /// <summary>Color or, by format, depth target.</summary>
-    RenderTarget = 4,
-}
-
 /// <summary>Size, format and use of a texture; texels.</summary>
 public sealed record GpuTextureDescription
 {

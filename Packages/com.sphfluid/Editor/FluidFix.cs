@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using UnityEditor;
 using UnityEngine;
 using Object = UnityEngine.Object;
@@ -48,8 +49,7 @@ namespace SphFluid.Editor
                 case FluidIssue.NoLiquid:
                     return new FluidFix("Add Liquid", () => FluidMenu.AddVolume(simulation));
                 case FluidIssue.TooManyParticles when simulation.Profile != null:
-                    return Change(simulation, "Coarsen Spacing",
-                        () => simulation.Spacing = 1.01f * simulation.SpacingForParticleCount(simulation.Profile.MaxParticles));
+                    return Change(simulation, "Coarsen Spacing", () => Coarsen(simulation));
                 case FluidIssue.VolumeSizeInvalid when context is FluidVolume volume && !(Smallest(volume.Size) > 0f):
                     return Change(volume, "Make Positive", () => volume.Size = Positive(volume.Size));
                 case FluidIssue.MeshNotReadable when context is MeshCollider collider:
@@ -84,6 +84,13 @@ namespace SphFluid.Editor
                 importer.isReadable = true;
                 importer.SaveAndReimport();
             });
+        }
+
+        // Layers come and go whole, so the fitted spacing may still be a few particles above the cap.
+        static void Coarsen(FluidSimulation simulation)
+        {
+            simulation.Spacing = simulation.SpacingForParticleCount(simulation.Profile.MaxParticles);
+            for (int i = 0; i < 50 && simulation.Validate().Any(m => m.Issue == FluidIssue.TooManyParticles); i++) simulation.Spacing *= 1.01f;
         }
 
         static float FittingSpacing(FluidSimulation simulation)

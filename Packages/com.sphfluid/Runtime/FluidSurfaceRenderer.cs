@@ -28,7 +28,7 @@ namespace SphFluid
         Material material;
 
         [SerializeField, Tooltip("Colour of the liquid, if no material is given.")]
-        Color colour = new Color(0.08f, 0.36f, 0.62f);
+        Color colour = new Color(0.06f, 0.4f, 0.66f);
 
         [SerializeField, Range(0f, 1f), Tooltip("Smoothness of the surface, if no material is given: how small and bright its highlights are.")]
         float smoothness = 0.75f;

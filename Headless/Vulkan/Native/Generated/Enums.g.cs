@@ -1114,7 +1114,6 @@ internal enum VkStructureType : int
     CommandBufferBeginInfo = 42,
     PhysicalDeviceFeatures2 = 1000059000,
     PhysicalDeviceProperties2 = 1000059001,
-    PhysicalDeviceVulkan11Features = 49,
     PhysicalDeviceVulkan11Properties = 50,
     PhysicalDeviceVulkan12Features = 51,
     PhysicalDeviceVulkan12Properties = 52,

@@ -839,26 +839,6 @@ internal unsafe struct VkPhysicalDeviceSparseProperties
     public uint residencyNonResidentStrict;
 }
 
-internal unsafe struct VkPhysicalDeviceVulkan11Features
-{
-    public VkStructureType sType;
-    public void* pNext;
-    public uint storageBuffer16BitAccess;
-    public uint uniformAndStorageBuffer16BitAccess;
-    public uint storagePushConstant16;
-    public uint storageInputOutput16;
-    public uint multiview;
-    public uint multiviewGeometryShader;
-    public uint multiviewTessellationShader;
-    public uint variablePointersStorageBuffer;
-    public uint variablePointers;
-    public uint protectedMemory;
-    public uint samplerYcbcrConversion;
-    public uint shaderDrawParameters;
-
-    public VkPhysicalDeviceVulkan11Features() => sType = VkStructureType.PhysicalDeviceVulkan11Features;
-}
-
 internal unsafe struct VkPhysicalDeviceVulkan11Properties
 {
     public VkStructureType sType;

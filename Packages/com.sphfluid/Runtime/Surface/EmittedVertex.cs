@@ -13,7 +13,7 @@ namespace SphFluid
         /// <summary>Position [m], simulation space.</summary>
         public Vector3 Position;
 
-        /// <summary>Name of the grid edge it lies on: 3 * (index of the edge's lower grid vertex) + axis.</summary>
+        /// <summary>Name of the grid edge it lies on, the same in all cubes around that edge.</summary>
         public uint Edge;
 
         /// <summary>Unit normal out of the liquid.</summary>

@@ -70,7 +70,7 @@ namespace SphFluid
         public void Draw(SurfaceField field, Material ownMaterial, in DrawPlacement placement)
         {
             RenderParams parameters = placement.Parameters(ownMaterial != null ? ownMaterial : material, properties);
-            Graphics.RenderPrimitives(parameters, MeshTopology.Points, field.Grid.CellCount);
+            Graphics.RenderPrimitives(parameters, MeshTopology.Points, field.Grid.CubeCount);
         }
 
         public void Dispose()

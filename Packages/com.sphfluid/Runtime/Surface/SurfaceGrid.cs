@@ -9,7 +9,7 @@ namespace SphFluid
     /// </summary>
     public readonly struct SurfaceGrid : IEquatable<SurfaceGrid>
     {
-        /// <summary>Most cells a side: the names of the grid edges, 3 x 1025^3 of them, still fit into 32 bits.</summary>
+        /// <summary>Most cells a side: the names of the grid edges, 3 x 1027^3 of them, still fit into 32 bits.</summary>
         public const int MaximumCells = 1024;
 
         /// <summary>A grid over a box.</summary>
@@ -46,8 +46,11 @@ namespace SphFluid
         /// <summary>Number of grid vertices.</summary>
         public int VertexCount => VerticesPerSide * VerticesPerSide * VerticesPerSide;
 
-        /// <summary>Number of cells, the cubes of marching cubes.</summary>
-        public int CellCount => Cells * Cells * Cells;
+        /// <summary>Cubes of marching cubes a side: the cells, and a thin ring around them that closes the mesh at the walls.</summary>
+        public int CubesPerSide => Cells + 2;
+
+        /// <summary>Number of cubes of marching cubes.</summary>
+        public int CubeCount => CubesPerSide * CubesPerSide * CubesPerSide;
 
         /// <summary>The grid over the domain of a simulation, which is centred on the origin of simulation space.</summary>
         /// <param name="domainSize">Edges of the domain [m].</param>

@@ -105,7 +105,8 @@ namespace SphFluid
                     kernel.SetBuffer(cmd, SurfaceShaderIds.SurfaceVertices, vertices);
                     kernel.SetInt(cmd, SurfaceShaderIds.SurfaceVertexCapacity, VertexCapacity);
                 }
-                kernel.DispatchThreads(cmd, field.Grid.Cells, field.Grid.Cells, field.Grid.Cells);
+                int side = field.Grid.CubesPerSide;
+                kernel.DispatchThreads(cmd, side, side, side);
                 cmd.EndSample(marker);
                 Graphics.ExecuteCommandBuffer(cmd);
             }

@@ -4,7 +4,7 @@ Shader "SPH Fluid/Surface (Geometry Shader)"
 {
     Properties
     {
-        _Color ("Colour of the liquid", Color) = (0.08, 0.36, 0.62, 1)
+        _Color ("Colour of the liquid", Color) = (0.06, 0.4, 0.66, 1)
         _Smoothness ("Smoothness", Range(0, 1)) = 0.75
     }
 

@@ -19,8 +19,8 @@ float4 _MCCellSize;    // xyz: size of a cell [m]; w: iso value
 
 // A vertex never lies closer than this part of an edge to the edge's ends: no zero-area triangles.
 #define MC_EDGE_MARGIN 0.01
-// A grid vertex on the wall of the domain counts as just outside, however dense the liquid there.
-#define MC_WALL_FACTOR 0.9999
+// Thickness, in cells, of the ring of cubes that closes the mesh at the walls of the domain.
+#define MC_RING 0.02
 
 struct SurfaceVertex
 {
@@ -38,18 +38,18 @@ float MCIsoValue()
     return _MCCellSize.w;
 }
 
-uint MCGridIndex(int3 v)
+// Cubes a side: those of the grid and the ring around them, whose outer vertices -1 and cells + 1 lie in empty space.
+uint MCCubes()
 {
-    uint side = MCCells() + 1;
-    return ((uint)v.z * side + (uint)v.y) * side + (uint)v.x;
+    return MCCells() + 2;
 }
 
 int3 MCCubeOrigin(uint cube)
 {
-    uint cells = MCCells();
-    uint row = cube / cells;
-    uint layer = row / cells;
-    return int3((int)(cube - row * cells), (int)(row - layer * cells), (int)layer);
+    uint side = MCCubes();
+    uint row = cube / side;
+    uint layer = row / side;
+    return int3((int)(cube - row * side), (int)(row - layer * side), (int)layer) - 1;
 }
 
 int3 MCCornerOffset(uint corner)
@@ -57,29 +57,42 @@ int3 MCCornerOffset(uint corner)
     return int3((int)(((corner + 1) >> 1) & 1), (int)((corner >> 1) & 1), (int)(corner >> 2));
 }
 
-// The field as marching cubes sees it: empty beyond the domain and just below the iso value on its walls, so every mesh is closed and
-// liquid that stands against a wall ends at the wall (a hundredth of a cell inside it).
+bool MCInGrid(int3 v)
+{
+    return all(v >= 0) && all(v <= (int)MCCells());
+}
+
 float MCFieldValue(int3 v)
 {
-    int last = (int)MCCells();
     float value = 0.0;
-    if (all(v >= 0) && all(v <= last))
+    if (MCInGrid(v))
     {
-        value = _MCGrid[MCGridIndex(v)];
-        if (any(v == 0) || any(v == last))
-            value = min(value, MCIsoValue() * MC_WALL_FACTOR);
+        uint side = MCCells() + 1;
+        value = _MCGrid[((uint)v.z * side + (uint)v.y) * side + (uint)v.x];
     }
     return value;
 }
 
-// Central differences, (22)-(24) of the thesis with the step of two cells that they lack.
+// The ring is squeezed against the wall from inside: liquid that touches a wall ends there, with a sharp edge. Of 64 cells the vertices
+// -1, 0, 1 ... 63, 64, 65 lie at 0, 0.02, 1 ... 63, 63.98, 64.
+float3 MCGridPosition(int3 v)
+{
+    float cells = (float)MCCells();
+    float3 position = clamp((float3)v, MC_RING, cells - MC_RING);
+    position = v < 0 ? (float3)0.0 : position;
+    return v > (int)MCCells() ? (float3)cells : position;
+}
+
+// Central differences, (22)-(24) of the thesis with the step of two cells that they lack; one-sided on the walls.
 float3 MCGradient(int3 v)
 {
+    int3 upper = min(v + 1, (int)MCCells());
+    int3 lower = max(v - 1, 0);
     float3 difference = float3(
-        MCFieldValue(v + int3(1, 0, 0)) - MCFieldValue(v - int3(1, 0, 0)),
-        MCFieldValue(v + int3(0, 1, 0)) - MCFieldValue(v - int3(0, 1, 0)),
-        MCFieldValue(v + int3(0, 0, 1)) - MCFieldValue(v - int3(0, 0, 1)));
-    return difference / (2.0 * _MCCellSize.xyz);
+        MCFieldValue(int3(upper.x, v.y, v.z)) - MCFieldValue(int3(lower.x, v.y, v.z)),
+        MCFieldValue(int3(v.x, upper.y, v.z)) - MCFieldValue(int3(v.x, lower.y, v.z)),
+        MCFieldValue(int3(v.x, v.y, upper.z)) - MCFieldValue(int3(v.x, v.y, lower.z)));
+    return difference / ((float3)(upper - lower) * _MCCellSize.xyz);
 }
 
 // Bit c is set when corner c lies outside the liquid: value < iso value, as the thesis has it.
@@ -111,6 +124,16 @@ int3 MCEdgeCorner(int3 origin, uint edge, uint end)
     return origin + MCCornerOffset((uint)_MCTables[MC_EDGE_CORNERS + edge * 2 + end]);
 }
 
+// Out of the liquid: against the gradient within the grid, straight through the wall in the ring.
+float3 MCEdgeNormal(int3 a, int3 b, float t, float3 alongEdge)
+{
+    float3 outwards = 0.0;
+    if (MCInGrid(a) && MCInGrid(b))
+        outwards = -lerp(MCGradient(a), MCGradient(b), t);
+    float squared = dot(outwards, outwards);
+    return squared > 0.0 ? outwards * rsqrt(squared) : alongEdge;
+}
+
 SurfaceVertex MCEdgeVertex(int3 origin, uint edge)
 {
     int3 a = MCEdgeCorner(origin, edge, 0);
@@ -120,21 +143,19 @@ SurfaceVertex MCEdgeVertex(int3 origin, uint edge)
     float t = clamp((MCIsoValue() - valueA) / (valueB - valueA), MC_EDGE_MARGIN, 1.0 - MC_EDGE_MARGIN);
 
     SurfaceVertex surface;
-    surface.position = _MCGridMinimum.xyz + _MCCellSize.xyz * lerp((float3)a, (float3)b, t);
-    float3 outwards = -lerp(MCGradient(a), MCGradient(b), t);
-    float squared = dot(outwards, outwards);
-    float3 alongEdge = (float3)(b - a) * (valueA > valueB ? 1.0 : -1.0);
-    surface.normal = squared > 0.0 ? outwards * rsqrt(squared) : alongEdge;
+    surface.position = _MCGridMinimum.xyz + _MCCellSize.xyz * lerp(MCGridPosition(a), MCGridPosition(b), t);
+    surface.normal = MCEdgeNormal(a, b, t, (float3)(b - a) * (valueA > valueB ? 1.0 : -1.0));
     return surface;
 }
 
-// A name of the edge that every cube around it shares: 3 * (index of its lower corner) + axis.
+// A name of the edge that every cube around it shares: 3 * (number of its lower corner, the ring's included) + axis.
 uint MCEdgeName(int3 origin, uint edge)
 {
-    int3 a = MCEdgeCorner(origin, edge, 0);
-    int3 b = MCEdgeCorner(origin, edge, 1);
+    uint3 a = (uint3)(MCEdgeCorner(origin, edge, 0) + 1);
+    uint3 b = (uint3)(MCEdgeCorner(origin, edge, 1) + 1);
     uint axis = b.x != a.x ? 0u : (b.y != a.y ? 1u : 2u);
-    return MCGridIndex(a) * 3 + axis;
+    uint side = MCCubes() + 1;
+    return ((a.z * side + a.y) * side + a.x) * 3 + axis;
 }
 
 // Three vertices a triangle: 0 where the surface misses the cube, 15 at most.

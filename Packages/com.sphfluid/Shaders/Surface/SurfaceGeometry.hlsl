@@ -42,17 +42,18 @@ SurfaceFragment ProjectSurfaceVertex(SurfaceVertex surface)
 
 #define MC_CUBE_VERTICES 24
 
-// A corner of a cube's face: the face across an axis, lower or upper side, its corners in the order of a triangle strip.
+// A corner of a cube's face: the face across an axis, lower or upper side, its corners in the order of a triangle strip. Cubes of the ring
+// are as thin as it.
 SurfaceVertex CubeFaceCorner(int3 origin, uint axis, uint upper, uint corner)
 {
-    float3 along = float3(axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0);
-    float3 first = upper != 0 ? along.zxy : along.yzx;
-    float3 second = upper != 0 ? along.yzx : along.zxy;
-    float3 offset = along * (float)upper + first * (float)(corner & 1) + second * (float)(corner >> 1);
+    int3 along = int3(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+    int3 first = upper != 0 ? along.zxy : along.yzx;
+    int3 second = upper != 0 ? along.yzx : along.zxy;
+    int3 v = origin + along * (int)upper + first * (int)(corner & 1) + second * (int)(corner >> 1);
 
     SurfaceVertex surface;
-    surface.position = _MCGridMinimum.xyz + _MCCellSize.xyz * ((float3)origin + offset);
-    surface.normal = upper != 0 ? along : -along;
+    surface.position = _MCGridMinimum.xyz + _MCCellSize.xyz * MCGridPosition(v);
+    surface.normal = (float3)along * (upper != 0 ? 1.0 : -1.0);
     return surface;
 }
 

@@ -7,14 +7,25 @@
 float4 _Color;
 float _Smoothness;
 
-#define EDGE_BRIGHTENING 0.5 // share of white in the body's colour where the liquid is seen edge on, that is thin
+#define EDGE_BRIGHTENING 0.7 // share of the colour's square root, a paler tint of it, where the liquid is seen edge on, that is thin
+
+// Vertices at the water's edge belong to the open surface and to the face at the wall; on that face, which lies in the ring, the wall decides.
+float3 SurfaceNormal(SurfaceFragment input)
+{
+    float3 translation = float3(_FluidLocalToWorld[0].w, _FluidLocalToWorld[1].w, _FluidLocalToWorld[2].w);
+    float3 local = mul(transpose((float3x3)_FluidLocalToWorld), input.world - translation);
+    float3 fromLower = (local - _MCGridMinimum.xyz) / _MCCellSize.xyz;
+    float3 fromUpper = _MCGridMinimum.w - fromLower;
+    float3 wall = (fromUpper < 1.5 * MC_RING ? (float3)1.0 : (float3)0.0) - (fromLower < 1.5 * MC_RING ? (float3)1.0 : (float3)0.0);
+    return normalize(any(wall != 0.0) ? FluidWorldDirection(wall) : input.normal);
+}
 
 float4 ShadeSurface(SurfaceFragment input) : SV_Target
 {
     float3 view = normalize(_WorldSpaceCameraPos - input.world);
-    float3 normal = normalize(input.normal);
+    float3 normal = SurfaceNormal(input);
     float edgeOn = 1.0 - saturate(dot(normal, view));
-    float3 body = lerp(_Color.rgb, 1.0, EDGE_BRIGHTENING * edgeOn * edgeOn);
+    float3 body = lerp(_Color.rgb, sqrt(max(_Color.rgb, 0.0)), EDGE_BRIGHTENING * edgeOn * edgeOn);
     float mirrored = FluidFresnel(normal, view);
     float3 colour = FluidDiffuse(body, normal, input.world) * (1.0 - mirrored);
     colour += FluidAmbient(reflect(-view, normal)) * mirrored;

@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace SphFluid.Tests
 {
@@ -104,6 +105,26 @@ namespace SphFluid.Tests
             Double3 before = Momentum(start, out double size);
             Double3 drift = Momentum(end, out _) - before;
             Assert.That(drift.Length, Is.LessThan(1e-5 * size));
+        }
+
+        [Test]
+        public void CountersArriveByThemselves()
+        {
+            if (!SystemInfo.supportsAsyncGPUReadback)
+            {
+                Assert.Ignore($"{SystemInfo.graphicsDeviceName} has no asynchronous read-back.");
+            }
+
+            FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.025f);
+            using (var solver = new FluidSolver(settings, shaders, Block()))
+            {
+                GpuTest.Run(cmd => solver.RecordSteps(cmd, 10));
+                AsyncGPUReadback.WaitAllRequests();
+                float fall = 9.5f * settings.TimeStep * 9.81f;
+                Assert.That(solver.Counters.MaxSpeed, Is.EqualTo(fall).Within(0.2f * fall));
+                Assert.That(solver.Counters.NonFinite, Is.EqualTo(0));
+                Assert.That(solver.ReadCountersNow().MaxSpeed, Is.EqualTo(solver.Counters.MaxSpeed));
+            }
         }
 
         [Test]

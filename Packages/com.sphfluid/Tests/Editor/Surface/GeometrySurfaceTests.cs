@@ -84,7 +84,7 @@ namespace SphFluid.Tests
             {
                 Matrix4x4 projection = Matrix4x4.Ortho(-2f * cell, 2f * cell, -2f * cell, 2f * cell, 0.1f, 10f);
                 Color[] picture = SurfaceTestScene.Render(Size, SurfaceTestScene.LookAtOrigin(new Vector3(0f, 0f, -1f)), projection, cmd =>
-                    cmd.DrawProcedural(Matrix4x4.identity, material, GeometryPass, MeshTopology.Points, field.Grid.CellCount, 1, Properties(surface, field)));
+                    cmd.DrawProcedural(Matrix4x4.identity, material, GeometryPass, MeshTopology.Points, field.Grid.CubeCount, 1, Properties(surface, field)));
                 int covered = 0;
                 foreach (Color pixel in picture)
                     covered += pixel.a > 0f ? 1 : 0;
@@ -128,7 +128,7 @@ namespace SphFluid.Tests
         }
 
         Color[] DrawGeometry(GeometrySurface surface, SurfaceField field) => Render(cmd =>
-            cmd.DrawProcedural(Matrix4x4.identity, material, GeometryPass, MeshTopology.Points, field.Grid.CellCount, 1, Properties(surface, field)));
+            cmd.DrawProcedural(Matrix4x4.identity, material, GeometryPass, MeshTopology.Points, field.Grid.CubeCount, 1, Properties(surface, field)));
 
         Color[] DrawMesh(SurfaceMesh surface, MaterialPropertyBlock properties)
         {

@@ -71,31 +71,36 @@ namespace SphFluid.Tests
             Assert.AreEqual(0, mesh.VertexCount);
         }
 
-        // All edges of the box are bevelled by a cell, so a little less than the whole box is enclosed.
         [Test]
-        public void FullFieldIsClosedByTheWalls()
+        public void FullFieldIsTheDomainWithSharpEdges()
         {
             SurfaceGrid grid = Cube(2f, 32);
             SurfaceMesh mesh = Polygonise(grid, _ => 1f);
             MeshChecks.AssertClosed(mesh);
-            Assert.AreEqual(1.0, mesh.Volume() / 8.0, 0.015);
+            MeshChecks.AssertSound(mesh);
+            Assert.AreEqual(8.0, mesh.Volume(), 0.02);
+            Assert.AreEqual(24.0, mesh.Area(), 0.05);
             float cell = grid.CellSize.x;
             foreach (Vector3 p in mesh.Positions)
             {
                 float fromWall = Mathf.Min(1f - Mathf.Abs(p.x), Mathf.Min(1f - Mathf.Abs(p.y), 1f - Mathf.Abs(p.z)));
-                Assert.GreaterOrEqual(fromWall, 0f);
-                Assert.LessOrEqual(fromWall, 0.011f * cell, $"{p}");
+                Assert.GreaterOrEqual(fromWall, 0f, $"{p} lies outside the domain");
+                Assert.LessOrEqual(fromWall, 0.02f * cell, $"{p} lies off the wall");
             }
         }
 
         [Test]
-        public void LiquidAgainstAWallEndsAtTheWall()
+        public void LiquidAgainstWallsEndsAtTheWalls()
         {
-            SurfaceGrid grid = Cube(1f, 32);
-            SurfaceMesh mesh = Polygonise(grid, p => p.y < 0.1f ? 1f : 0f);
+            SurfaceMesh mesh = Polygonise(Cube(1f, 32), p => Iso + 0.1f - p.y);
             MeshChecks.AssertClosed(mesh);
-            double height = 0.1 + 0.5;
-            Assert.AreEqual(height, mesh.Volume(), 0.03);
+            MeshChecks.AssertSound(mesh);
+            Assert.AreEqual(0.6, mesh.Volume(), 0.003);
+            for (int i = 0; i < mesh.VertexCount; i++)
+            {
+                if (mesh.Normals[i].y > 0.5f)
+                    Assert.AreEqual(0.1f, mesh.Positions[i].y, 0.001f, $"{mesh.Positions[i]}");
+            }
         }
 
         [Test]

@@ -1,0 +1,83 @@
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Globalization;
+using System.IO;
+using System.Reflection;
+using NUnit.Framework.Api;
+using NUnit.Framework.Interfaces;
+using NUnit.Framework.Internal;
+using UnityEngine.TestTools;
+
+namespace Headless.Engine;
+
+/// <summary>Runs NUnit and Unity tests on the calling thread, frame by frame.</summary>
+static class UnityTestRunner
+{
+    /// <summary>EditMode: Application.isPlaying false, isEditor true. PlayMode: inside a play session with an empty scene.</summary>
+    /// <param name="filter">See <see cref="TestFilter"/>; empty for everything.</param>
+    /// <param name="output">A line a test; null for standard output.</param>
+    public static TestRunResult Run(IReadOnlyList<Assembly> assemblies, TestPlatform mode, string? filter = null, TextWriter? output = null)
+    {
+        output ??= Console.Out;
+        var outcomes = new List<TestOutcome>();
+        var clock = Stopwatch.StartNew();
+        TestExecutionContext? outer = TestExecutionContext.CurrentContext;
+        bool wasEditor = EngineState.IsEditor;
+        Enter(mode, assemblies);
+        try
+        {
+            var runner = new SuiteRunner(new TestFilter(filter), outcome =>
+            {
+                outcomes.Add(outcome);
+                Print(output, outcome);
+            });
+            foreach (Assembly assembly in assemblies)
+                runner.Run((Test)new DefaultTestAssemblyBuilder().Build(assembly, new Dictionary<string, object>()), null);
+        }
+        finally
+        {
+            Leave(mode);
+            EngineState.IsEditor = wasEditor;
+            outer?.EstablishExecutionEnvironment();
+        }
+        return new TestRunResult(outcomes, clock.Elapsed.TotalSeconds);
+    }
+
+    static void Enter(TestPlatform mode, IReadOnlyList<Assembly> assemblies)
+    {
+        if (mode == TestPlatform.PlayMode)
+        {
+            EngineState.IsEditor = false;
+            Assembly[] scripts = [.. EngineState.ScriptAssemblies];
+            PlaySession.Begin(null, scripts.Length > 0 ? scripts : [.. assemblies]);
+            return;
+        }
+        EngineState.IsPlaying = false;
+        EngineState.IsEditor = true;
+        SceneTable.ActiveOrCreate();
+    }
+
+    static void Leave(TestPlatform mode)
+    {
+        if (mode == TestPlatform.PlayMode) PlaySession.End();
+        else SceneTable.DestroyAll();
+    }
+
+    static void Print(TextWriter output, TestOutcome outcome)
+    {
+        string word = outcome.Status switch
+        {
+            TestStatus.Passed => "pass",
+            TestStatus.Failed => "FAIL",
+            TestStatus.Skipped => "skip",
+            _ => "none",
+        };
+        output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {word}  {outcome.FullName} ({outcome.Seconds * 1000.0:0} ms)"));
+        if (outcome.Status == TestStatus.Passed) return;
+        if (outcome.Message.Length > 0) output.WriteLine(Indent(outcome.Message));
+        if (outcome.Status == TestStatus.Failed && outcome.StackTrace.Length > 0) output.WriteLine(Indent(outcome.StackTrace));
+        output.Flush();
+    }
+
+    static string Indent(string text) => "        " + text.TrimEnd().Replace("\n", "\n        ");
+}

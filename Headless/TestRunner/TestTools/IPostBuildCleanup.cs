@@ -1,0 +1,6 @@
+namespace UnityEngine.TestTools;
+
+public interface IPostBuildCleanup
+{
+    void Cleanup();
+}

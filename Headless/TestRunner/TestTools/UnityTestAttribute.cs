@@ -1,0 +1,40 @@
+using System.Collections.Generic;
+using NUnit.Framework;
+using NUnit.Framework.Interfaces;
+using NUnit.Framework.Internal;
+using NUnit.Framework.Internal.Builders;
+
+namespace UnityEngine.TestTools;
+
+/// <summary>A test that returns IEnumerator and runs over several frames.</summary>
+[AttributeUsage(AttributeTargets.Method)]
+public class UnityTestAttribute : CombiningStrategyAttribute, ISimpleTestBuilder, ITestBuilder, IImplyFixture, IApplyToTest
+{
+    readonly NUnitTestCaseBuilder m_Builder = new();
+
+    public UnityTestAttribute() : base(new CoroutineStrategy(), new ParameterDataSourceProvider()) { }
+
+    TestMethod ISimpleTestBuilder.BuildFrom(IMethodInfo method, Test suite)
+    {
+        var parameters = new TestCaseParameters(Array.Empty<object>()) { ExpectedResult = new object(), HasExpectedResult = true };
+        TestMethod test = m_Builder.BuildTestMethod(method, suite, parameters);
+        parameters.HasExpectedResult = false;
+        return test;
+    }
+
+    IEnumerable<TestMethod> ITestBuilder.BuildFrom(IMethodInfo method, Test suite) => base.BuildFrom(method, suite);
+
+    void IApplyToTest.ApplyToTest(Test test) => test.Properties.Set("UnityTest", true);
+
+    // NUnit asks for an expected result of a method that returns something; the runner never compares it.
+    sealed class CoroutineStrategy : ICombiningStrategy
+    {
+        readonly CombinatorialStrategy m_Inner = new();
+
+        public IEnumerable<ITestCaseData> GetTestCases(System.Collections.IEnumerable[] sources)
+        {
+            foreach (ITestCaseData data in m_Inner.GetTestCases(sources))
+                yield return new TestCaseParameters(data.Arguments) { ExpectedResult = new object(), HasExpectedResult = true };
+        }
+    }
+}

@@ -1,0 +1,25 @@
+using UnityEngine.Rendering;
+
+namespace UnityEngine;
+
+public sealed partial class Camera
+{
+    private readonly List<(CameraEvent Event, CommandBuffer Buffer)> commandBuffers = [];
+
+    public int commandBufferCount => commandBuffers.Count;
+
+    public void AddCommandBuffer(CameraEvent evt, CommandBuffer buffer)
+    {
+        ArgumentNullException.ThrowIfNull(buffer);
+        commandBuffers.Add((evt, buffer));
+    }
+
+    public void RemoveCommandBuffer(CameraEvent evt, CommandBuffer buffer) =>
+        commandBuffers.RemoveAll(c => c.Event == evt && ReferenceEquals(c.Buffer, buffer));
+
+    public void RemoveCommandBuffers(CameraEvent evt) => commandBuffers.RemoveAll(c => c.Event == evt);
+
+    public void RemoveAllCommandBuffers() => commandBuffers.Clear();
+
+    public CommandBuffer[] GetCommandBuffers(CameraEvent evt) => [.. commandBuffers.Where(c => c.Event == evt).Select(c => c.Buffer)];
+}

@@ -1,0 +1,34 @@
+using UnityEngine;
+
+namespace Headless.Engine;
+
+/// <summary>Lights that are enabled in the running scenes.</summary>
+internal static class LightList
+{
+    private static readonly List<Light> Lights = [];
+
+    public static IReadOnlyList<Light> All
+    {
+        get
+        {
+            Lights.RemoveAll(l => l == null);
+            return Lights;
+        }
+    }
+
+    /// <summary>RenderSettings.sun, or else the brightest directional light.</summary>
+    public static Light? Main
+    {
+        get
+        {
+            Light? sun = RenderSettings.sun;
+            return sun != null && sun.isActiveAndEnabled && sun.type == LightType.Directional
+                ? sun
+                : All.Where(l => l.type == LightType.Directional).MaxBy(l => l.intensity * l.color.maxColorComponent);
+        }
+    }
+
+    public static void Add(Light light) => Lights.Add(light);
+
+    public static void Remove(Light light) => Lights.RemoveAll(l => ReferenceEquals(l, light));
+}

@@ -1,0 +1,29 @@
+namespace UnityEngine;
+
+public sealed class QualitySettings : Object
+{
+    private QualitySettings()
+    {
+    }
+
+    public static ColorSpace activeColorSpace => ColorSpace.Linear;
+    public static ColorSpace desiredColorSpace => ColorSpace.Linear;
+    public static int antiAliasing { get; set; } = 4;
+    public static AnisotropicFiltering anisotropicFiltering { get; set; } = AnisotropicFiltering.Enable;
+    public static int vSyncCount { get; set; }
+    public static int pixelLightCount { get; set; } = 4;
+    public static ShadowQuality shadows { get; set; } = ShadowQuality.All;
+    public static ShadowResolution shadowResolution { get; set; } = ShadowResolution.High;
+    public static ShadowProjection shadowProjection { get; set; } = ShadowProjection.StableFit;
+    public static float shadowDistance { get; set; } = 150f;
+    public static int shadowCascades { get; set; } = 1;
+    public static float lodBias { get; set; } = 2f;
+    public static int maxQueuedFrames { get; set; } = 2;
+    public static bool softParticles { get; set; }
+    public static bool realtimeReflectionProbes { get; set; }
+    public static Rendering.RenderPipelineAsset? renderPipeline { get; set; }
+    public static string[] names => ["Ultra"];
+    public static int count => 1;
+
+    public static int GetQualityLevel() => 0;
+}

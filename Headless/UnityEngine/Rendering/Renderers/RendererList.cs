@@ -1,0 +1,22 @@
+using UnityEngine;
+
+namespace Headless.Engine;
+
+/// <summary>Renderers that are enabled in the running scenes.</summary>
+internal static class RendererList
+{
+    private static readonly List<Renderer> Renderers = [];
+
+    public static IReadOnlyList<Renderer> All
+    {
+        get
+        {
+            Renderers.RemoveAll(r => r == null);
+            return Renderers;
+        }
+    }
+
+    public static void Add(Renderer renderer) => Renderers.Add(renderer);
+
+    public static void Remove(Renderer renderer) => Renderers.RemoveAll(r => ReferenceEquals(r, renderer));
+}

@@ -1,0 +1,10 @@
+namespace Headless.Vulkan;
+
+internal enum BindingKind : byte
+{
+    Empty,
+    Buffer,
+    Texture,
+    Sampler,
+    Uniform,
+}
