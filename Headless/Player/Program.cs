@@ -60,6 +60,10 @@ public static class Program
         {
             return Fail(e.Message, Failed);
         }
+        catch (Exception e)
+        {
+            return Fail($"this is a fault of the player itself: {e}", Failed);
+        }
     }
 
     private static int Fail(string message, int code)

@@ -6,11 +6,29 @@ namespace Headless.Importers.Assets;
 public sealed class ImportedAsset(string assetPath, string guid)
 {
     private readonly Dictionary<long, Object> objects = [];
+    private Object? main;
+    private Action? rest;
 
     public string AssetPath { get; } = assetPath;
     public string Guid { get; } = guid;
-    public Object? Main { get; private set; }
-    public IReadOnlyDictionary<long, Object> Objects => objects;
+
+    public Object? Main
+    {
+        get
+        {
+            if (main is null) Complete();
+            return main;
+        }
+    }
+
+    public IReadOnlyDictionary<long, Object> Objects
+    {
+        get
+        {
+            Complete();
+            return objects;
+        }
+    }
 
     public void Add(long fileId, Object asset)
     {
@@ -21,6 +39,24 @@ public sealed class ImportedAsset(string assetPath, string guid)
     public void AddMain(long fileId, Object asset)
     {
         Add(fileId, asset);
-        Main = asset;
+        main = asset;
+    }
+
+    /// <summary>Puts off the part that few ask for: a model's meshes are used far more often than its prefab.</summary>
+    public void AddLater(Action importRest) => rest = importRest;
+
+    public Object? Find(long fileId)
+    {
+        if (!objects.ContainsKey(fileId)) Complete();
+        return objects.GetValueOrDefault(fileId);
+    }
+
+    internal bool Contains(Object asset) => objects.Values.Any(o => ReferenceEquals(o, asset));
+
+    private void Complete()
+    {
+        Action? todo = rest;
+        rest = null;
+        todo?.Invoke();
     }
 }

@@ -13,7 +13,7 @@ internal sealed class ObjImporter : IAssetImporter
         ModelSettings settings = ModelSettings.From(file.Meta);
         foreach (ObjGroup group in model.Groups)
             file.Result.Add(ModelPrefab.MeshId(group.Name), CreateMesh(group.Name, ObjGeometryBuilder.Build(model, group, settings), settings));
-        PrefabImporter.Build(file, ModelPrefab.Documents(file.Name, file.Result.Guid, model.Groups.Select(g => g.Name)), ModelPrefab.RootTransform);
+        file.Result.AddLater(() => PrefabImporter.Build(file, ModelPrefab.Documents(file.Name, file.Result.Guid, model.Groups.Select(g => g.Name)), ModelPrefab.RootTransform));
     }
 
     private static Mesh CreateMesh(string name, MeshGeometry geometry, ModelSettings settings)

@@ -47,7 +47,7 @@ public sealed class ProjectAssets : IReferenceResolver
 
     public IEnumerable<Object> LoadAll(string assetPath) => Import(assetPath)?.Objects.Values ?? Enumerable.Empty<Object>();
 
-    public string? PathOf(Object asset) => imported.Values.FirstOrDefault(i => i.Objects.Values.Any(o => ReferenceEquals(o, asset)))?.AssetPath;
+    public string? PathOf(Object asset) => imported.Values.FirstOrDefault(i => i.Contains(asset))?.AssetPath;
 
     /// <summary>A shader of the project by the name in its source; reads each .shader until it is found, as Shader.Find does in the Editor.</summary>
     internal UnityEngine.Shader? FindShader(string name)
@@ -119,7 +119,7 @@ public sealed class ProjectAssets : IReferenceResolver
             Report($"{where}: files like '{path}' are not imported here; the reference is null.");
             return null;
         }
-        if (asset.Objects.TryGetValue(reference.FileId, out Object? found)) return found;
+        if (asset.Find(reference.FileId) is { } found) return found;
         if (reference.FileId == PrefabImporter.RootId) return asset.Main;
         Report($"{where}: '{path}' has no object with fileID {reference.FileId}; the reference is null.");
         return null;

@@ -19,15 +19,11 @@ static class EngineState
     /// <summary>Assemblies of the project: [RuntimeInitializeOnLoadMethod] is looked for here.</summary>
     public static Assembly[] ScriptAssemblies { get; set; } = Array.Empty<Assembly>();
 
-    /// <summary>Forgets every object, scene, clock and pending call without sending messages.</summary>
+    /// <summary>Forgets every scene object, clock and pending call without sending messages; assets stay.</summary>
     public static void Reset()
     {
         foreach (UnityEngine.Object instance in ObjectRegistry.Snapshot())
-        {
-            if (instance.IsPersistent) continue;
-            if (instance is UnityEngine.ScriptableObject data) data.EnableCalled = false;
-            instance.Kill();
-        }
+            if (instance is UnityEngine.GameObject or UnityEngine.Component && !instance.IsPersistent) instance.Kill();
         Destruction.Clear();
         ScriptSchedule.Clear();
         CoroutineScheduler.Clear();

@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using System;
 using UnityEngine;
 
 namespace Headless.Engine;

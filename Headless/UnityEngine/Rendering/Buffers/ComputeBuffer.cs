@@ -1,7 +1,8 @@
+using System;
 using Headless.Engine;
 using Headless.Vulkan;
-using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
+using Unity.Collections;
 
 namespace UnityEngine;
 

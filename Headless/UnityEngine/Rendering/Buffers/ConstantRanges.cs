@@ -1,3 +1,5 @@
+using System;
+
 namespace Headless.Engine;
 
 /// <summary>Checks on the part of a buffer that is bound as a constant buffer.</summary>

@@ -1,7 +1,9 @@
+using System.Threading;
+using System;
 using Headless.Engine;
 using Headless.Vulkan;
-using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
+using Unity.Collections;
 
 namespace UnityEngine;
 

@@ -1,3 +1,5 @@
+using System;
+
 namespace UnityEngine;
 
 public readonly struct GraphicsBufferHandle : IEquatable<GraphicsBufferHandle>

@@ -1,3 +1,5 @@
+using System;
+
 namespace Headless.Engine;
 
 /// <summary>A command that is rare enough to be a closure.</summary>

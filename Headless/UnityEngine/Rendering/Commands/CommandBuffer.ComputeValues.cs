@@ -1,4 +1,6 @@
+using System.Linq;
 using System.Runtime.InteropServices;
+using System;
 using Headless.Engine;
 
 namespace UnityEngine.Rendering;

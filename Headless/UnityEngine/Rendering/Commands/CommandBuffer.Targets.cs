@@ -1,3 +1,4 @@
+using System.Linq;
 using Headless.Engine;
 
 namespace UnityEngine.Rendering;

@@ -1,5 +1,8 @@
-using UnityEngine;
+using System.Collections.Generic;
+using System.Linq;
+using System;
 using UnityEngine.Rendering;
+using UnityEngine;
 
 namespace Headless.Engine;
 

@@ -1,3 +1,6 @@
+using System.Linq;
+using System;
+
 namespace Headless.Engine;
 
 /// <summary>A constant buffer of a kernel with the values that fill it already looked up.</summary>

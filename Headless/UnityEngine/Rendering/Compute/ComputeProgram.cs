@@ -1,3 +1,7 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System;
 using Headless.Shaders;
 using UnityEngine;
 

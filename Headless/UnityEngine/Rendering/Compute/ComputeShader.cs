@@ -1,3 +1,5 @@
+using System.Linq;
+using System;
 using Headless.Engine;
 using Headless.Shaders;
 using UnityEngine.Rendering;

@@ -1,3 +1,6 @@
+using System.Collections.Generic;
+using System;
+
 namespace Headless.Engine;
 
 /// <summary>Values and constant buffers of a compute shader, shared by all its kernels as in Unity.</summary>

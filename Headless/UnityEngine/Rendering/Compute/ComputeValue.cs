@@ -1,3 +1,6 @@
+using System.Linq;
+using System;
+
 namespace Headless.Engine;
 
 /// <summary>The bytes set under one name on a compute shader.</summary>

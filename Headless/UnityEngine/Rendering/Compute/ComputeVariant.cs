@@ -1,3 +1,6 @@
+using System.Collections.Generic;
+using System.Linq;
+using System;
 using Headless.Shaders;
 using Headless.Vulkan;
 

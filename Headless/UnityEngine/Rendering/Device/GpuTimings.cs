@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+using System;
 using Headless.Vulkan;
 
 namespace Headless.Engine;

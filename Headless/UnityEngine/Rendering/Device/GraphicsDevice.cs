@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using System;
 using Headless.Shaders;
 using Headless.Vulkan;
 using UnityEngine;

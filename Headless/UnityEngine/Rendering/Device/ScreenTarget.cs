@@ -1,3 +1,4 @@
+using System;
 using Headless.Vulkan;
 
 namespace Headless.Engine;

@@ -1,4 +1,5 @@
 using System.Runtime.InteropServices;
+using System;
 using Headless.Engine;
 using Headless.Vulkan;
 using UnityEngine.Experimental.Rendering;

@@ -9,7 +9,7 @@ internal static class Blitter
     private static Material? copy;
     private static Mesh? quad;
 
-    public static void Blit(Texture? source, DrawTarget? target, Material? material, int pass, Vector2 scale, Vector2 offset)
+    public static void Blit(Texture? source, DrawTarget? target, Material? material, int pass, Vector2 scale, Vector2 offset, Rect? viewport = null)
     {
         if (target is null)
         {
@@ -51,6 +51,7 @@ internal static class Blitter
             Slice = target.Slice,
             Flipped = target.Flipped,
         });
+        TargetState.SetViewport(viewport);
         ViewState.Set(Matrix4x4.identity, Matrix4x4.Ortho(0f, 1f, 0f, 1f, -1f, 100f));
         Drawer.Draw(material!, pass, block, new MeshGeometry(Quad, 0, 1), Matrix4x4.identity);
         TargetState.Set(before);

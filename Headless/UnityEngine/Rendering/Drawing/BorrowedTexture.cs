@@ -1,6 +1,7 @@
+using System.Linq;
 using Headless.Vulkan;
-using UnityEngine;
 using UnityEngine.Rendering;
+using UnityEngine;
 
 namespace Headless.Engine;
 

@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+
 namespace Headless.Engine;
 
 /// <summary>Draws asked for by Graphics.Render... and Graphics.Draw... for the cameras of the current frame.</summary>

@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+using System.Linq;
 using Headless.Engine;
 using UnityEngine.Rendering;
 

@@ -1,6 +1,6 @@
 using Headless.Vulkan;
-using UnityEngine;
 using UnityEngine.Rendering;
+using UnityEngine;
 
 namespace Headless.Engine;
 

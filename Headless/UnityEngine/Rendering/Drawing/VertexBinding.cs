@@ -1,7 +1,10 @@
+using System.Collections.Generic;
+using System.Linq;
+using System;
 using Headless.Shaders;
 using Headless.Vulkan;
-using UnityEngine;
 using UnityEngine.Rendering;
+using UnityEngine;
 using MeshAttribute = UnityEngine.Rendering.VertexAttribute;
 
 namespace Headless.Engine;

@@ -1,3 +1,4 @@
+using System;
 using Headless.Engine;
 
 namespace UnityEngine.Rendering;

@@ -1,3 +1,6 @@
+using System.Collections.Generic;
+using System.Linq;
+
 namespace Headless.Engine;
 
 /// <summary>Keywords that are on for every shader.</summary>

@@ -1,3 +1,7 @@
+using System.Collections.Generic;
+using System.Linq;
+using System;
+
 namespace UnityEngine.Rendering;
 
 public readonly struct LocalKeywordSpace : IEquatable<LocalKeywordSpace>

@@ -1,4 +1,8 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
 using System.Reflection;
+using System;
 using Headless.Shaders;
 using UnityEngine;
 

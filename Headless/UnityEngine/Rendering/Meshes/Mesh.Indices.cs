@@ -1,4 +1,6 @@
+using System.Collections.Generic;
 using System.Runtime.InteropServices;
+using System;
 using Headless.Engine;
 using UnityEngine.Rendering;
 

@@ -1,4 +1,8 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
 using System.Runtime.InteropServices;
+using System;
 using Headless.Engine;
 using Unity.Collections;
 using UnityEngine.Rendering;

@@ -1,4 +1,7 @@
+using System.Collections.Generic;
+using System.Linq;
 using System.Runtime.InteropServices;
+using System;
 using Headless.Engine;
 using Unity.Collections;
 using UnityEngine.Rendering;

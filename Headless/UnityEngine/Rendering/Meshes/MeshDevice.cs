@@ -1,7 +1,11 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
 using System.Runtime.InteropServices;
+using System;
 using Headless.Vulkan;
-using UnityEngine;
 using UnityEngine.Rendering;
+using UnityEngine;
 
 namespace Headless.Engine;
 

@@ -1,3 +1,5 @@
+using System;
+
 namespace UnityEngine.Rendering;
 
 public struct VertexAttributeDescriptor : IEquatable<VertexAttributeDescriptor>

@@ -1,6 +1,10 @@
 using System.Buffers.Binary;
-using UnityEngine;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System;
 using UnityEngine.Rendering;
+using UnityEngine;
 
 namespace Headless.Engine;
 

@@ -1,3 +1,4 @@
+using System.Linq;
 using Headless.Shaders;
 
 namespace Headless.Engine;

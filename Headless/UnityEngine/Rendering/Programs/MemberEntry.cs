@@ -1,3 +1,4 @@
+using System;
 using Headless.Shaders;
 
 namespace Headless.Engine;

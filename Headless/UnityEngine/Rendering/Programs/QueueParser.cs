@@ -1,6 +1,6 @@
 using System.Globalization;
-using UnityEngine;
 using UnityEngine.Rendering;
+using UnityEngine;
 
 namespace Headless.Engine;
 

@@ -1,4 +1,7 @@
+using System.Collections.Generic;
+using System.Linq;
 using System.Runtime.InteropServices;
+using System;
 using UnityEngine;
 
 namespace Headless.Engine;

@@ -1,3 +1,7 @@
+using System.Collections.Generic;
+using System.Threading;
+using System;
+
 namespace Headless.Engine;
 
 /// <summary>Numbers of shader property names; the same text always has the same number.</summary>

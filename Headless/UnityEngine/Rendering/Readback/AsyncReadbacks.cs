@@ -1,6 +1,8 @@
+using System.Collections.Generic;
+using System.Linq;
 using Headless.Vulkan;
-using UnityEngine;
 using UnityEngine.Rendering;
+using UnityEngine;
 
 namespace Headless.Engine;
 

@@ -1,7 +1,8 @@
+using System.Collections.Generic;
 using Headless.Vulkan;
-using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
+using UnityEngine;
 
 namespace Headless.Engine;
 

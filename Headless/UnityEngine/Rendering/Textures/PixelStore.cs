@@ -1,7 +1,9 @@
+using System.Linq;
 using System.Runtime.InteropServices;
+using System;
 using Headless.Vulkan;
-using UnityEngine;
 using UnityEngine.Experimental.Rendering;
+using UnityEngine;
 
 namespace Headless.Engine;
 

@@ -1,6 +1,7 @@
-using UnityEngine;
+using System;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
+using UnityEngine;
 
 namespace Headless.Engine;
 

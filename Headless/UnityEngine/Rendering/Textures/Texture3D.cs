@@ -1,3 +1,5 @@
+using System.Linq;
+using System;
 using Headless.Engine;
 using Headless.Vulkan;
 using UnityEngine.Experimental.Rendering;

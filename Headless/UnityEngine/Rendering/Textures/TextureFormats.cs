@@ -1,7 +1,8 @@
+using System;
 using Headless.Shaders;
 using Headless.Vulkan;
-using UnityEngine;
 using UnityEngine.Experimental.Rendering;
+using UnityEngine;
 
 namespace Headless.Engine;
 

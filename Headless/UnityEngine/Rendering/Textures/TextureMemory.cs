@@ -1,3 +1,4 @@
+using System.Threading;
 using Headless.Vulkan;
 
 namespace Headless.Engine;

@@ -1,0 +1,4 @@
+namespace Headless.Tests.UnityEngineApi;
+
+/// <summary>Inherits private messages.</summary>
+public class DerivedProbe : Probe { }

@@ -1,0 +1,6 @@
+using UnityEngine;
+
+namespace Headless.Tests.UnityEngineApi;
+
+[RequireComponent(typeof(BoxCollider)), DisallowMultipleComponent]
+public class NeedsBox : MonoBehaviour { }

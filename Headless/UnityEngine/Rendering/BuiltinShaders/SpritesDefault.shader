@@ -1,0 +1,58 @@
+Shader "Sprites/Default"
+{
+    Properties
+    {
+        _MainTex ("Texture", 2D) = "white" {}
+        _Color ("Tint", Color) = (1, 1, 1, 1)
+    }
+    SubShader
+    {
+        Tags { "Queue" = "Transparent" "IgnoreProjector" = "True" "RenderType" = "Transparent" }
+
+        Pass
+        {
+            Blend One OneMinusSrcAlpha
+            ZWrite Off
+            Cull Off
+
+            HLSLPROGRAM
+            #pragma vertex Vertex
+            #pragma fragment Fragment
+            #include "UnityCG.cginc"
+
+            Texture2D _MainTex;
+            SamplerState sampler_MainTex;
+            float4 _MainTex_ST;
+            float4 _Color;
+
+            struct Attributes
+            {
+                float4 position : POSITION;
+                float4 color : COLOR;
+                float2 uv : TEXCOORD0;
+            };
+
+            struct Varyings
+            {
+                float4 position : SV_POSITION;
+                float4 color : COLOR;
+                float2 uv : TEXCOORD0;
+            };
+
+            Varyings Vertex(Attributes v)
+            {
+                Varyings o;
+                o.position = UnityObjectToClipPos(v.position);
+                o.color = v.color;
+                o.uv = v.uv * _MainTex_ST.xy + _MainTex_ST.zw;
+                return o;
+            }
+
+            float4 Fragment(Varyings i) : SV_Target
+            {
+                return _MainTex.Sample(sampler_MainTex, i.uv) * float4(_Color.rgb * _Color.a, _Color.a) * float4(i.color.rgb * i.color.a, i.color.a);
+            }
+            ENDHLSL
+        }
+    }
+}
