@@ -26,7 +26,12 @@ internal sealed class PlayCommand(PlayOptions options)
             : throw new UsageException($"--scene: '{options.Scene}' is not a file of the project '{options.Project}'.");
         ScreenTarget.Resize(options.Width, options.Height);
         Time.captureDeltaTime = (float)(1 / options.Fps);
-        if (options.ExecuteMethod is { } method && MethodRunner.Run(session.Scripts.FindMethod("--executeMethod", method)) is { } code) return code;
+        if (options.ExecuteMethod is { } method)
+        {
+            // Play mode is on, so that the method may leave objects behind that outlive the loading of the scene.
+            EngineState.IsPlaying = true;
+            if (MethodRunner.Run(session.Scripts.FindMethod("--executeMethod", method)) is { } code) return code;
+        }
 
         var timings = new TimingsFile(Path.Combine(folder, "timings.csv"));
         timings.Save();

@@ -93,7 +93,7 @@ sealed class Cloner
 
     Object Remap(Object reference) => m_Copies.GetValueOrDefault(reference, reference);
 
-    object? CopyValue(object? value, Type type)
+    public object? CopyValue(object? value, Type type)
     {
         switch (value)
         {

@@ -56,7 +56,7 @@ static class SceneLoading
     /// <summary>The first scene of a run; beforeAwake is called when its objects exist and none has woken.</summary>
     public static void Begin(string name, Action beforeAwake) => Load(name, LoadSceneMode.Single, beforeAwake);
 
-    static void Load(string name, LoadSceneMode mode, Action? beforeAwake)
+    public static void Load(string name, LoadSceneMode mode, Action? beforeAwake)
     {
         var scene = SceneTable.Create(Path.GetFileNameWithoutExtension(name), name, loaded: false);
         if (EngineHooks.LoadScene is null || !EngineHooks.LoadScene(name, scene))

@@ -14,8 +14,6 @@ public struct RectInt : IEquatable<RectInt>, IFormattable
     public RectInt(int xMin, int yMin, int width, int height) { m_XMin = xMin; m_YMin = yMin; m_Width = width; m_Height = height; }
     public RectInt(Vector2Int position, Vector2Int size) : this(position.x, position.y, size.x, size.y) { }
 
-    public static RectInt zero => default;
-
     public int x { readonly get => m_XMin; set => m_XMin = value; }
     public int y { readonly get => m_YMin; set => m_YMin = value; }
     public int width { readonly get => m_Width; set => m_Width = value; }
@@ -40,12 +38,7 @@ public struct RectInt : IEquatable<RectInt>, IFormattable
         size = Vector2Int.Min(bounds.max - position, size);
     }
 
-    public static bool operator ==(RectInt lhs, RectInt rhs) => lhs.Equals(rhs);
-    public static bool operator !=(RectInt lhs, RectInt rhs) => !lhs.Equals(rhs);
-
     public readonly bool Equals(RectInt other) => m_XMin == other.m_XMin && m_YMin == other.m_YMin && m_Width == other.m_Width && m_Height == other.m_Height;
-    public override readonly bool Equals(object? other) => other is RectInt r && Equals(r);
-    public override readonly int GetHashCode() => HashCode.Combine(m_XMin, m_YMin, m_Width, m_Height);
     public override readonly string ToString() => ToString(null, null);
     public readonly string ToString(string? format) => ToString(format, null);
     public readonly string ToString(string? format, IFormatProvider? formatProvider)

@@ -39,13 +39,13 @@ public sealed partial class ComputeBuffer
     }
 
     public void SetData<T>(NativeArray<T> data)
-        where T : struct => Upload(NativeMemory.Read(data), 0);
+        where T : struct => Upload(NativeSpans.Read(data), 0);
 
     public void SetData<T>(NativeArray<T> data, int nativeBufferStartIndex, int computeBufferStartIndex, int count)
         where T : struct
     {
         DeviceBuffer.CheckIndices(data.Length, nativeBufferStartIndex, computeBufferStartIndex, count, "computeBufferStartIndex");
-        Upload(NativeMemory.Read(data).Slice(nativeBufferStartIndex, count), computeBufferStartIndex);
+        Upload(NativeSpans.Read(data).Slice(nativeBufferStartIndex, count), computeBufferStartIndex);
     }
 
     public void GetData(Array data)

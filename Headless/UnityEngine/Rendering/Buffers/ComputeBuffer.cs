@@ -86,7 +86,7 @@ public sealed partial class ComputeBuffer : IDisposable
             throw new InvalidOperationException("ComputeBuffer is not being written: call BeginWrite first.");
         }
 
-        ReadOnlySpan<byte> data = NativeMemory.Read(writing)[..checked(countWritten * UnsafeUtility.SizeOf<T>())];
+        ReadOnlySpan<byte> data = NativeSpans.Read(writing)[..checked(countWritten * UnsafeUtility.SizeOf<T>())];
         if (!data.IsEmpty)
         {
             GraphicsDevice.Recorder.UpdateBuffer(Storage.Gpu, writingOffset, data);

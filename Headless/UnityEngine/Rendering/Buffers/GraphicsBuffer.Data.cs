@@ -39,13 +39,13 @@ public sealed partial class GraphicsBuffer
     }
 
     public void SetData<T>(NativeArray<T> data)
-        where T : struct => Upload(NativeMemory.Read(data), 0);
+        where T : struct => Upload(NativeSpans.Read(data), 0);
 
     public void SetData<T>(NativeArray<T> data, int nativeBufferStartIndex, int graphicsBufferStartIndex, int count)
         where T : struct
     {
         DeviceBuffer.CheckIndices(data.Length, nativeBufferStartIndex, graphicsBufferStartIndex, count, "graphicsBufferStartIndex");
-        Upload(NativeMemory.Read(data).Slice(nativeBufferStartIndex, count), graphicsBufferStartIndex);
+        Upload(NativeSpans.Read(data).Slice(nativeBufferStartIndex, count), graphicsBufferStartIndex);
     }
 
     public void GetData(Array data)

@@ -122,7 +122,7 @@ public sealed partial class GraphicsBuffer : IDisposable
             throw new InvalidOperationException("GraphicsBuffer is not locked: call LockBufferForWrite first.");
         }
 
-        ReadOnlySpan<byte> data = NativeMemory.Read(locked)[..checked(countWritten * UnsafeUtility.SizeOf<T>())];
+        ReadOnlySpan<byte> data = NativeSpans.Read(locked)[..checked(countWritten * UnsafeUtility.SizeOf<T>())];
         if (!data.IsEmpty)
         {
             GraphicsDevice.Recorder.UpdateBuffer(Storage.Gpu, lockedOffset, data);

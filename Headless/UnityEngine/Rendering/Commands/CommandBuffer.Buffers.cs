@@ -45,7 +45,7 @@ public partial class CommandBuffer
     {
         DeviceBuffer.CheckIndices(data.Count, managedBufferStartIndex, graphicsBufferStartIndex, count, "graphicsBufferStartIndex");
         ReadOnlySpan<T> part = CollectionsMarshal.AsSpan(data).Slice(managedBufferStartIndex, count);
-        Upload(Require(buffer).Storage, NativeMemory.BytesOf(part), NativeMemory.SizeOf<T>(), graphicsBufferStartIndex);
+        Upload(Require(buffer).Storage, NativeSpans.BytesOf(part), NativeSpans.SizeOf<T>(), graphicsBufferStartIndex);
     }
 
     public void SetBufferData<T>(GraphicsBuffer buffer, NativeArray<T> data)
@@ -55,8 +55,8 @@ public partial class CommandBuffer
         where T : struct
     {
         DeviceBuffer.CheckIndices(data.Length, nativeBufferStartIndex, graphicsBufferStartIndex, count, "graphicsBufferStartIndex");
-        ReadOnlySpan<T> part = NativeMemory.Read(data).Slice(nativeBufferStartIndex, count);
-        Upload(Require(buffer).Storage, NativeMemory.BytesOf(part), NativeMemory.SizeOf<T>(), graphicsBufferStartIndex);
+        ReadOnlySpan<T> part = NativeSpans.Read(data).Slice(nativeBufferStartIndex, count);
+        Upload(Require(buffer).Storage, NativeSpans.BytesOf(part), NativeSpans.SizeOf<T>(), graphicsBufferStartIndex);
     }
 
     public void SetBufferCounterValue(GraphicsBuffer buffer, uint counterValue) => throw new NotSupportedException(
@@ -97,7 +97,7 @@ public partial class CommandBuffer
     {
         DeviceBuffer.CheckIndices(data.Count, managedBufferStartIndex, graphicsBufferStartIndex, count, "graphicsBufferStartIndex");
         ReadOnlySpan<T> part = CollectionsMarshal.AsSpan(data).Slice(managedBufferStartIndex, count);
-        Upload(Require(buffer).Storage, NativeMemory.BytesOf(part), NativeMemory.SizeOf<T>(), graphicsBufferStartIndex);
+        Upload(Require(buffer).Storage, NativeSpans.BytesOf(part), NativeSpans.SizeOf<T>(), graphicsBufferStartIndex);
     }
 
     public void SetBufferData<T>(ComputeBuffer buffer, NativeArray<T> data)
@@ -107,8 +107,8 @@ public partial class CommandBuffer
         where T : struct
     {
         DeviceBuffer.CheckIndices(data.Length, nativeBufferStartIndex, graphicsBufferStartIndex, count, "graphicsBufferStartIndex");
-        ReadOnlySpan<T> part = NativeMemory.Read(data).Slice(nativeBufferStartIndex, count);
-        Upload(Require(buffer).Storage, NativeMemory.BytesOf(part), NativeMemory.SizeOf<T>(), graphicsBufferStartIndex);
+        ReadOnlySpan<T> part = NativeSpans.Read(data).Slice(nativeBufferStartIndex, count);
+        Upload(Require(buffer).Storage, NativeSpans.BytesOf(part), NativeSpans.SizeOf<T>(), graphicsBufferStartIndex);
     }
 
     public void SetBufferCounterValue(ComputeBuffer buffer, uint counterValue) => throw new NotSupportedException(

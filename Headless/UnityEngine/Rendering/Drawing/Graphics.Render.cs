@@ -62,21 +62,21 @@ public partial class Graphics
 
     public static void RenderMeshInstanced<T>(
         RenderParams rparams, Mesh mesh, int submeshIndex, NativeArray<T> instanceData, int instanceCount = -1, int startInstance = 0)
-        where T : unmanaged => Instances(rparams, mesh, submeshIndex, NativeMemory.Read(instanceData), instanceCount, startInstance);
+        where T : unmanaged => Instances(rparams, mesh, submeshIndex, NativeSpans.Read(instanceData), instanceCount, startInstance);
 
     private static void Instances<T>(
         in RenderParams rparams, Mesh mesh, int submeshIndex, ReadOnlySpan<T> data, int instanceCount, int startInstance)
         where T : unmanaged
     {
         // Instance data begins with objectToWorld: a Matrix4x4 by itself, or a struct with it as the first field.
-        int size = NativeMemory.SizeOf<T>();
+        int size = NativeSpans.SizeOf<T>();
         if (size < 64)
         {
             throw new ArgumentException($"RenderMeshInstanced: instance data {typeof(T).Name} must begin with a Matrix4x4 objectToWorld.");
         }
 
         int count = instanceCount < 0 ? data.Length - startInstance : instanceCount;
-        ReadOnlySpan<byte> bytes = NativeMemory.BytesOf(data);
+        ReadOnlySpan<byte> bytes = NativeSpans.BytesOf(data);
         for (int i = 0; i < count; i++)
         {
             var matrix = System.Runtime.InteropServices.MemoryMarshal.Read<Matrix4x4>(bytes[((startInstance + i) * size)..]);

@@ -35,7 +35,7 @@ public sealed partial class Mesh
     }
 
     public void SetVertexBufferParams(int vertexCount, NativeArray<VertexAttributeDescriptor> attributes) =>
-        SetVertexBufferParams(vertexCount, NativeMemory.Read(attributes).ToArray());
+        SetVertexBufferParams(vertexCount, NativeSpans.Read(attributes).ToArray());
 
     public void SetVertexBufferData<T>(T[] data, int dataStart, int meshBufferStart, int count, int stream = 0, MeshUpdateFlags flags = MeshUpdateFlags.Default)
         where T : struct => SetVertexBytes(data.AsSpan(dataStart, count), meshBufferStart, stream);
@@ -44,7 +44,7 @@ public sealed partial class Mesh
         where T : struct => SetVertexBytes<T>(CollectionsMarshal.AsSpan(data).Slice(dataStart, count), meshBufferStart, stream);
 
     public void SetVertexBufferData<T>(NativeArray<T> data, int dataStart, int meshBufferStart, int count, int stream = 0, MeshUpdateFlags flags = MeshUpdateFlags.Default)
-        where T : struct => SetVertexBytes(NativeMemory.Read(data).Slice(dataStart, count), meshBufferStart, stream);
+        where T : struct => SetVertexBytes(NativeSpans.Read(data).Slice(dataStart, count), meshBufferStart, stream);
 
     public void SetIndexBufferParams(int indexCount, IndexFormat format)
     {
@@ -60,7 +60,7 @@ public sealed partial class Mesh
         where T : struct => SetIndexValues<T>(CollectionsMarshal.AsSpan(data).Slice(dataStart, count), meshBufferStart);
 
     public void SetIndexBufferData<T>(NativeArray<T> data, int dataStart, int meshBufferStart, int count, MeshUpdateFlags flags = MeshUpdateFlags.Default)
-        where T : struct => SetIndexValues(NativeMemory.Read(data).Slice(dataStart, count), meshBufferStart);
+        where T : struct => SetIndexValues(NativeSpans.Read(data).Slice(dataStart, count), meshBufferStart);
 
     public void SetSubMesh(int index, SubMeshDescriptor desc, MeshUpdateFlags flags = MeshUpdateFlags.Default)
     {
@@ -96,8 +96,8 @@ public sealed partial class Mesh
             throw new ArgumentOutOfRangeException(nameof(stream), $"Mesh '{name}' has {store.StreamCount} vertex streams; there is none with index {stream}.");
         }
 
-        ReadOnlySpan<byte> bytes = NativeMemory.BytesOf(data);
-        int offset = start * NativeMemory.SizeOf<T>();
+        ReadOnlySpan<byte> bytes = NativeSpans.BytesOf(data);
+        int offset = start * NativeSpans.SizeOf<T>();
         byte[] target = store.Stream(stream);
         if (offset + bytes.Length > target.Length)
         {
@@ -111,10 +111,10 @@ public sealed partial class Mesh
     private void SetIndexValues<T>(ReadOnlySpan<T> data, int start)
         where T : struct
     {
-        ReadOnlySpan<byte> bytes = NativeMemory.BytesOf(data);
+        ReadOnlySpan<byte> bytes = NativeSpans.BytesOf(data);
         int size = format == IndexFormat.UInt16 ? 2 : 4;
         int count = bytes.Length / size;
-        int first = start * NativeMemory.SizeOf<T>() / size;
+        int first = start * NativeSpans.SizeOf<T>() / size;
         if (first + count > indices.Length)
         {
             throw new ArgumentException($"{count} indices at {first} exceed the {indices.Length} indices of mesh '{name}'.");

@@ -119,8 +119,8 @@ public sealed partial class Mesh
     private void WriteNative<T>(VertexAttribute attribute, NativeArray<T> values, int start, int length)
         where T : struct
     {
-        int size = NativeMemory.SizeOf<T>();
-        ReadOnlySpan<byte> bytes = NativeMemory.Bytes(values).Slice(start * size, length * size);
+        int size = NativeSpans.SizeOf<T>();
+        ReadOnlySpan<byte> bytes = NativeSpans.Bytes(values).Slice(start * size, length * size);
         switch (size)
         {
             case 8:

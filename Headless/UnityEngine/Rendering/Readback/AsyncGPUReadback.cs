@@ -54,7 +54,7 @@ public static class AsyncGPUReadback
         {
             if (output.IsCreated)
             {
-                Span<byte> target = NativeMemory.WriteBytes(output);
+                Span<byte> target = NativeSpans.WriteBytes(output);
                 bytes.Span[..Math.Min(bytes.Length, target.Length)].CopyTo(target);
             }
         };
@@ -71,9 +71,9 @@ public static class AsyncGPUReadback
         where T : struct
     {
         int bytes = size ?? (int)(buffer?.ByteSize ?? 0);
-        if (bytes > (long)output.Length * NativeMemory.SizeOf<T>())
+        if (bytes > (long)output.Length * NativeSpans.SizeOf<T>())
         {
-            throw new ArgumentException($"AsyncGPUReadback: {bytes} bytes do not fit the native array of {(long)output.Length * NativeMemory.SizeOf<T>()} bytes.");
+            throw new ArgumentException($"AsyncGPUReadback: {bytes} bytes do not fit the native array of {(long)output.Length * NativeSpans.SizeOf<T>()} bytes.");
         }
 
         var state = new ReadbackState(callback, Sink(output));

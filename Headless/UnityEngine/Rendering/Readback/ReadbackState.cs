@@ -90,7 +90,7 @@ internal sealed class ReadbackState
         }
 
         data = new NativeArray<byte>(bytes.Length, Allocator.Persistent);
-        bytes.CopyTo(NativeMemory.Write(data));
+        bytes.CopyTo(NativeSpans.Write(data));
         Size = bytes.Length;
         Notify();
     }

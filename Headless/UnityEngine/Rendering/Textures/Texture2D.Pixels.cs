@@ -112,7 +112,7 @@ public sealed partial class Texture2D
     }
 
     public void SetPixelData<T>(NativeArray<T> data, int mipLevel, int sourceDataStartIndex = 0)
-        where T : struct => LoadMip(NativeMemory.Bytes(data)[(sourceDataStartIndex * NativeMemory.SizeOf<T>())..], mipLevel);
+        where T : struct => LoadMip(NativeSpans.Bytes(data)[(sourceDataStartIndex * NativeSpans.SizeOf<T>())..], mipLevel);
 
     public void LoadRawTextureData(byte[] data)
     {
@@ -121,7 +121,7 @@ public sealed partial class Texture2D
     }
 
     public void LoadRawTextureData<T>(NativeArray<T> data)
-        where T : struct => LoadRaw(NativeMemory.Bytes(data));
+        where T : struct => LoadRaw(NativeSpans.Bytes(data));
 
     public void ReadPixels(Rect source, int destX, int destY) => ReadPixels(source, destX, destY, true);
 
@@ -137,8 +137,8 @@ public sealed partial class Texture2D
     private static NativeArray<T> CopyOf<T>(ReadOnlySpan<byte> bytes)
         where T : struct
     {
-        var copy = new NativeArray<T>(bytes.Length / NativeMemory.SizeOf<T>(), Allocator.Persistent);
-        bytes.CopyTo(NativeMemory.WriteBytes(copy));
+        var copy = new NativeArray<T>(bytes.Length / NativeSpans.SizeOf<T>(), Allocator.Persistent);
+        bytes.CopyTo(NativeSpans.WriteBytes(copy));
         return copy;
     }
 

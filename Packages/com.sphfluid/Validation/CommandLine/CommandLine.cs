@@ -41,8 +41,14 @@ namespace SphFluid.Validation
 
         internal static void Prepare(PlayArguments arguments)
         {
-            SceneManager.sceneLoaded += (scene, mode) => PlayOverrides.Apply(arguments, FluidSimulation.Active);
-            PlayRecorder.Begin(arguments);
+            bool begun = false;
+            SceneManager.sceneLoaded += (scene, mode) =>
+            {
+                PlayOverrides.Apply(arguments, FluidSimulation.Active);
+                if (!begun)
+                    PlayRecorder.Begin(arguments);
+                begun = true;
+            };
         }
 
         static void Fail(string message)

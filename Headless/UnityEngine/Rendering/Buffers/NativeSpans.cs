@@ -6,7 +6,7 @@ using Unity.Collections;
 namespace Headless.Engine;
 
 /// <summary>Spans over native arrays.</summary>
-internal static class NativeMemory
+internal static class NativeSpans
 {
     public static ReadOnlySpan<T> Read<T>(NativeArray<T> array)
         where T : struct => array.AsReadOnlySpan();

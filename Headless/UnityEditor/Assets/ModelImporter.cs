@@ -1,0 +1,6 @@
+namespace UnityEditor;
+
+public class ModelImporter : AssetImporter
+{
+    public bool isReadable { get; set; }
+}

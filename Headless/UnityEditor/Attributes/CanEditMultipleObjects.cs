@@ -1,0 +1,6 @@
+using System;
+
+namespace UnityEditor;
+
+[AttributeUsage(AttributeTargets.Class)]
+public sealed class CanEditMultipleObjects : Attribute { }

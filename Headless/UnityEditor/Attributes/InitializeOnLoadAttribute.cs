@@ -1,0 +1,6 @@
+using System;
+
+namespace UnityEditor;
+
+[AttributeUsage(AttributeTargets.Class)]
+public class InitializeOnLoadAttribute : Attribute { }

@@ -1,0 +1,6 @@
+using System;
+
+namespace UnityEditor;
+
+[AttributeUsage(AttributeTargets.Method)]
+public class InitializeOnLoadMethodAttribute : Attribute { }
