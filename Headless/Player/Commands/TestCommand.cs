@@ -2,6 +2,7 @@ using System.Reflection;
 using Headless.Engine;
 using Headless.Importers.Project;
 using Headless.Player.Output;
+using NUnit.Framework.Interfaces;
 using UnityEngine.TestTools;
 
 namespace Headless.Player.Commands;
@@ -16,16 +17,15 @@ internal static class TestCommand
 
     public static int Run(TestOptions options)
     {
-        var console = new ConsoleLines();
-        using EngineSession session = EngineSession.Start(options.Project, options.Assemblies, options.Device, options.Validate, console.Write);
+        using var output = new TestRunOutput(Console.Out);
+        using EngineSession session = EngineSession.Start(options.Project, options.Assemblies, options.Device, options.Validate, output.AddConsoleLine);
         Console.WriteLine($"graphics device: {GraphicsDevice.Device.Adapter}");
         var definitions = new AssemblyDefinitions(session.Project.Index);
-        ILookup<bool, Assembly> tests = session.Assemblies.Where(a => a.GetReferencedAssemblies().Any(r => r.Name == TestFramework))
+        ILookup<bool, Assembly> tests = session.Assemblies.Where(HasTests)
             .ToLookup(a => definitions.All.Any(d => d.Name == a.GetName().Name && d.EditorOnly));
-        if (tests.Count == 0) throw new UsageException("--assemblies: none of the script assemblies is a test assembly (they reference nunit.framework).");
+        if (tests.Count == 0) throw new UsageException("--assemblies: none of the script assemblies holds a test.");
 
         int passed = 0, failed = 0, skipped = 0;
-        using var output = new TestOutput(Console.Out);
         foreach (TestPlatform mode in new[] { TestPlatform.EditMode, TestPlatform.PlayMode })
         {
             bool edit = mode == TestPlatform.EditMode;
@@ -41,4 +41,8 @@ internal static class TestCommand
         Console.WriteLine($"{passed} passed, {failed} failed, {skipped} skipped");
         return failed == 0 && passed > 0 ? 0 : 1;
     }
+
+    private static bool HasTests(Assembly assembly) =>
+        assembly.GetReferencedAssemblies().Any(r => r.Name == TestFramework)
+        && TypeLookup.Types(assembly).SelectMany(t => t.GetMethods()).Any(m => m.GetCustomAttributes(true).Any(a => a is ITestBuilder or ISimpleTestBuilder));
 }

@@ -19,6 +19,9 @@ public class UnityTestAttribute : CombiningStrategyAttribute, ISimpleTestBuilder
         var parameters = new TestCaseParameters(Array.Empty<object>()) { ExpectedResult = new object(), HasExpectedResult = true };
         TestMethod test = m_Builder.BuildTestMethod(method, suite, parameters);
         parameters.HasExpectedResult = false;
+        // Without arguments the test carries the method's bare name, as in the Editor's test window.
+        if (test.Name.EndsWith("()", StringComparison.Ordinal)) test.Name = test.Name[..^2];
+        if (test.FullName.EndsWith("()", StringComparison.Ordinal)) test.FullName = test.FullName[..^2];
         return test;
     }
 

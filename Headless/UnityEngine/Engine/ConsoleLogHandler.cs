@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Globalization;
 using UnityEngine;
 using Object = UnityEngine.Object;
@@ -11,7 +12,7 @@ sealed class ConsoleLogHandler : ILogHandler
     public void LogFormat(LogType logType, Object? context, string format, params object?[] args)
     {
         string message = args is { Length: > 0 } ? string.Format(CultureInfo.InvariantCulture, format, args) : format;
-        string stack = logType is LogType.Error or LogType.Assert ? Environment.StackTrace : "";
+        string stack = logType is LogType.Error or LogType.Assert ? CallerStack() : "";
         Write(logType, message, stack, context, "");
     }
 
@@ -23,6 +24,20 @@ sealed class ConsoleLogHandler : ILogHandler
         for (Exception? inner = exception.InnerException; inner is not null; inner = inner.InnerException)
             stack = $"{stack}\nRethrow of {inner.GetType().Name}: {inner.Message}\n{inner.StackTrace}";
         Write(LogType.Exception, message, stack, context, "\n" + stack);
+    }
+
+    // The caller's frames, without those of the engine around them.
+    static string CallerStack()
+    {
+        var lines = new List<string>();
+        foreach (string line in Environment.StackTrace.Split('\n'))
+        {
+            string frame = line.Trim();
+            if (frame.StartsWith("at Headless.Engine.", StringComparison.Ordinal) || frame.StartsWith("at System.", StringComparison.Ordinal)
+                || frame.StartsWith("at UnityEngine.Debug.", StringComparison.Ordinal) || frame.StartsWith("at UnityEngine.Logger.", StringComparison.Ordinal)) continue;
+            lines.Add(frame);
+        }
+        return string.Join('\n', lines);
     }
 
     static void Write(LogType type, string message, string stack, Object? context, string suffix)

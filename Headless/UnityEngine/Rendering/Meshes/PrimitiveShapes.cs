@@ -30,7 +30,7 @@ internal static class PrimitiveShapes
             int b = shape.Add(center + ((-right + up) * 0.5f), normal, new Vector2(0f, 1f));
             int c = shape.Add(center + ((right + up) * 0.5f), normal, new Vector2(1f, 1f));
             int d = shape.Add(center + ((right - up) * 0.5f), normal, new Vector2(1f, 0f));
-            shape.Quad(a, d, c, b);
+            shape.Quad(a, b, c, d);
         }
 
         return shape.Build();

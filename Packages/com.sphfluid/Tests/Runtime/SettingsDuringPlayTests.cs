@@ -74,11 +74,13 @@ namespace SphFluid.Tests
             Assert.That(simulation.Solver, Is.Not.SameAs(solver));
 
             solver = simulation.Solver;
-            simulation.Profile = Object.Instantiate(rig.Profile);
+            FluidProfile copy = Object.Instantiate(rig.Profile);
+            simulation.Profile = copy;
             yield return null;
             yield return null;
             Assert.That(simulation.Solver, Is.Not.SameAs(solver));
-            Object.DestroyImmediate(simulation.Profile);
+            simulation.enabled = false;
+            Object.DestroyImmediate(copy);
         }
 
         [UnityTest]

@@ -8,42 +8,27 @@ namespace SphFluid.Tests
     /// <summary>The two components on a simulation: what they find, what they say, what they make.</summary>
     public sealed class FluidRendererTests
     {
-        GameObject tank;
-        FluidProfile profile;
+        SimulationRig rig;
 
         [SetUp]
-        public void SetUp()
-        {
-            profile = ScriptableObject.CreateInstance<FluidProfile>();
-            profile.Shaders = SurfaceTestScene.LoadShaders();
-            tank = new GameObject("Tank");
-        }
+        public void SetUp() => rig = new SimulationRig();
 
         [TearDown]
-        public void TearDown()
-        {
-            var simulation = tank.GetComponent<FluidSimulation>();
-            if (simulation != null)
-                simulation.StopSimulation();
-            foreach (FluidRenderer drawing in tank.GetComponents<FluidRenderer>())
-                Object.DestroyImmediate(drawing);
-            Object.DestroyImmediate(tank);
-            Object.DestroyImmediate(profile);
-        }
+        public void TearDown() => rig.Dispose();
 
         [Test]
         public void SimulationOnTheSameObjectIsFound()
         {
-            FluidSimulation simulation = StartLiquid();
-            Assert.AreSame(simulation, tank.AddComponent<FluidParticleRenderer>().Simulation);
-            Assert.AreSame(simulation, tank.AddComponent<FluidSurfaceRenderer>().Simulation);
+            FluidSimulation simulation = rig.Create();
+            Assert.AreSame(simulation, simulation.gameObject.AddComponent<FluidParticleRenderer>().Simulation);
+            Assert.AreSame(simulation, simulation.gameObject.AddComponent<FluidSurfaceRenderer>().Simulation);
         }
 
         [Test]
         public void MissingSimulationIsNamedOnce()
         {
-            var drawing = tank.AddComponent<FluidSurfaceRenderer>();
-            LogAssert.Expect(LogType.Warning, new Regex("'Tank'.*FluidSurfaceRenderer has no simulation to draw"));
+            var drawing = rig.NewObject("Alone").AddComponent<FluidSurfaceRenderer>();
+            LogAssert.Expect(LogType.Warning, new Regex("'Alone'.*FluidSurfaceRenderer has no simulation to draw"));
             drawing.DrawFrame();
             drawing.DrawFrame();
             LogAssert.NoUnexpectedReceived();
@@ -52,10 +37,9 @@ namespace SphFluid.Tests
         [Test]
         public void WithoutGeometryShadersTheParticlesAreDrawnAndThisIsSaidOnce()
         {
-            StartLiquid();
-            var drawing = tank.AddComponent<FluidSurfaceRenderer>();
+            var drawing = StartLiquid().gameObject.AddComponent<FluidSurfaceRenderer>();
             drawing.MissingSupport = () => "The toaster has no geometry shaders.";
-            LogAssert.Expect(LogType.Warning, new Regex("'Tank'.*The toaster has no geometry shaders.*particles are drawn instead"));
+            LogAssert.Expect(LogType.Warning, new Regex("'Fluid'.*The toaster has no geometry shaders.*particles are drawn instead"));
             drawing.DrawFrame();
             drawing.DrawFrame();
             Assert.IsTrue(drawing.UsesFallback);
@@ -65,10 +49,8 @@ namespace SphFluid.Tests
         [Test]
         public void GridFollowsItsSettingAndTheDomain()
         {
-            if (GeometrySurface.MissingSupport() != null)
-                Assert.Ignore(GeometrySurface.MissingSupport());
             FluidSimulation simulation = StartLiquid();
-            var drawing = tank.AddComponent<FluidSurfaceRenderer>();
+            var drawing = AddSurface(simulation);
             drawing.GridSize = SurfaceGridSize.Cells32;
             drawing.DrawFrame();
             Assert.AreEqual(33 * 33 * 33 * sizeof(float), drawing.GpuBytes);
@@ -85,14 +67,27 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void DisablingFreesTheGrid()
+        {
+            FluidSurfaceRenderer drawing = AddSurface(StartLiquid());
+            drawing.DrawFrame();
+            Assert.Greater(drawing.GpuBytes, 0);
+            drawing.enabled = false;
+            Assert.AreEqual(0, drawing.GpuBytes);
+            drawing.enabled = true;
+            drawing.DrawFrame();
+            Assert.Greater(drawing.GpuBytes, 0);
+        }
+
+        [Test]
         public void ShaderSetWithoutTheShaderIsNamedOnceAndDrawingStops()
         {
-            StartLiquid();
-            var incomplete = Object.Instantiate(profile.Shaders);
+            FluidSimulation simulation = StartLiquid();
+            FluidShaderSet incomplete = Object.Instantiate(rig.Profile.Shaders);
             incomplete.ParticleShader = null;
-            profile.Shaders = incomplete;
-            var drawing = tank.AddComponent<FluidParticleRenderer>();
-            LogAssert.Expect(LogType.Error, new Regex("'Tank'.*particleShader.*not drawn"));
+            rig.Profile.Shaders = incomplete;
+            var drawing = simulation.gameObject.AddComponent<FluidParticleRenderer>();
+            LogAssert.Expect(LogType.Error, new Regex("'Fluid'.*particleShader.*not drawn"));
             drawing.DrawFrame();
             drawing.DrawFrame();
             LogAssert.NoUnexpectedReceived();
@@ -107,19 +102,29 @@ namespace SphFluid.Tests
             Assert.AreEqual(256, SurfaceGridSize.Cells256.Cells());
         }
 
+        [Test]
+        public void MeshOfARunningLiquidHoldsItsVolume()
+        {
+            FluidSimulation simulation = StartLiquid();
+            SurfaceMesh mesh = FluidSurfaceMesher.Extract(simulation.Solver, rig.Profile.Shaders, SurfaceGridSize.Cells32);
+            Assert.AreEqual(0.008, mesh.Volume(), 0.3 * 0.008);
+            Assert.AreEqual(mesh.Volume(), mesh.Transformed(simulation.LocalToWorld).Volume(), 1e-5);
+        }
+
         FluidSimulation StartLiquid()
         {
-            var simulation = tank.AddComponent<FluidSimulation>();
-            simulation.Profile = profile;
-            simulation.DomainSize = Vector3.one;
-            simulation.Spacing = 0.05f;
-            var liquid = new GameObject("Liquid");
-            liquid.transform.SetParent(tank.transform, false);
-            var volume = liquid.AddComponent<FluidVolume>();
-            volume.Size = new Vector3(0.3f, 0.3f, 0.3f);
-            volume.Simulation = simulation;
+            FluidSimulation simulation = rig.Create();
             Assert.IsTrue(simulation.StartSimulation(), simulation.StatusMessage);
             return simulation;
+        }
+
+        static FluidSurfaceRenderer AddSurface(FluidSimulation simulation)
+        {
+            var drawing = simulation.gameObject.AddComponent<FluidSurfaceRenderer>();
+            string lack = drawing.MissingSupport();
+            if (lack != null)
+                Assert.Ignore(lack);
+            return drawing;
         }
     }
 }

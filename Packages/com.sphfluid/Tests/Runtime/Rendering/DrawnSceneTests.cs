@@ -1,0 +1,129 @@
+using System.Collections;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Whole frames as a camera sees them: two liquids at once, each with its own drawing.</summary>
+    public sealed class DrawnSceneTests
+    {
+        const int Width = 128;
+        const int Height = 64;
+
+        SimulationRig rig;
+        Camera camera;
+        RenderTexture target;
+
+        [SetUp]
+        public void SetUp()
+        {
+            rig = new SimulationRig();
+            target = new RenderTexture(Width, Height, 24);
+            camera = rig.NewObject("Camera").AddComponent<Camera>();
+            camera.transform.position = new Vector3(0f, 0f, -2f);
+            camera.orthographic = true;
+            camera.orthographicSize = 0.25f;
+            camera.clearFlags = CameraClearFlags.SolidColor;
+            camera.backgroundColor = Color.black;
+            camera.targetTexture = target;
+            var light = rig.NewObject("Light").AddComponent<Light>();
+            light.type = LightType.Directional;
+            light.transform.rotation = Quaternion.Euler(30f, 20f, 0f);
+        }
+
+        [TearDown]
+        public void TearDown()
+        {
+            camera.targetTexture = null;
+            rig.Dispose();
+            target.Release();
+            Object.DestroyImmediate(target);
+        }
+
+        [UnityTest]
+        public IEnumerator TwoLiquidsKeepTheirColours()
+        {
+            var left = rig.Create("Left", position: new Vector3(-0.25f, 0f, 0f)).gameObject.AddComponent<FluidParticleRenderer>();
+            var right = rig.Create("Right", position: new Vector3(0.25f, 0f, 0f)).gameObject.AddComponent<FluidSurfaceRenderer>();
+            if (right.MissingSupport() != null)
+                Assert.Ignore(right.MissingSupport());
+            left.Colour = Color.red;
+            right.Colour = Color.green;
+            right.GridSize = SurfaceGridSize.Cells32;
+            yield return Frames(3);
+
+            Color[] picture = Picture();
+            Assert.Greater(Count(picture, 0, Width / 2, p => p.r > 2f * p.g && p.r > 0.2f), 200, "red pixels on the left");
+            Assert.Greater(Count(picture, Width / 2, Width, p => p.g > 2f * p.r && p.g > 0.2f), 200, "green pixels on the right");
+            Assert.AreEqual(0, Count(picture, 0, Width / 2, p => p.g > 2f * p.r && p.g > 0.2f), "green pixels on the left");
+
+            left.enabled = false;
+            right.gameObject.SetActive(false);
+            yield return Frames(2);
+            Assert.AreEqual(0, Count(Picture(), 0, Width, p => p.maxColorComponent > 0.05f), "pixels of liquids that are switched off");
+        }
+
+        [UnityTest]
+        public IEnumerator SurfaceFallsWithItsLiquidInATurnedTank()
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.transform.rotation = Quaternion.Euler(0f, 0f, 90f);
+            var drawing = simulation.gameObject.AddComponent<FluidSurfaceRenderer>();
+            if (drawing.MissingSupport() != null)
+                Assert.Ignore(drawing.MissingSupport());
+            drawing.GridSize = SurfaceGridSize.Cells32;
+            yield return Frames(2);
+            float before = MeanRow(Picture());
+            yield return Frames(15);
+            float after = MeanRow(Picture());
+            Assert.Less(after, before - 2f, "the liquid falls in the picture");
+        }
+
+        static IEnumerator Frames(int count)
+        {
+            for (int i = 0; i < count; i++)
+                yield return null;
+        }
+
+        Color[] Picture()
+        {
+            camera.Render();
+            RenderTexture before = RenderTexture.active;
+            var picture = new Texture2D(Width, Height, TextureFormat.RGBA32, false);
+            RenderTexture.active = target;
+            picture.ReadPixels(new Rect(0, 0, Width, Height), 0, 0);
+            picture.Apply();
+            RenderTexture.active = before;
+            Color[] pixels = picture.GetPixels();
+            Object.DestroyImmediate(picture);
+            return pixels;
+        }
+
+        static int Count(Color[] picture, int from, int to, System.Predicate<Color> which)
+        {
+            int count = 0;
+            for (int i = 0; i < picture.Length; i++)
+            {
+                int x = i % Width;
+                count += x >= from && x < to && which(picture[i]) ? 1 : 0;
+            }
+            return count;
+        }
+
+        static float MeanRow(Color[] picture)
+        {
+            float sum = 0f;
+            int count = 0;
+            for (int i = 0; i < picture.Length; i++)
+            {
+                if (picture[i].maxColorComponent <= 0.05f)
+                    continue;
+                sum += i / Width;
+                count++;
+            }
+            Assert.Greater(count, 100, "pixels of the liquid");
+            return sum / count;
+        }
+    }
+}
