@@ -13,14 +13,16 @@ sealed class FrameDriver(double timeoutSeconds)
 {
     Exception? m_Failure;
     bool m_Done;
+    bool m_EditMode;
 
     public void Run(IEnumerator routine, Action checkEachFrame)
     {
         m_Failure = null;
         m_Done = false;
+        m_EditMode = !EngineState.IsPlaying;
         IEnumerator steps = Steps(routine);
         var clock = Stopwatch.StartNew();
-        TestHost? host = EngineState.IsPlaying ? TestHost.Get() : null;
+        TestHost? host = m_EditMode ? null : TestHost.Get();
         if (host is not null) host.StartCoroutine(steps);
         else if (!steps.MoveNext()) m_Done = true;
         while (!m_Done)
@@ -53,7 +55,7 @@ sealed class FrameDriver(double timeoutSeconds)
                     continue;
                 }
                 yielded = stack.Peek().Current;
-                if (!EngineState.IsPlaying) yielded = ForEditMode(yielded);
+                if (m_EditMode) yielded = ForEditMode(yielded);
             }
             catch (Exception exception)
             {

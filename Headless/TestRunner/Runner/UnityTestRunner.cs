@@ -59,8 +59,8 @@ static class UnityTestRunner
 
     static void Leave(TestPlatform mode)
     {
-        if (mode == TestPlatform.PlayMode) PlaySession.End();
-        else SceneTable.DestroyAll();
+        PlaySession.End();
+        if (mode == TestPlatform.EditMode) SceneTable.DestroyAll();
     }
 
     static void Print(TextWriter output, TestOutcome outcome)

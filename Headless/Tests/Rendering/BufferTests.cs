@@ -86,11 +86,20 @@ public sealed class BufferTests : RenderFixture
     [Test]
     public void CopiesKeepTheirPlaceInTheOrder()
     {
-        using GraphicsBuffer a = Floats(1, 2);
-        using GraphicsBuffer b = Floats(0, 0);
+        using var a = new GraphicsBuffer(GraphicsBuffer.Target.CopySource | GraphicsBuffer.Target.Structured, 2, 4);
+        using var b = new GraphicsBuffer(GraphicsBuffer.Target.CopyDestination | GraphicsBuffer.Target.Structured, 2, 4);
+        a.SetData(new float[] { 1, 2 });
         Graphics.CopyBuffer(a, b);
         a.SetData(new float[] { 3, 4 });
         Assert.That(Read(b), Is.EqualTo(new float[] { 1, 2 }));
+    }
+
+    [Test]
+    public void CopiesNeedTheirTargetFlags()
+    {
+        using GraphicsBuffer a = Floats(1, 2);
+        using GraphicsBuffer b = Floats(0, 0);
+        Assert.That(() => Graphics.CopyBuffer(a, b), Throws.ArgumentException.With.Message.Contains("CopySource"));
     }
 
     [Test]

@@ -34,7 +34,7 @@ public sealed class SceneTests : SceneFixture
         float top = picture.Brightness(camera.WorldToScreenPoint(new Vector3(0f, 0.5f, 0f)));
         Assert.That(side, Is.GreaterThan(front));
         Assert.That(top, Is.GreaterThan(front));
-        Assert.That(picture.Share(c => c.r > c.g * 2 && c.r > c.b * 2), Is.EqualTo(0.052f).Within(0.012f), "share of the red cube");
+        Assert.That(picture.Share(c => c.r > c.g * 2 && c.r > c.b * 2), Is.EqualTo(0.021f).Within(0.004f), "share of the red cube");
     }
 
     [Test]
@@ -48,7 +48,7 @@ public sealed class SceneTests : SceneFixture
         Frame();
         Picture picture = Picture.OfScreen();
         Assert.That(IsRed(picture.At(64, 48)), Is.True);
-        Assert.That(IsGreen(picture.At(64, 80)), Is.True);
+        Assert.That(IsGreen(picture.At(64, 66)), Is.True);
         far.GetComponent<Renderer>().sortingOrder = -5;
         Frame();
         Assert.That(IsRed(Picture.OfScreen().At(64, 48)), Is.True);

@@ -67,13 +67,13 @@ namespace SphFluid
             FluidProfile profile = simulation.Profile;
             if (profile == null)
                 messages.Add(Error(simulation, FluidIssue.ProfileMissing, "No profile is assigned.",
-                    "Assign a Fluid Profile, for instance Water from the package's Runtime/Assets, or make one with Assets > Create > SPH Fluid > Fluid Profile."));
+                    "Assign a Fluid Profile, for instance WaterProfile from the package's Runtime/Assets, or make one with Assets > Create > SPH Fluid > Fluid Profile."));
             else if (profile.Shaders == null)
                 messages.Add(Error(profile, FluidIssue.ShadersMissing, "The profile has no shader set.",
-                    "Assign the package's FluidShaderSet from Runtime/Assets to the profile's Shaders."));
+                    "Assign the package's DefaultFluidShaderSet from Runtime/Assets to the profile's Shaders."));
             else if (profile.Shaders.MissingForSimulation() is { Count: > 0 } missing)
                 messages.Add(Error(profile.Shaders, FluidIssue.ShadersMissing, $"The shader set lacks {string.Join(", ", missing)}.",
-                    "Assign the shaders of the same names from the package's Shaders folder, or use the package's own FluidShaderSet."));
+                    "Assign the shaders of the same names from the package's Shaders folder, or use the package's DefaultFluidShaderSet."));
         }
 
         static void CheckTransform(FluidSimulation simulation, List<FluidMessage> messages)

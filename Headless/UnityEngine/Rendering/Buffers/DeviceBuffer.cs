@@ -1,5 +1,6 @@
 using System;
 using Headless.Vulkan;
+using UnityEngine;
 
 namespace Headless.Engine;
 
@@ -27,7 +28,7 @@ internal sealed class DeviceBuffer
         Count = count;
         Stride = stride;
         ByteSize = (long)count * stride;
-        long limit = GraphicsDevice.Device.Limits.MaxStorageBufferRange;
+        long limit = SystemInfo.maxGraphicsBufferSize;
         if (ByteSize > limit)
         {
             throw new ArgumentException(

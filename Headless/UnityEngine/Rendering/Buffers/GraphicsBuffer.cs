@@ -134,7 +134,9 @@ public sealed partial class GraphicsBuffer : IDisposable
 
     private static BufferUse Use(Target target)
     {
-        BufferUse use = BufferUse.Storage | BufferUse.Transfer;
+        // Shaders see structured and raw buffers, and those of indirect arguments; a vertex buffer needs Raw besides.
+        bool readable = (target & (Target.Structured | Target.Raw | Target.IndirectArguments)) != 0;
+        BufferUse use = readable ? BufferUse.Storage : BufferUse.Transfer;
         if ((target & Target.IndirectArguments) != 0)
         {
             use |= BufferUse.Indirect;

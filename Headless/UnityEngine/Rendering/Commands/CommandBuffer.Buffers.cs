@@ -18,6 +18,12 @@ public partial class CommandBuffer
             throw new ArgumentException($"CopyBuffer: '{from.Name}' has {from.ByteSize} bytes and '{to.Name}' {to.ByteSize}; both must be of the same size.");
         }
 
+        if ((source.target & GraphicsBuffer.Target.CopySource) == 0 || (dest.target & GraphicsBuffer.Target.CopyDestination) == 0)
+        {
+            throw new ArgumentException(
+                $"CopyBuffer: '{from.Name}' must be created with GraphicsBuffer.Target.CopySource and '{to.Name}' with Target.CopyDestination.");
+        }
+
         Add(_ => GraphicsDevice.Recorder.CopyBuffer(from.Gpu, 0, to.Gpu, 0, from.ByteSize));
     }
 

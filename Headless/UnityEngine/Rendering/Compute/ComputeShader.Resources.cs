@@ -1,3 +1,4 @@
+using System;
 using Headless.Engine;
 using UnityEngine.Rendering;
 
@@ -7,11 +8,11 @@ public sealed partial class ComputeShader
 {
     public void SetBuffer(int kernelIndex, string name, ComputeBuffer buffer) => SetBuffer(kernelIndex, ShaderNames.Id(name), buffer);
 
-    public void SetBuffer(int kernelIndex, int nameID, ComputeBuffer buffer) => BindBuffer(kernelIndex, nameID, buffer?.Storage);
+    public void SetBuffer(int kernelIndex, int nameID, ComputeBuffer buffer) => BindBuffer(kernelIndex, nameID, Require(buffer).Storage);
 
     public void SetBuffer(int kernelIndex, string name, GraphicsBuffer buffer) => SetBuffer(kernelIndex, ShaderNames.Id(name), buffer);
 
-    public void SetBuffer(int kernelIndex, int nameID, GraphicsBuffer buffer) => BindBuffer(kernelIndex, nameID, buffer?.Storage);
+    public void SetBuffer(int kernelIndex, int nameID, GraphicsBuffer buffer) => BindBuffer(kernelIndex, nameID, Require(buffer).Storage);
 
     public void SetConstantBuffer(string name, ComputeBuffer buffer, int offset, int size) =>
         SetConstantBuffer(ShaderNames.Id(name), buffer, offset, size);
@@ -81,4 +82,7 @@ public sealed partial class ComputeShader
         ConstantRanges.Check(buffer, offset, size, name);
         Program.State.ConstantBuffers[nameID] = new BufferSlot(buffer, offset, size);
     }
+
+    private static T Require<T>(T buffer)
+        where T : class => buffer ?? throw new ArgumentNullException(nameof(buffer));
 }

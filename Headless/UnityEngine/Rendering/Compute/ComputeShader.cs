@@ -14,6 +14,13 @@ public sealed partial class ComputeShader : Object
         name = Program.Label;
     }
 
+    private ComputeShader(ComputeShader source)
+        : this(source.Program.Source)
+    {
+        name = source.name;
+        Program.CopyStateFrom(source.Program);
+    }
+
     public LocalKeywordSpace keywordSpace => new(Program.KeywordNames);
 
     public string[] shaderKeywords
@@ -94,4 +101,6 @@ public sealed partial class ComputeShader : Object
 
     public void DispatchIndirect(int kernelIndex, GraphicsBuffer argsBuffer, uint argsOffset) =>
         ComputeDispatcher.DispatchIndirect(this, kernelIndex, argsBuffer?.Storage, argsOffset);
+
+    internal override Object CloneNative() => new ComputeShader(this);
 }

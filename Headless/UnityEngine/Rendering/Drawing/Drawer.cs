@@ -57,7 +57,7 @@ internal static class Drawer
 
         SetObject(matrix);
         var chain = new PropertyChain(block, material, PerDraw);
-        var bindings = new ResourceBindings();
+        ResourceBindings bindings = variant.Bindings;
         foreach (BindingTable table in variant.Tables)
         {
             if (!StageBinder.Bind(table, chain, bindings, out string? missing))

@@ -90,8 +90,8 @@ internal static class LightSettings
         AmbientMode.Flat => (RenderSettings.ambientSkyColor.linear, RenderSettings.ambientSkyColor.linear, RenderSettings.ambientSkyColor.linear),
         AmbientMode.Trilight => (RenderSettings.ambientSkyColor.linear, RenderSettings.ambientEquatorColor.linear, RenderSettings.ambientGroundColor.linear),
         _ => (
-            Sky.Zenith * RenderSettings.ambientIntensity,
-            Color.Lerp(Sky.Horizon, Sky.Zenith, 0.5f) * (0.7f * RenderSettings.ambientIntensity),
-            Sky.Ground * RenderSettings.ambientIntensity),
+            Sky.AmbientUp * RenderSettings.ambientIntensity,
+            Sky.AmbientLevel * RenderSettings.ambientIntensity,
+            Sky.AmbientDown * RenderSettings.ambientIntensity),
     };
 }

@@ -14,6 +14,7 @@ namespace SphFluid
         readonly ColliderTriangles maker = new ColliderTriangles();
         readonly List<FluidMessage> messages = new List<FluidMessage>();
         readonly List<ColliderSolid> solids = new List<ColliderSolid>();
+        readonly Dictionary<Collider, ColliderSolid> known = new Dictionary<Collider, ColliderSolid>();
         readonly List<CollisionTriangle> triangles = new List<CollisionTriangle>();
         readonly List<CollisionCollider> colliders = new List<CollisionCollider>();
         readonly CollisionBuffers buffers = new CollisionBuffers();
@@ -45,6 +46,9 @@ namespace SphFluid
         {
             if (!finder.Find(query)) return false;
             messages.Clear();
+            known.Clear();
+            foreach (ColliderSolid solid in solids)
+                if (solid.Spacing == query.Spacing) known[solid.State.Collider] = solid;
             solids.Clear();
             triangles.Clear();
             colliders.Clear();
@@ -61,6 +65,7 @@ namespace SphFluid
         {
             finder.Clear();
             maker.Clear();
+            solids.Clear();
         }
 
         /// <summary>Index into <see cref="Solids"/> of the collider that covers a point of simulation space, or −1.</summary>
@@ -78,9 +83,13 @@ namespace SphFluid
 
         void Add(in ColliderState state, in CollisionQuery query, long limit)
         {
-            TriangleMesh mesh = maker.Make(state, query.Spacing, messages);
-            if (mesh == null) return;
-
+            if (!known.TryGetValue(state.Collider, out ColliderSolid solid) || !solid.State.Equals(state))
+            {
+                TriangleMesh made = maker.Make(state, query.Spacing, messages);
+                if (made == null) return;
+                solid = new ColliderSolid(state, query.Spacing, made);
+            }
+            TriangleMesh mesh = solid.Mesh;
             int first = triangles.Count, degenerate = 0;
             Vector3 half = query.HalfExtents;
             for (int t = 0; t < mesh.TriangleCount; t++)
@@ -96,7 +105,7 @@ namespace SphFluid
                 triangles.RemoveRange(first, triangles.Count - first);
                 return;
             }
-            solids.Add(new ColliderSolid(state.Collider, mesh));
+            solids.Add(solid);
             if (triangles.Count > first) colliders.Add(RangeOf(first, mesh.IsClosed));
         }
 
@@ -133,14 +142,20 @@ namespace SphFluid
     {
         MeshObstacle obstacle;
 
-        public ColliderSolid(Collider collider, TriangleMesh mesh)
+        public ColliderSolid(in ColliderState state, float spacing, TriangleMesh mesh)
         {
-            Collider = collider;
-            Name = collider.name;
+            State = state;
+            Spacing = spacing;
+            Name = state.Collider.name;
             Mesh = mesh;
         }
 
-        public Collider Collider { get; }
+        /// <summary>State that the triangles were made for: as long as it lasts they are kept.</summary>
+        public ColliderState State { get; }
+
+        /// <summary>Particle spacing that curved shapes were cut for [m].</summary>
+        public float Spacing { get; }
+
         public string Name { get; }
         public TriangleMesh Mesh { get; }
 

@@ -25,7 +25,7 @@ namespace SphFluid
         {
             var corners = new Vector3[8];
             for (int i = 0; i < 8; i++) corners[i] = new Vector3((i & 1) - 0.5f, ((i >> 1) & 1) - 0.5f, (i >> 2) - 0.5f);
-            return new TriangleMesh(corners, BoxIndices).Transformed(unitToSimulation);
+            return new TriangleMesh(corners, BoxIndices, true).Transformed(unitToSimulation);
         }
 
         /// <summary>
@@ -61,7 +61,7 @@ namespace SphFluid
                 int last = 1 + (rows - 1) * segments;
                 AddTriangle(indices, vertices.Count - 1, last + s, last + next);
             }
-            return new TriangleMesh(vertices.ToArray(), indices.ToArray()).Transformed(pose);
+            return new TriangleMesh(vertices.ToArray(), indices.ToArray(), true).Transformed(pose);
         }
 
         /// <summary>

@@ -9,8 +9,13 @@ namespace SphFluid
     {
         bool? closed;
 
-        public TriangleMesh(Vector3[] vertices, int[] indices)
+        /// <summary>A mesh that keeps its arrays.</summary>
+        /// <param name="vertices">Corners.</param>
+        /// <param name="indices">Three a triangle.</param>
+        /// <param name="closed">Whether it is closed, where that is known; else it is found out when asked for.</param>
+        public TriangleMesh(Vector3[] vertices, int[] indices, bool? closed = null)
         {
+            this.closed = closed;
             Vertices = vertices ?? throw new ArgumentNullException(nameof(vertices));
             Indices = indices ?? throw new ArgumentNullException(nameof(indices));
             if (indices.Length % 3 != 0) throw new ArgumentException("Three indices make a triangle.", nameof(indices));
@@ -31,7 +36,7 @@ namespace SphFluid
             var indices = (int[])Indices.Clone();
             if (AffineMath.Determinant(transform) < 0.0)
                 for (int i = 0; i < indices.Length; i += 3) (indices[i + 1], indices[i + 2]) = (indices[i + 2], indices[i + 1]);
-            return new TriangleMesh(vertices, indices) { closed = closed };
+            return new TriangleMesh(vertices, indices, closed);
         }
 
         /// <summary>Triangle number <paramref name="index"/>.</summary>
