@@ -27,7 +27,7 @@ public sealed class UnityProject
         var assets = new ProjectAssets(index, scripts, includes, report);
         var database = new ProjectDatabase(assets);
         EngineState.ProjectPath = index.Root;
-        ProjectSettingsReader.Apply(index.Root);
+        ProjectSettingsReader.Apply(index.Root, report);
         EngineHooks.Assets = database;
         EngineHooks.LoadScene = new SceneLoader(assets).Load;
         EngineHooks.ScenesInBuild = () => ProjectSettingsReader.ScenesInBuild(index.Root);

@@ -7,7 +7,7 @@ namespace Headless.Checks.Form;
 internal sealed class AssemblyProjectCheck(string projectRoot)
 {
     // What every script assembly sees without naming it in its assembly definition.
-    private static readonly string[] implicitReferences = ["UnityEngine", "UnityEditor", "UnityEditor.TestRunner"];
+    private static readonly string[] implicitReferences = ["UnityEngine", "UnityEditor"];
 
     public CheckReport Run()
     {

@@ -26,7 +26,7 @@ internal static class MaterialReader
         foreach (YamlNode keyword in f.Map.List("m_ValidKeywords").Concat(f.Map.List("m_InvalidKeywords"))) material.EnableKeyword(keyword.ToString()!);
         // Before 2021.2 the keywords were one string.
         foreach (string keyword in f.Text("m_ShaderKeywords").Split(' ', StringSplitOptions.RemoveEmptyEntries)) material.EnableKeyword(keyword);
-        foreach (var (tag, value) in f.Map.Map("stringTagMap")?.Entries ?? []) material.SetOverrideTag(tag, value.ToString());
+        foreach (var (tag, value) in f.Map.Map("stringTagMap")?.Entries ?? []) material.SetOverrideTag(tag, value.ToString()!);
         foreach (YamlNode pass in f.Map.List("disabledShaderPasses")) material.SetShaderPassEnabled(pass.ToString()!, false);
 
         NativeFields saved = f.Nested("m_SavedProperties");

@@ -7,13 +7,16 @@ namespace Headless.Importers.Project;
 /// <summary>What the ProjectSettings folder says; a file that is missing leaves Unity's defaults.</summary>
 internal static class ProjectSettingsReader
 {
-    public static void Apply(string projectRoot)
+    /// <param name="report">Takes what the stand-in does otherwise than the project asks.</param>
+    public static void Apply(string projectRoot, Action<string> report)
     {
         string folder = Path.Combine(projectRoot, "ProjectSettings");
         if (Read(folder, "ProjectSettings.asset") is { } player)
         {
             EngineState.ProductName = player.Text("productName", EngineState.ProductName);
             EngineState.CompanyName = player.Text("companyName", EngineState.CompanyName);
+            if (player.Int("m_ActiveColorSpace", 1) == 0)
+                report("ProjectSettings: the colour space is Gamma; pictures are made in Linear here. Set Player > Other Settings > Color Space to Linear for the same look.");
         }
         if (Read(folder, "TimeManager.asset") is { } time)
         {
@@ -28,10 +31,6 @@ internal static class ProjectSettingsReader
             for (int i = 0; i < Math.Min(32, layers.Count); i++) TagManager.SetLayer(i, layers[i].ToString()!);
         }
     }
-
-    /// <summary>0 gamma, 1 linear; -1 when the project does not say.</summary>
-    public static int ColorSpace(string projectRoot) =>
-        Read(Path.Combine(projectRoot, "ProjectSettings"), "ProjectSettings.asset")?.Int("m_ActiveColorSpace", -1) ?? -1;
 
     /// <summary>Enabled scenes of the build list, in order.</summary>
     public static IReadOnlyList<string> ScenesInBuild(string projectRoot) =>

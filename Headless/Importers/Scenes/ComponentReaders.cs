@@ -18,7 +18,7 @@ internal static class ComponentReaders
         [ClassIds.SphereCollider] = Of<SphereCollider>((c, f) => (c.center, c.radius) = (f.Vector3("m_Center"), f.Float("m_Radius", 0.5f))),
         [ClassIds.CapsuleCollider] = Of<CapsuleCollider>((c, f) =>
             (c.center, c.radius, c.height, c.direction) = (f.Vector3("m_Center"), f.Float("m_Radius", 0.5f), f.Float("m_Height", 2), f.Int("m_Direction", 1))),
-        [ClassIds.MeshCollider] = Of<MeshCollider>((c, f) => (c.convex, c.sharedMesh) = (f.Bool("m_Convex"), f.Reference<Mesh>("m_Mesh"))),
+        [ClassIds.MeshCollider] = Of<MeshCollider>((c, f) => (c.convex, c.sharedMesh) = (f.Bool("m_Convex"), f.Reference<Mesh>("m_Mesh")!)),
     };
 
     /// <summary>Classes without a stand-in that change nothing here: they are left out without a word.</summary>

@@ -25,7 +25,9 @@ public class UnityTestAttribute : CombiningStrategyAttribute, ISimpleTestBuilder
         return test;
     }
 
-    IEnumerable<TestMethod> ITestBuilder.BuildFrom(IMethodInfo method, Test suite) => base.BuildFrom(method, suite);
+    // NUnit asks both builders; without parameters the combining one would make an empty suite.
+    IEnumerable<TestMethod> ITestBuilder.BuildFrom(IMethodInfo method, Test suite) =>
+        method.GetParameters().Length == 0 ? [((ISimpleTestBuilder)this).BuildFrom(method, suite)] : base.BuildFrom(method, suite);
 
     void IApplyToTest.ApplyToTest(Test test) => test.Properties.Set("UnityTest", true);
 

@@ -73,6 +73,22 @@ public sealed class BufferTests : RenderFixture
     }
 
     [Test]
+    public void ForgottenBuffersAreReportedAndFreed()
+    {
+        long before = Headless.Engine.GraphicsDevice.Device.AllocatedBytes;
+        Forget();
+        for (int i = 0; i < 20 && !Warnings.Any(w => w.Contains("GarbageCollector disposing of GraphicsBuffer")); i++)
+        {
+            GC.Collect();
+            GC.WaitForPendingFinalizers();
+            Frame();
+        }
+
+        Assert.That(Warnings, Has.Some.Contains("Please use GraphicsBuffer.Release() or .Dispose()").And.Some.Contains("Forgotten"));
+        Assert.That(Headless.Engine.GraphicsDevice.Device.AllocatedBytes - before, Is.LessThan(1 << 20));
+    }
+
+    [Test]
     public void LockedBuffersAreWrittenOnUnlock()
     {
         using var buffer = new GraphicsBuffer(GraphicsBuffer.Target.Structured, GraphicsBuffer.UsageFlags.LockBufferForWrite, 4, 4);
@@ -142,4 +158,7 @@ public sealed class BufferTests : RenderFixture
         Assert.That((request.done, request.hasError), Is.EqualTo((true, true)));
         Assert.That(TakeErrors(), Has.Some.Contains("released"));
     }
+
+    [System.Runtime.CompilerServices.MethodImpl(System.Runtime.CompilerServices.MethodImplOptions.NoInlining)]
+    private static void Forget() => _ = new GraphicsBuffer(GraphicsBuffer.Target.Structured, 1 << 20, 16) { name = "Forgotten" };
 }

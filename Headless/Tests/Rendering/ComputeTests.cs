@@ -168,6 +168,23 @@ public sealed class ComputeTests : RenderFixture
     }
 
     [Test]
+    public void InstancesOfAShaderAreApart()
+    {
+        ComputeShader shader = Compute(TwoKernels);
+        using GraphicsBuffer a = Floats(new float[8]);
+        using GraphicsBuffer b = Floats(new float[8]);
+        shader.SetInt("_Count", 8);
+        ComputeShader copy = UnityEngine.Object.Instantiate(shader);
+        copy.SetInt("_Count", 4);
+        shader.SetBuffer(0, "_Values", a);
+        copy.SetBuffer(0, "_Values", b);
+        shader.Dispatch(0, 1, 1, 1);
+        copy.Dispatch(0, 1, 1, 1);
+        Assert.That(Read(a)[7], Is.EqualTo(7f));
+        Assert.That(Read(b), Is.EqualTo(new float[] { 0, 1, 2, 3, 0, 0, 0, 0 }));
+    }
+
+    [Test]
     public void CompileErrorsComeInUnitysForm()
     {
         ComputeShader shader = Compute("#pragma kernel Main\n[numthreads(1,1,1)]\nvoid Main()\n{\n    nothing = 1;\n}\n");

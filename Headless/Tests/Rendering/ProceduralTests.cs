@@ -165,6 +165,85 @@ public sealed class ProceduralTests : SceneFixture
     }
 
     [Test]
+    public void QueuedDrawsThrowShadows()
+    {
+        Camera camera = Camera(new Vector3(0f, 4f, -4f), Vector3.zero);
+        Sun(Vector3.down);
+        Primitive(PrimitiveType.Plane, Vector3.zero);
+
+        // One square of two metres, lying flat a metre above the plane, that only the light sees.
+        RenderParams draw = Params(Points
+            .Replace("float3(offset * _Size, 0)", "float3(offset.x * _Size, 1, offset.y * _Size)")
+            .Replace("Cull Off", "Tags { \"LightMode\" = \"ShadowCaster\" } Cull Off"));
+        draw.matProps!.SetFloat("_Size", 2f);
+        draw.shadowCastingMode = ShadowCastingMode.On;
+        positions.SetData(new[] { Vector3.zero, Vector3.zero, Vector3.zero });
+        Graphics.RenderPrimitives(draw, MeshTopology.Triangles, 6);
+        Frame();
+        Picture picture = Picture.OfScreen().Keep("procedural-shadow");
+        Assert.That(
+            picture.Brightness(camera.WorldToScreenPoint(new Vector3(0.5f, 0f, 0.5f))) * 1.4f,
+            Is.LessThan(picture.Brightness(camera.WorldToScreenPoint(new Vector3(1.6f, 0f, 0f)))));
+        Frame();
+        picture = Picture.OfScreen();
+        Assert.That(picture.Brightness(camera.WorldToScreenPoint(new Vector3(0.5f, 0f, 0.5f))), Is.GreaterThan(0.5f), "the draw lasted one frame");
+    }
+
+    [Test]
+    public void DispatchesAndDrawsMixAtACameraEvent()
+    {
+        Camera camera = Camera(new Vector3(0f, 0f, -5f), Vector3.zero);
+        Flat(PrimitiveType.Cube, new Vector3(0f, -1.5f, 0f), Color.green);
+        ComputeShader mover = Compute("""
+            #pragma kernel Main
+            RWStructuredBuffer<float3> _Moved;
+            float _Height;
+            [numthreads(1, 1, 1)]
+            void Main(uint3 id : SV_DispatchThreadID) { _Moved[id.x].y = _Height; }
+            """);
+        Material material = MaterialOf(Points);
+        material.SetBuffer("_Positions", positions);
+        material.SetFloat("_Size", 0.4f);
+        using var commands = new CommandBuffer();
+        foreach (float height in (float[])[0.5f, -0.5f])
+        {
+            commands.SetComputeFloatParam(mover, "_Height", height);
+            commands.SetComputeBufferParam(mover, 0, "_Moved", positions);
+            commands.DispatchCompute(mover, 0, 2, 1, 1);
+            commands.DrawProcedural(Matrix4x4.identity, material, 0, MeshTopology.Triangles, 12);
+        }
+
+        camera.AddCommandBuffer(CameraEvent.AfterForwardOpaque, commands);
+        Frame();
+        Picture picture = Picture.OfScreen();
+        foreach (float x in (float[])[-1f, 1f])
+        {
+            Assert.That(IsRed(picture.At(camera.WorldToScreenPoint(new Vector3(x, 0.5f, 0f)))), Is.True);
+            Assert.That(IsRed(picture.At(camera.WorldToScreenPoint(new Vector3(x, -0.5f, 0f)))), Is.True);
+        }
+
+        Assert.That(IsGreen(picture.At(camera.WorldToScreenPoint(new Vector3(0f, -1.5f, -0.5f)))), Is.True, "what was drawn before is kept");
+    }
+
+    [Test]
+    public void QuadsAndIndicesWithoutAMesh()
+    {
+        Camera camera = Camera(new Vector3(0f, 0f, -5f), Vector3.zero);
+        using var indices = new GraphicsBuffer(GraphicsBuffer.Target.Index, 6, sizeof(uint));
+        indices.SetData(new uint[] { 6, 7, 8, 9, 10, 11 });
+        Graphics.RenderPrimitivesIndexed(Params(Points), MeshTopology.Triangles, indices, 6);
+        Frame();
+        Picture picture = Picture.OfScreen();
+        Assert.That(IsRed(picture.At(camera.WorldToScreenPoint(Positions[1]))), Is.True);
+        Assert.That(IsRed(picture.At(camera.WorldToScreenPoint(Positions[0]))), Is.False);
+        string quads = Points.Replace("id % 6", "id % 4").Replace("id / 6", "id / 4")
+            .Replace("corner == 1 || corner == 2 || corner == 4, corner == 2 || corner == 4 || corner == 5", "corner == 1 || corner == 2, corner >= 2");
+        Graphics.RenderPrimitives(Params(quads), MeshTopology.Quads, 12);
+        Frame();
+        AssertSquares(camera, Picture.OfScreen(), 3);
+    }
+
+    [Test]
     public void AMissingBufferSkipsTheDrawAndIsNamed()
     {
         Camera(new Vector3(0f, 0f, -5f), Vector3.zero);

@@ -10,6 +10,7 @@ namespace Headless.Tests.Rendering;
 public abstract class RenderFixture
 {
     private readonly List<string> errors = [];
+    private readonly List<string> warnings = [];
     private string folder = string.Empty;
     private int messagesBefore;
     private Action<LogType, string>? console;
@@ -41,8 +42,13 @@ public abstract class RenderFixture
             {
                 errors.Add(line);
             }
+            else if (type == LogType.Warning)
+            {
+                warnings.Add(line);
+            }
         };
         errors.Clear();
+        warnings.Clear();
         messagesBefore = GraphicsDevice.Device.ValidationMessages.Count;
         EngineState.Reset();
         EngineState.IsEditor = false;
@@ -66,6 +72,8 @@ public abstract class RenderFixture
             Assert.That(errors, Is.Empty, "console errors");
         });
     }
+
+    protected IReadOnlyList<string> Warnings => warnings;
 
     /// <summary>The console's errors so far; they no longer fail the test.</summary>
     protected string[] TakeErrors()

@@ -121,6 +121,6 @@ public sealed class ComputeTests : DeviceFixture
             () => Device.GetComputePipeline(Kernels.Fill with { GroupX = 1 << 20, Hash = "too big" }),
             Throws.TypeOf<GpuException>().With.Message.Contains("threads"));
 
-    private void Dispatch(Shaders.ShaderBinary kernel, uint count, ResourceBindings bindings) =>
+    private void Dispatch(Headless.Shaders.ShaderBinary kernel, uint count, ResourceBindings bindings) =>
         Recorder.Dispatch(Device.GetComputePipeline(kernel), bindings, Kernels.Groups(count), 1, 1);
 }

@@ -45,6 +45,10 @@ internal static class GraphicsDevice
             return;
         }
 
+        EngineHooks.RenderFrame = null;
+        EngineHooks.EndFrame = null;
+        EngineHooks.FillPrimitive = null;
+        EngineHooks.BuiltinResource = null;
         AsyncReadbacks.Reset();
         ScreenTarget.Reset();
         Samplers.Reset();

@@ -9,7 +9,7 @@ namespace UnityEngine;
 
 public sealed partial class Mesh
 {
-    public static MeshDataArray AcquireReadOnlyMeshData(Mesh mesh) => AcquireReadOnlyMeshData([mesh]);
+    public static MeshDataArray AcquireReadOnlyMeshData(Mesh mesh) => AcquireReadOnlyMeshData(new[] { mesh });
 
     public static MeshDataArray AcquireReadOnlyMeshData(List<Mesh> meshes) => AcquireReadOnlyMeshData(meshes.ToArray());
 
