@@ -67,13 +67,13 @@ internal sealed class PlayCommand(PlayOptions options)
             frameClock.Restart();
             PlayerLoop.RunFrame();
             double cpu = frameClock.Elapsed.TotalMilliseconds;
-            timings.AddFrame(frame, Time.timeAsDouble + Time.deltaTime, cpu);
+            timings.AddFrame(frame, Time.timeAsDouble, cpu);
             if (options.Images)
             {
                 readback.Capture(frame);
                 TakeFrames(readback, writer, finish: false);
             }
-            progress.Show(frame + 1, Time.timeAsDouble + Time.deltaTime, frameClock.Elapsed.TotalMilliseconds);
+            progress.Show(frame + 1, Time.timeAsDouble, frameClock.Elapsed.TotalMilliseconds);
         }
         TakeFrames(readback, writer, finish: true);
         timer.Finish();
@@ -109,7 +109,7 @@ internal sealed class PlayCommand(PlayOptions options)
         SummaryFile.Write(Path.Combine(folder, "summary.json"),
         [
             ("device", device.Adapter.Name), ("driver", device.Adapter.Driver), ("scene", scene),
-            ("simulated_s", frames > 0 ? Time.timeAsDouble + Time.deltaTime : 0), ("wall_s", wall),
+            ("simulated_s", frames > 0 ? Time.timeAsDouble : 0), ("wall_s", wall),
             ("frames", frames), ("fps", options.Fps), ("width", options.Width), ("height", options.Height),
             ("gpu_memory_bytes", device.AllocatedBytes), ("errors", console.Errors),
         ]);

