@@ -36,7 +36,7 @@ internal sealed class FxcToolchain(string cacheFolder)
 
     private static string? Wine => Array.Find(winePaths, File.Exists);
 
-    /// <summary>Compiles the jobs in one process and returns a line a job.</summary>
+    /// <summary>Compiles the jobs in one process and returns a line a job; what Wine says of itself is left out.</summary>
     public string[] Run(string jobFile)
     {
         var environment = new Dictionary<string, string>
@@ -47,7 +47,7 @@ internal sealed class FxcToolchain(string cacheFolder)
         };
         var (code, output) = RunProcess(Wine!, [Driver, Path.GetFileName(jobFile)], environment, Path.GetDirectoryName(jobFile));
         if (code > 100) throw new InvalidOperationException($"fxc_jobs could not start (exit code {code}): {output}");
-        return output.Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        return output.Split('\n').Where(line => line.Contains('\t')).ToArray();
     }
 
     private static (int, string) RunProcess(string file, IEnumerable<string> arguments, Dictionary<string, string>? environment, string? folder = null)
