@@ -58,6 +58,7 @@ internal sealed class ApiCheck(string packageRoot)
         {
             if (name == "UnityEngine.TestRunner") metadata.Add(references.EngineTestRunner);
             else if (name == "UnityEditor.TestRunner") metadata.Add(references.EditorTestRunner);
+            else if (references.Packages.TryGetValue(name, out var package)) metadata.Add(package);
             else if (built.TryGetValue(name, out var dependency)) metadata.Add(dependency.ToMetadataReference());
         }
         if (assembly.IsTest) metadata.Add(ReferenceAssemblies.NUnit);
@@ -88,7 +89,7 @@ internal sealed class ApiCheck(string packageRoot)
                 var symbol = model.GetSymbolInfo(node).Symbol;
                 if (symbol is IMethodSymbol { ReducedFrom: { } original }) symbol = original;
                 var assembly = symbol?.ContainingAssembly?.Name;
-                if (assembly is null || !(assembly.StartsWith("UnityEngine", StringComparison.Ordinal) || assembly.StartsWith("UnityEditor", StringComparison.Ordinal))) continue;
+                if (assembly is null || !assembly.StartsWith("Unity", StringComparison.Ordinal)) continue;
                 var id = symbol!.OriginalDefinition.GetDocumentationCommentId();
                 if (id is null) continue;
                 used.Add(id);

@@ -13,11 +13,27 @@ internal sealed class ApiList
     public IReadOnlyList<ApiEntry> Editor { get; }
     public IReadOnlyList<ApiEntry> TestFramework { get; }
 
-    private ApiList(string line, IReadOnlyList<ApiEntry> engine, IReadOnlyList<ApiEntry> editor, IReadOnlyList<ApiEntry> testFramework) =>
-        (Line, Engine, Editor, TestFramework) = (line, engine, editor, testFramework);
+    /// <summary>Packages that the fluid package depends on: by assembly name, members that a player build has.</summary>
+    public IReadOnlyDictionary<string, IReadOnlyList<ApiEntry>> Packages { get; }
 
-    public static ApiList Load(string line) =>
-        new(line, Read($"{line}/engine.txt.gz"), Read($"{line}/editor.txt.gz"), Read($"{line}/test-framework.txt.gz"));
+    private ApiList(string line)
+    {
+        Line = line;
+        Engine = Read($"{line}/engine.txt.gz");
+        Editor = Read($"{line}/editor.txt.gz");
+        TestFramework = Read($"{line}/test-framework.txt.gz");
+        Packages = new Dictionary<string, IReadOnlyList<ApiEntry>>
+        {
+            ["Unity.Burst"] = OfPlayer(Read($"{line}/burst.txt.gz")),
+            ["Unity.Mathematics"] = OfPlayer(Read($"{line}/mathematics.txt.gz")),
+        };
+    }
+
+    public IEnumerable<ApiEntry> All => Engine.Concat(Editor).Concat(TestFramework).Concat(Packages.Values.SelectMany(p => p));
+
+    public static ApiList Load(string line) => new(line);
+
+    private static List<ApiEntry> OfPlayer(List<ApiEntry> entries) => entries.FindAll(e => !e.IsEditorOnly);
 
     public static IReadOnlySet<string> LoadEditorOnlyMembers()
     {

@@ -12,6 +12,7 @@ internal sealed class ReferenceAssemblies
     public MetadataReference Editor { get; }
     public MetadataReference EngineTestRunner { get; }
     public MetadataReference EditorTestRunner { get; }
+    public IReadOnlyDictionary<string, MetadataReference> Packages { get; }
     public int MemberCount { get; }
 
     public static IReadOnlyList<MetadataReference> NetStandard { get; } =
@@ -25,9 +26,10 @@ internal sealed class ReferenceAssemblies
 
     private ReferenceAssemblies(ApiList list)
     {
-        MemberCount = list.Engine.Count + list.Editor.Count + list.TestFramework.Count;
+        MemberCount = list.All.Count();
         Engine = Emit("UnityEngine", list.Engine, NetStandard);
         Editor = Emit("UnityEditor", list.Editor, [.. NetStandard, Engine]);
+        Packages = list.Packages.ToDictionary(p => p.Key, p => Emit(p.Key, p.Value, [.. NetStandard, Engine]));
         var runner = list.TestFramework.Where(e => e.Module == "UnityEngine.TestRunner");
         var editorRunner = list.TestFramework.Where(e => e.Module == "UnityEditor.TestRunner");
         EngineTestRunner = Emit("UnityEngine.TestRunner", runner, [.. NetStandard, Engine, Editor, NUnit]);

@@ -7,7 +7,7 @@ namespace Headless.Checks.Api;
 /// in both Unity lines, so that code which compiles here compiles there.</summary>
 internal sealed class StandInSurfaceCheck(string assemblyFolder)
 {
-    private static readonly string[] assemblies = ["UnityEngine", "UnityEditor", "UnityEngine.TestRunner", "UnityEditor.TestRunner"];
+    private static readonly string[] assemblies = ["UnityEngine", "UnityEditor", "UnityEngine.TestRunner", "UnityEditor.TestRunner", "Unity.Burst", "Unity.Mathematics"];
 
     public CheckReport Run()
     {

@@ -56,6 +56,25 @@ public sealed class TimerTests : DeviceFixture
         Assert.That(Device.CollectTimers().Single().Milliseconds, Is.GreaterThan(0));
     }
 
+    // Without a dependence a rasterizer on the CPU would take both of the inner scope's timestamps after its work.
+    [Test]
+    public void WorkIsTimedInItsOwnScope()
+    {
+        using GpuBuffer small = StorageBuffer(256);
+        using GpuBuffer large = StorageBuffer(1 << 22);
+        int outer = Recorder.BeginTimer("outer");
+        Work(small);
+        int inner = Recorder.BeginTimer("inner");
+        Work(large);
+        Recorder.EndTimer(inner);
+        Recorder.EndTimer(outer);
+        Device.WaitIdle();
+
+        IReadOnlyList<TimerResult> timers = Device.CollectTimers();
+
+        Assert.That(timers[1].Milliseconds, Is.GreaterThan(0.5 * timers[0].Milliseconds));
+    }
+
     [Test]
     public void MoreScopesThanASubmissionHoldsAreAllTimed()
     {

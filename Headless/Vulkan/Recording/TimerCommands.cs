@@ -1,8 +1,12 @@
+using Headless.Vulkan.Native;
+
 namespace Headless.Vulkan;
 
 /// <summary>Nested timer scopes; they may span submissions.</summary>
-internal sealed class TimerCommands(CommandStream stream)
+internal sealed unsafe class TimerCommands(CommandStream stream)
 {
+    private const string Rasterizer = "Cpu";
+
     private readonly List<TimerScope> open = [];
     private readonly Queue<TimerScope> pending = new();
     private int lastId;
@@ -54,6 +58,34 @@ internal sealed class TimerCommands(CommandStream stream)
         }
 
         Submission submission = stream.Current;
+        bool between = stream.Context.Adapter.Type == Rasterizer && submission.Timestamps.IsDue(submission.CommandCount);
+        if (between)
+        {
+            Finish();
+        }
+
         submission.Timestamps.Write(submission.Commands, submission.CommandCount, scope, isEnd);
+        if (between)
+        {
+            Finish();
+        }
+    }
+
+    /// <summary>
+    /// A rasterizer on the CPU keeps draws and timestamps back and lets dispatches pass them. A barrier makes it carry them out: one
+    /// before a timestamp ends the draws that belong before it, one after it ends the timestamp. A GPU needs neither.
+    /// </summary>
+    private void Finish()
+    {
+        stream.LeaveRendering();
+        VkMemoryBarrier2 memory = new()
+        {
+            srcStageMask = VkPipelineStageFlags2.AllCommands,
+            srcAccessMask = VkAccessFlags2.MemoryWrite,
+            dstStageMask = VkPipelineStageFlags2.AllCommands,
+            dstAccessMask = VkAccessFlags2.MemoryRead | VkAccessFlags2.MemoryWrite,
+        };
+        VkDependencyInfo info = new() { memoryBarrierCount = 1, pMemoryBarriers = &memory };
+        Vk.vkCmdPipelineBarrier2(stream.Commands, &info);
     }
 }

@@ -32,6 +32,9 @@ internal sealed unsafe class TimestampLog : IDisposable
 
     public bool IsFull => count == Capacity;
 
+    /// <summary>Whether a timestamp now would say anything that the last one does not.</summary>
+    public bool IsDue(int commandCount) => commandCount != commandsAtLast || count == 0;
+
     public void Reset(VkCommandBuffer commands)
     {
         count = 0;
@@ -45,7 +48,7 @@ internal sealed unsafe class TimestampLog : IDisposable
     /// <summary>Takes the time after all commands so far; neighbours with no command between share one timestamp.</summary>
     public void Write(VkCommandBuffer commands, int commandCount, TimerScope scope, bool isEnd)
     {
-        if (commandCount != commandsAtLast || count == 0)
+        if (IsDue(commandCount))
         {
             Vk.vkCmdWriteTimestamp(commands, VkPipelineStageFlags.BottomOfPipe, pool, (uint)count++);
             commandsAtLast = commandCount;

@@ -54,6 +54,11 @@ namespace SphFluid
         [SerializeField, Range(0f, 1f), Tooltip("Damping of the motion into a wall as a fraction of critical damping. 1: no rebound.")]
         float wallDampingRatio = 1f;
 
+        [Header("Thesis")]
+        [SerializeField, Tooltip("What of the thesis's text is corrected. Each can be switched alone to see what the printed form does; " +
+            "the method Thesis Printed does not ask, it has all as printed.")]
+        ThesisSwitches thesisSwitches = ThesisSwitches.Corrected;
+
         [Header("Limits")]
         [SerializeField, Range(1, ParticleLimit), Tooltip("Most particles that one simulation may start with. More is an error, never a silent cut.")]
         int maxParticles = 1024 * 1024;
@@ -91,6 +96,9 @@ namespace SphFluid
 
         /// <summary>Wall damping over critical damping.</summary>
         public float WallDampingRatio { get => wallDampingRatio; set { wallDampingRatio = value; Touch(); } }
+
+        /// <summary>What of the thesis's text is corrected; <see cref="FluidMethodKind.Thesis"/> only.</summary>
+        public ThesisSwitches ThesisSwitches { get => thesisSwitches; set { thesisSwitches = value; Touch(); } }
 
         /// <summary>Most particles a simulation with this profile may start with.</summary>
         public int MaxParticles { get => maxParticles; set { maxParticles = value; Touch(); } }

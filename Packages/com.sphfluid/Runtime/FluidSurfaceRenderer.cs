@@ -12,7 +12,7 @@ namespace SphFluid
     [DefaultExecutionOrder(100)]
     public sealed class FluidSurfaceRenderer : FluidRenderer
     {
-        [SerializeField, Tooltip("What is drawn: the surface, or the cubes of the grid that it cuts. A material of your own draws what its keyword FLUID_CUBES says.")]
+        [SerializeField, Tooltip("What is drawn: the surface, or the edges of the grid's cubes with a vertex inside it. A material of your own draws what its keyword FLUID_CUBES says.")]
         FluidSurfaceStyle style = FluidSurfaceStyle.MarchingCubes;
 
         [SerializeField, Tooltip("Cells a side of the grid over the domain. Automatic: 128 on a graphics card, 64 where the CPU draws.")]
@@ -42,7 +42,7 @@ namespace SphFluid
         /// <summary>Asks what the device lacks; tests put their own answer here.</summary>
         internal Func<string> MissingSupport { get; set; } = GeometrySurface.MissingSupport;
 
-        /// <summary>What is drawn, if no material is given: the surface, or the cubes of the grid that it cuts.</summary>
+        /// <summary>What is drawn, if no material is given: the surface, or the edges of the grid's cubes with a vertex inside it.</summary>
         public FluidSurfaceStyle Style { get => style; set => style = value; }
 
         /// <summary>Cells a side of the grid over the domain.</summary>

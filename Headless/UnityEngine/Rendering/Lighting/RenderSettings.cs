@@ -1,9 +1,12 @@
+using Headless.Engine;
 using UnityEngine.Rendering;
 
 namespace UnityEngine;
 
 public sealed class RenderSettings : Object
 {
+    private static SphericalHarmonicsL2? customProbe;
+
     private RenderSettings()
     {
     }
@@ -30,6 +33,13 @@ public sealed class RenderSettings : Object
     public static float flareStrength { get; set; } = 1f;
     public static float flareFadeSpeed { get; set; } = 3f;
 
+    /// <summary>Follows from mode, colors and intensity, but in custom mode is what was set.</summary>
+    public static SphericalHarmonicsL2 ambientProbe
+    {
+        get => ambientMode == AmbientMode.Custom && customProbe is { } probe ? probe : AmbientLight.Probe();
+        set => customProbe = value;
+    }
+
     public static Color ambientLight
     {
         get => ambientSkyColor;
@@ -50,6 +60,6 @@ public sealed class RenderSettings : Object
         ambientEquatorColor = new Color(0.114f, 0.125f, 0.133f, 1f);
         ambientGroundColor = new Color(0.047f, 0.043f, 0.035f, 1f);
         ambientIntensity = 1f;
-        (skybox, sun) = (null, null);
+        (skybox, sun, customProbe) = (null, null, null);
     }
 }

@@ -11,5 +11,6 @@ public sealed class GraphicsSettings : Object
 
     public static RenderPipelineAsset? defaultRenderPipeline { get; set; }
     public static bool lightsUseLinearIntensity { get; set; }
+    public static bool lightsUseColorTemperature { get; set; }
     public static bool useScriptableRenderPipelineBatching { get; set; }
 }

@@ -62,7 +62,7 @@ internal static class LightSettings
 
     private static void ApplyAmbient()
     {
-        (Color sky, Color equator, Color ground) = AmbientColors();
+        (Color sky, Color equator, Color ground) = AmbientLight.Colors();
         PropertySheet sheet = GlobalProperties.Sheet;
         sheet.SetVector(BuiltinNames.AmbientSky, sky);
         sheet.SetVector(BuiltinNames.AmbientEquator, equator);
@@ -71,27 +71,13 @@ internal static class LightSettings
         // UNITY_LIGHTMODEL_AMBIENT is twice this value.
         sheet.SetVector(BuiltinNames.Ambient, (Vector4)sky * 0.5f);
 
-        // a + b y + c y^2 through the three colors, in the basis of ShadeSH9 (y^2 = (1 - z^2 - (x^2 - y^2)) / 2).
-        var last = new Vector4();
+        SphericalHarmonicsL2 probe = RenderSettings.ambientProbe;
         for (int c = 0; c < 3; c++)
         {
-            float slope = (sky[c] - ground[c]) * 0.5f;
-            float curve = ((sky[c] + ground[c]) * 0.5f) - equator[c];
-            sheet.SetVector(LinearBands[c], new Vector4(0f, slope, 0f, equator[c] + (curve * 0.5f)));
-            sheet.SetVector(QuadraticBands[c], new Vector4(0f, 0f, -curve * 0.5f, 0f));
-            last[c] = -curve * 0.5f;
+            sheet.SetVector(LinearBands[c], new Vector4(probe[c, 3], probe[c, 1], probe[c, 2], probe[c, 0] - probe[c, 6]));
+            sheet.SetVector(QuadraticBands[c], new Vector4(probe[c, 4], probe[c, 5], probe[c, 6] * 3f, probe[c, 7]));
         }
 
-        sheet.SetVector(LastBand, last);
+        sheet.SetVector(LastBand, new Vector4(probe[0, 8], probe[1, 8], probe[2, 8], 1f));
     }
-
-    private static (Color Sky, Color Equator, Color Ground) AmbientColors() => RenderSettings.ambientMode switch
-    {
-        AmbientMode.Flat => (RenderSettings.ambientSkyColor.linear, RenderSettings.ambientSkyColor.linear, RenderSettings.ambientSkyColor.linear),
-        AmbientMode.Trilight => (RenderSettings.ambientSkyColor.linear, RenderSettings.ambientEquatorColor.linear, RenderSettings.ambientGroundColor.linear),
-        _ => (
-            Sky.AmbientUp * RenderSettings.ambientIntensity,
-            Sky.AmbientLevel * RenderSettings.ambientIntensity,
-            Sky.AmbientDown * RenderSettings.ambientIntensity),
-    };
 }

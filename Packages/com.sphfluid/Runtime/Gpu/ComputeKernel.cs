@@ -17,6 +17,7 @@ namespace SphFluid
 
         readonly ComputeShader shader;
         readonly int index;
+        LocalKeyword lastKeyword;
 
         /// <summary>Finds a kernel.</summary>
         /// <param name="shader">The compute shader.</param>
@@ -60,6 +61,9 @@ namespace SphFluid
         /// <summary>Threads of a group, as the shader declares them.</summary>
         public Vector3Int GroupSize { get; }
 
+        /// <summary>Dispatches recorded by all kernels since the program started: benchmarks count by its difference.</summary>
+        internal static long DispatchesRecorded { get; private set; }
+
         /// <summary>A profiler marker that measures GPU time where the device can.</summary>
         /// <param name="name">Name of the block.</param>
         /// <returns>The marker.</returns>
@@ -102,6 +106,21 @@ namespace SphFluid
         public void SetBool(CommandBuffer cmd, int id, bool value)
         {
             cmd.SetComputeIntParam(shader, id, value ? 1 : 0);
+        }
+
+        /// <summary>Records a keyword for the next dispatch: which variant of the shader it takes.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="keyword">A keyword that the shader declares by multi_compile_local.</param>
+        /// <param name="value">Whether it is on.</param>
+        /// <exception cref="FluidDeviceException">The shader does not declare the keyword.</exception>
+        public void SetKeyword(CommandBuffer cmd, string keyword, bool value)
+        {
+            if (lastKeyword.name != keyword)
+            {
+                lastKeyword = FindKeyword(keyword);
+            }
+
+            cmd.SetKeyword(shader, lastKeyword, value);
         }
 
         /// <summary>Records integers for the next dispatch.</summary>
@@ -151,6 +170,20 @@ namespace SphFluid
                 : new Vector2Int(MaxGroups, Groups(groups, MaxGroups));
         }
 
+        LocalKeyword FindKeyword(string keyword)
+        {
+            foreach (LocalKeyword declared in shader.keywordSpace.keywords)
+            {
+                if (declared.name == keyword)
+                {
+                    return declared;
+                }
+            }
+
+            throw new FluidDeviceException(
+                $"The compute shader '{shader.name}' does not declare '{keyword}'. Add '#pragma multi_compile_local _ {keyword}' to it.");
+        }
+
         static int Groups(int threads, int size)
         {
             return (int)(((long)threads + size - 1) / size);
@@ -167,6 +200,7 @@ namespace SphFluid
             if (x > 0 && y > 0 && z > 0)
             {
                 cmd.DispatchCompute(shader, index, x, y, z);
+                DispatchesRecorded++;
             }
         }
     }

@@ -25,7 +25,6 @@ namespace SphFluid
         public static readonly int GridOrigin = Shader.PropertyToID("_GridOrigin");
         public static readonly int CellSize = Shader.PropertyToID("_CellSize");
         public static readonly int GridCounts = Shader.PropertyToID("_GridCounts");
-        public static readonly int OctantSearch = Shader.PropertyToID("_OctantSearch");
 
         public static readonly int Input = Shader.PropertyToID("_Input");
         public static readonly int Data = Shader.PropertyToID("_Data");
@@ -48,6 +47,7 @@ namespace SphFluid
         public static readonly int TimeStep = Shader.PropertyToID("_TimeStep");
         public static readonly int FirstStep = Shader.PropertyToID("_FirstStep");
         public static readonly int Gravity = Shader.PropertyToID("_Gravity");
+        public static readonly int PrintedMass = Shader.PropertyToID("_PrintedMass");
         public static readonly int AccelerationLimit = Shader.PropertyToID("_AccelerationLimit");
         public static readonly int DomainHalfSize = Shader.PropertyToID("_DomainHalfSize");
         public static readonly int WallStiffness = Shader.PropertyToID("_WallStiffness");

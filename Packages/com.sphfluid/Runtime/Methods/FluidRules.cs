@@ -62,7 +62,7 @@ namespace SphFluid
                 Viscosity = (float)(kinematic * input.RestDensity),
                 TimeStep = (float)step,
                 Gravity = input.Gravity,
-                AccelerationLimit = (float)(AccelerationReach * dx / (step * step)),
+                AccelerationLimit = EmergencyLimit(dx, (float)step),
                 WallStiffness = (float)(wallRate * wallRate),
                 WallDamping = (float)wallDamping,
                 WallDistance = (float)wallDistance,
@@ -75,6 +75,9 @@ namespace SphFluid
                 HalfKick = true,
             };
         }
+
+        /// <summary>Largest acceleration of the fluid itself that is no accident [m/s²].</summary>
+        public static float EmergencyLimit(double spacing, double timeStep) => (float)(AccelerationReach * spacing / (timeStep * timeStep));
 
         // Largest dt with ω² dt² = margin (4 − 2 c dt).
         static double WallStepLimit(double rate, double damping)

@@ -19,7 +19,7 @@ namespace SphFluid
         bool disposed;
 
         /// <summary>Uploads the particles and prepares the method.</summary>
-        /// <param name="settings">The physics.</param>
+        /// <param name="settings">The physics; <see cref="FluidMethodKind.ThesisPrinted"/> sets its switches as printed.</param>
         /// <param name="shaders">The compute shaders.</param>
         /// <param name="initial">Particles at the start, one or more, inside the domain.</param>
         /// <param name="kind">The method.</param>
@@ -31,11 +31,15 @@ namespace SphFluid
             settings.Validate();
             FluidParticle[] particles = CheckParticles(settings, initial);
             method = CreateMethod(kind, shaders);
-            state = new FluidState(settings, particles.Length);
+            Kind = kind;
+            state = new FluidState(AsSwitched(settings), particles.Length);
             state.SetTriangles(null, null, 0);
             state.Buffers.Particles.SetData(particles);
             counters = new CounterReadback(state.Buffers.Counters, settings.RestDensity);
         }
+
+        /// <summary>The method.</summary>
+        public FluidMethodKind Kind { get; }
 
         /// <summary>Number of particles.</summary>
         public int ParticleCount => state.ParticleCount;
@@ -83,19 +87,21 @@ namespace SphFluid
         }
 
         /// <summary>Changes the physics between steps.</summary>
-        /// <param name="settings">New constants; domain size and support radius must stay, the grid depends on them.</param>
+        /// <param name="settings">New constants; domain size, support radius and neighbour search must stay, the grid depends on them.</param>
         /// <exception cref="ArgumentException">A constant is out of range, or the grid would change.</exception>
         public void ApplySettings(in FluidSolverSettings settings)
         {
             ThrowIfDisposed();
             settings.Validate();
-            if (settings.DomainSize != state.Settings.DomainSize || settings.SupportRadius != state.Settings.SupportRadius)
+            FluidSolverSettings switched = AsSwitched(settings);
+            if (switched.DomainSize != state.Settings.DomainSize || switched.SupportRadius != state.Settings.SupportRadius ||
+                switched.OctantSearch != state.Settings.OctantSearch)
             {
-                throw new ArgumentException(
-                    "DomainSize and SupportRadius cannot change while the liquid runs: the grid depends on them. Start a new solver.");
+                throw new ArgumentException("DomainSize, SupportRadius and OctantSearch cannot change while the liquid runs: " +
+                    "the grid depends on them. Start a new solver.");
             }
 
-            state.Settings = settings;
+            state.Settings = switched;
             counters.RestDensity = settings.RestDensity;
             neighboursFresh = false;
         }
@@ -144,7 +150,7 @@ namespace SphFluid
             }
         }
 
-        /// <summary>Records the globals of a kernel that includes Shaders/Neighbours/ThesisNeighbours.hlsl.</summary>
+        /// <summary>Records the globals and the keyword of a kernel that includes Shaders/Neighbours/ThesisNeighbours.hlsl.</summary>
         /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
         /// <param name="kernel">The kernel.</param>
         public void BindNeighbours(CommandBuffer cmd, ComputeKernel kernel)
@@ -172,6 +178,11 @@ namespace SphFluid
             }
         }
 
+        FluidSolverSettings AsSwitched(in FluidSolverSettings settings)
+        {
+            return Kind == FluidMethodKind.ThesisPrinted ? settings.With(ThesisSwitches.Printed) : settings;
+        }
+
         static IFluidMethod CreateMethod(FluidMethodKind kind, FluidShaderSet shaders)
         {
             if (shaders == null)
@@ -182,13 +193,14 @@ namespace SphFluid
             switch (kind)
             {
                 case FluidMethodKind.Thesis:
+                case FluidMethodKind.ThesisPrinted:
                     return new ThesisMethod(shaders);
                 default:
                     throw new ArgumentException($"There is no fluid method {kind}.", nameof(kind));
             }
         }
 
-        static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial)
+        internal static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial)
         {
             if (initial == null || initial.Count == 0)
             {

@@ -60,7 +60,10 @@ namespace SphFluid
         /// <summary>True: <see cref="AccelerationLimit"/> acts, as 6.3.3 has it.</summary>
         public bool AccelerationLimitEnabled;
 
-        /// <summary>True: the 8 cells of the particle's octant are searched, as 6.2 has it. False: all 27.</summary>
+        /// <summary>True: acceleration = force × mass [kg], as 6.3.3 prints it. False: f/ρ, equation (9).</summary>
+        public bool ForceTimesMass;
+
+        /// <summary>True: cells of 2R, the 8 at the particle's octant are searched, as 6.2 has it. False: cells of R, all 27.</summary>
         public bool OctantSearch;
 
         /// <summary>True: the first step gives half a kick, so that velocities live between the steps, equation (21).</summary>
@@ -76,6 +79,33 @@ namespace SphFluid
         public static FluidSolverSettings FromRules(in FluidRuleInput input)
         {
             return FluidRules.Derive(input);
+        }
+
+        /// <summary>
+        /// These settings with the thesis's text as switched. The stiffness follows the ½ of equation (13), k = 2 c² or c²,
+        /// so that the effective speed of sound stays; time step and viscosity stay too.
+        /// </summary>
+        /// <param name="switches">Corrected, printed, or any mixture.</param>
+        /// <returns>The changed copy.</returns>
+        public FluidSolverSettings With(in ThesisSwitches switches)
+        {
+            FluidSolverSettings settings = this;
+            settings.SelfDensity = switches.SelfDensity;
+            settings.PressureClamp = switches.PressureClamp;
+            settings.PressureHalf = switches.PressureHalf;
+            settings.ForceTimesMass = switches.ForceTimesMass;
+            settings.HalfKick = switches.HalfKick;
+            settings.OctantSearch = switches.OctantSearch;
+            settings.AccelerationLimitEnabled = switches.AccelerationLimit != ThesisAccelerationLimit.Off;
+            settings.AccelerationLimit = switches.AccelerationLimit == ThesisAccelerationLimit.AsPrinted
+                ? MaxSpeed
+                : FluidRules.EmergencyLimit(Spacing, TimeStep);
+            if (PressureHalf != switches.PressureHalf)
+            {
+                settings.Stiffness = switches.PressureHalf ? 2f * Stiffness : 0.5f * Stiffness;
+            }
+
+            return settings;
         }
 
         /// <summary>Checks that every constant can be computed with.</summary>

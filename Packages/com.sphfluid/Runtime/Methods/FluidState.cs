@@ -9,7 +9,7 @@ namespace SphFluid
         internal FluidState(in FluidSolverSettings settings, int particleCount)
         {
             Settings = settings;
-            Grid = new FluidGrid(settings.DomainSize, 2f * settings.SupportRadius);
+            Grid = new FluidGrid(settings.DomainSize, settings.OctantSearch ? 2f * settings.SupportRadius : settings.SupportRadius);
             Buffers = new FluidBuffers(particleCount, Grid.CellCount);
         }
 

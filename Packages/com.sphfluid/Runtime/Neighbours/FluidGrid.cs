@@ -3,12 +3,12 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>The thesis's grid (6.2): cells of side 2R over the domain box, numbered x first, then y, then z.</summary>
+    /// <summary>The thesis's grid (6.2) over the domain box, cells of side 2R for 8 of them or R for 27, numbered x first, then y, then z.</summary>
     public readonly struct FluidGrid
     {
         /// <summary>Grid over a domain box that is centred on the origin of simulation space.</summary>
         /// <param name="domainSize">Size of the box [m].</param>
-        /// <param name="cellSize">Side of a cell [m], 2R for the octant search to be complete.</param>
+        /// <param name="cellSize">Side of a cell [m]: 2R for the octant search to be complete, R for the search of 27 cells.</param>
         /// <exception cref="ArgumentException">A size is not positive, or the grid has more cells than an index can name.</exception>
         public FluidGrid(Vector3 domainSize, float cellSize)
         {

@@ -16,6 +16,14 @@ namespace SphFluid
             return new Material(shader) { name = shader.name, hideFlags = HideFlags.HideAndDontSave };
         }
 
+        public static void SetKeyword(Material made, string keyword, bool on)
+        {
+            if (on)
+                made.EnableKeyword(keyword);
+            else
+                made.DisableKeyword(keyword);
+        }
+
         public static void Destroy<T>(ref T made) where T : Object
         {
             if (made != null)

@@ -10,13 +10,14 @@ namespace SphFluid
         /// <param name="domainSize">Edges of the domain [m].</param>
         /// <param name="margin">How far the drawing reaches beyond the domain [m].</param>
         /// <param name="layer">Layer of the drawing, 0 to 31.</param>
-        /// <param name="castShadows">Whether the drawing casts shadows.</param>
+        /// <param name="castShadows">Whether the drawing casts shadows, where the pipeline lets it.</param>
         public DrawPlacement(Matrix4x4 localToWorld, Vector3 domainSize, float margin, int layer, bool castShadows)
         {
             LocalToWorld = localToWorld;
             WorldBounds = BoundsOf(localToWorld, domainSize + Vector3.one * (2f * margin));
             Layer = layer;
-            CastShadows = castShadows;
+            Pipeline = DrawPipeline.Active;
+            CastShadows = castShadows && DrawPipeline.HasShadows(Pipeline);
         }
 
         public Matrix4x4 LocalToWorld { get; }
@@ -26,6 +27,9 @@ namespace SphFluid
         public int Layer { get; }
 
         public bool CastShadows { get; }
+
+        /// <summary>The render pipeline that draws.</summary>
+        public DrawPipelineKind Pipeline { get; }
 
         /// <summary>Render parameters with every field set: Unity's defaults switch everything off and cull at the world's origin.</summary>
         public RenderParams Parameters(Material material, MaterialPropertyBlock properties)

@@ -9,6 +9,7 @@ namespace SphFluid
         public const int VerticesPerParticle = 6;
 
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
+        readonly SceneLighting lighting = new SceneLighting();
         Material material;
         Texture2D roundSprite;
 
@@ -37,12 +38,15 @@ namespace SphFluid
             properties.SetFloat(RenderShaderIds.Smoothness, look.Smoothness);
             properties.SetFloat(RenderShaderIds.ParticleSize, look.Size);
             properties.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
+            lighting.Apply(properties);
+            DrawPipeline.Apply(properties, placement.Pipeline);
             return properties;
         }
 
         /// <summary>Draws for every camera of this frame.</summary>
         public void Draw(GraphicsBuffer particles, int count, in ParticleLook look, in DrawPlacement placement)
         {
+            DrawPipeline.Prepare(material, placement.Pipeline);
             RenderParams parameters = placement.Parameters(material, Properties(particles, look, placement));
             Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, count * VerticesPerParticle);
         }

@@ -6,6 +6,10 @@ namespace SphFluid
     static class RenderShaderIds
     {
         public static readonly int FluidLocalToWorld = Shader.PropertyToID("_FluidLocalToWorld");
+        public static readonly int FluidLightDirection = Shader.PropertyToID("_FluidLightDirection");
+        public static readonly int FluidLightColour = Shader.PropertyToID("_FluidLightColour");
+        public static readonly int FluidAmbient = Shader.PropertyToID("_FluidAmbient");
+        public static readonly int FluidShadowClamp = Shader.PropertyToID("_FluidShadowClamp");
         public static readonly int Color = Shader.PropertyToID("_Color");
         public static readonly int FastColor = Shader.PropertyToID("_FastColor");
         public static readonly int FastSpeed = Shader.PropertyToID("_FastSpeed");

@@ -39,12 +39,12 @@ namespace SphFluid
             input.MinSpeed = Mathf.Max(input.MinSpeed, simulation.ExpectedSpeed);
             FluidSolverSettings settings = FluidSolverSettings.FromRules(input);
             if (simulation.TimeStepMode == FluidTimeStepMode.Fixed) UseTimeStep(ref settings, simulation.FixedTimeStep);
-            return settings;
+            return settings.With(profile.ThesisSwitches);
         }
 
-        /// <summary>Longest stable time step for these constants [s]: 1.35 R/√k.</summary>
+        /// <summary>Longest stable time step for these constants [s]: 1.35 R/√k with k = 2 c².</summary>
         public static double LargestTimeStep(in FluidSolverSettings settings) =>
-            AcousticLimit * settings.SupportRadius / System.Math.Sqrt(settings.Stiffness);
+            AcousticLimit * settings.SupportRadius / (System.Math.Sqrt(2.0) * settings.SoundSpeed);
 
         // The acceleration limit is a distance a step, so it goes with 1/dt².
         static void UseTimeStep(ref FluidSolverSettings settings, float timeStep)

@@ -12,6 +12,7 @@ namespace SphFluid
         readonly Vector3 domainSize, scale;
         readonly float spacing, supportRatio, jitter;
         readonly int seed, maxParticles;
+        readonly bool octantSearch;
 
         FluidStartKey(FluidSimulation simulation)
         {
@@ -20,6 +21,7 @@ namespace SphFluid
             shaders = profiled ? profile.Shaders : null;
             supportRatio = profiled ? profile.SupportRatio : 0f;
             maxParticles = profiled ? profile.MaxParticles : 0;
+            octantSearch = profiled && profile.ThesisSwitches.OctantSearch;
             method = simulation.Method;
             domainSize = simulation.DomainSize;
             scale = simulation.transform.lossyScale;
@@ -34,7 +36,8 @@ namespace SphFluid
         public bool Equals(FluidStartKey other) =>
             ReferenceEquals(profile, other.profile) && ReferenceEquals(shaders, other.shaders) && method == other.method &&
             domainSize.Equals(other.domainSize) && (scale - other.scale).sqrMagnitude < 1e-9f && spacing.Equals(other.spacing) &&
-            supportRatio.Equals(other.supportRatio) && jitter.Equals(other.jitter) && seed == other.seed && maxParticles == other.maxParticles;
+            supportRatio.Equals(other.supportRatio) && jitter.Equals(other.jitter) && seed == other.seed &&
+            maxParticles == other.maxParticles && octantSearch == other.octantSearch;
 
         public override bool Equals(object obj) => obj is FluidStartKey other && Equals(other);
 

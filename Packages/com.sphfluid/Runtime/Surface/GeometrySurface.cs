@@ -14,6 +14,7 @@ namespace SphFluid
         const string CubesKeyword = "FLUID_CUBES";
 
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
+        readonly SceneLighting lighting = new SceneLighting();
         Material material;
         GraphicsBuffer tables;
 
@@ -54,21 +55,18 @@ namespace SphFluid
                 properties.SetColor(RenderShaderIds.Color, colour.Value);
                 properties.SetFloat(RenderShaderIds.Smoothness, smoothness);
             }
+            lighting.Apply(properties);
+            DrawPipeline.Apply(properties, placement.Pipeline);
             return properties;
         }
 
         /// <summary>What the surface's own material draws.</summary>
-        public void SetStyle(FluidSurfaceStyle style)
-        {
-            if (style == FluidSurfaceStyle.Cubes)
-                material.EnableKeyword(CubesKeyword);
-            else
-                material.DisableKeyword(CubesKeyword);
-        }
+        public void SetStyle(FluidSurfaceStyle style) => DrawMaterial.SetKeyword(material, CubesKeyword, style == FluidSurfaceStyle.Cubes);
 
         /// <summary>Draws for every camera of this frame with the properties filled last.</summary>
         public void Draw(SurfaceField field, Material ownMaterial, in DrawPlacement placement)
         {
+            DrawPipeline.Prepare(material, placement.Pipeline);
             RenderParams parameters = placement.Parameters(ownMaterial != null ? ownMaterial : material, properties);
             Graphics.RenderPrimitives(parameters, MeshTopology.Points, field.Grid.CubeCount);
         }

@@ -27,6 +27,16 @@ namespace SphFluid
         // Device names of Mesa's, Google's and Microsoft's rasterisers.
         static readonly string[] SoftwareDevices = { "llvmpipe", "SwiftShader", "Microsoft Basic Render" };
 
+        /// <summary>Whether a program on the CPU draws.</summary>
+        internal static bool IsSoftwareDevice
+        {
+            get
+            {
+                string device = SystemInfo.graphicsDeviceName;
+                return System.Array.Exists(SoftwareDevices, software => device.IndexOf(software, System.StringComparison.OrdinalIgnoreCase) >= 0);
+            }
+        }
+
         /// <summary>Cells a side.</summary>
         /// <param name="size">A size; <see cref="SurfaceGridSize.Automatic"/> asks the device.</param>
         /// <returns>32, 64, 128 or 256.</returns>
@@ -34,13 +44,7 @@ namespace SphFluid
         {
             if (size != SurfaceGridSize.Automatic)
                 return (int)size;
-            string device = SystemInfo.graphicsDeviceName;
-            foreach (string software in SoftwareDevices)
-            {
-                if (device.IndexOf(software, System.StringComparison.OrdinalIgnoreCase) >= 0)
-                    return (int)SurfaceGridSize.Cells64;
-            }
-            return (int)SurfaceGridSize.Cells128;
+            return (int)(IsSoftwareDevice ? SurfaceGridSize.Cells64 : SurfaceGridSize.Cells128);
         }
     }
 }

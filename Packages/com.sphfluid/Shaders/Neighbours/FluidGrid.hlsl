@@ -1,7 +1,7 @@
 #ifndef SPHFLUID_FLUID_GRID
 #define SPHFLUID_FLUID_GRID
 
-// The thesis's grid (6.2): cells of side 2h over the domain box, numbered x first, then y, then z.
+// The thesis's grid (6.2): cells of side 2h, or h where 27 are searched, over the domain box, numbered x first, then y, then z.
 float3 _GridOrigin;
 float _CellSize;
 int3 _GridCounts;

@@ -6,29 +6,44 @@
 
 StructuredBuffer<Particle> _Particles;
 StructuredBuffer<uint2> _GridIndices; // [first, end) of each cell in _Particles
-int _OctantSearch;                    // 1: the 8 cells of the octant, 0: all 27
 float _SmoothLengthSquared;           // h^2, h the support radius
 float _DensityCoefficient;            // m 315 / (64 pi h^9)
 
-#define NEIGHBOUR_CELLS (_OctantSearch != 0 ? 8u : 27u)
+// A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_CELLS_OF_H".
+#if defined(FLUID_CELLS_OF_H)
+
+// Cells h wide: whatever is in reach lies in the 27 around the particle. Three of a row follow each other in the order of
+// the cells, so their particles are one run: 9 runs. Worked example: in a row, [4, 6) [0, 0) [6, 9) make [4, 9).
+#define NEIGHBOUR_RANGES 9u
+
+uint2 NeighbourRange(float3 position, uint k)
+{
+    const int3 cell = int3(floor(GridPosition(position))) + int3(0, int(k % 3u) - 1, int(k / 3u) - 1);
+    uint2 run = uint2(0xffffffffu, 0u);
+    if (all(cell.yz >= 0) && all(cell.yz < _GridCounts.yz))
+    {
+        const int last = min(cell.x + 1, _GridCounts.x - 1);
+        for (int x = max(cell.x - 1, 0); x <= last; x++)
+        {
+            const uint2 range = _GridIndices[CellIndex(int3(x, cell.yz))];
+            run.x = range.x < range.y ? min(run.x, range.x) : run.x; // an empty cell is [0, 0)
+            run.y = max(run.y, range.y);
+        }
+    }
+    return run;
+}
+
+#else
 
 // GetNeighbors(GetQuadrant(position)), thesis 6.3.1. A cell is 2h wide, so h reaches over one face an axis: the nearer one.
 // Worked example on one axis, in cells: 4.3 lies in the lower half of cell 4, floor(4.3 - 0.5) = 3, cells 3 and 4;
 // 4.7 lies in the upper half, floor(4.7 - 0.5) = 4, cells 4 and 5.
-int3 NeighbourCell(float3 position, uint k)
-{
-    const float3 p = GridPosition(position);
-    if (_OctantSearch != 0)
-    {
-        return int3(floor(p - 0.5)) + int3(uint3(k, k >> 1, k >> 2) & 1u);
-    }
-    return int3(floor(p)) - 1 + int3(uint3(k, k / 3u, k / 9u) % 3u);
-}
+#define NEIGHBOUR_RANGES 8u
 
 // Particles of the k-th neighbour cell; cells outside the grid hold none.
 uint2 NeighbourRange(float3 position, uint k)
 {
-    const int3 cell = NeighbourCell(position, k);
+    const int3 cell = int3(floor(GridPosition(position) - 0.5)) + int3(uint3(k, k >> 1, k >> 2) & 1u);
     uint2 range = uint2(0u, 0u);
     if (all(cell >= 0) && all(cell < _GridCounts))
     {
@@ -37,11 +52,13 @@ uint2 NeighbourRange(float3 position, uint k)
     return range;
 }
 
+#endif
+
 // The one neighbour loop: every particle j of the neighbour cells, j included where position is its own.
 // Whether j is in reach of h is the body's question: it has the distance.
 #define FOR_EACH_NEIGHBOUR(position, j) \
-    for (uint neighbourCell = 0u; neighbourCell < NEIGHBOUR_CELLS; neighbourCell++) \
-        for (uint2 range = NeighbourRange(position, neighbourCell); range.x < range.y; range.x = range.y) \
+    for (uint neighbourRange = 0u; neighbourRange < NEIGHBOUR_RANGES; neighbourRange++) \
+        for (uint2 range = NeighbourRange(position, neighbourRange); range.x < range.y; range.x = range.y) \
             for (uint j = range.x; j < range.y; j++)
 
 // The thesis's DFact for one pair: (h^2 - r^2)^3, equation (12) without its factor.

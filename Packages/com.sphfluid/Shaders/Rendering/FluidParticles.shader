@@ -1,4 +1,5 @@
 // Particles as textured, lit squares that face the camera. Drawn with MeshTopology.Triangles, six vertices a particle.
+// FLUID_HDRP: see FluidShading.hlsl.
 Shader "SPH Fluid/Particles"
 {
     Properties
@@ -13,16 +14,17 @@ Shader "SPH Fluid/Particles"
     {
         Tags { "RenderType" = "TransparentCutout" "Queue" = "AlphaTest" }
 
+        // No LightMode: drawn by the Built-in pipeline in forward and deferred rendering, by URP and HDRP as SRPDefaultUnlit.
         Pass
         {
-            Name "ForwardBase"
-            Tags { "LightMode" = "ForwardBase" }
+            Name "Forward"
             Cull Off
             ZWrite On
             ZTest LEqual
 
             HLSLPROGRAM
             #pragma target 4.5
+            #pragma multi_compile_local _ FLUID_HDRP
             #pragma vertex ExpandSquare
             #pragma fragment ShadeSquare
 
@@ -30,6 +32,7 @@ Shader "SPH Fluid/Particles"
             ENDHLSL
         }
 
+        // Built-in and URP.
         Pass
         {
             Name "ShadowCaster"
@@ -44,6 +47,44 @@ Shader "SPH Fluid/Particles"
             #pragma fragment CastSquareShadow
 
             #define FLUID_SHADOW_CASTER 1
+            #include "ParticleSquares.hlsl"
+            ENDHLSL
+        }
+
+        // URP's depth priming and depth texture, HDRP's depth prepass.
+        Pass
+        {
+            Name "DepthOnly"
+            Tags { "LightMode" = "DepthOnly" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ColorMask R
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma multi_compile_local _ FLUID_HDRP
+            #pragma vertex ExpandSquare
+            #pragma fragment ShowSquareDepth
+
+            #include "ParticleSquares.hlsl"
+            ENDHLSL
+        }
+
+        // URP, where an effect wants normals.
+        Pass
+        {
+            Name "DepthNormalsOnly"
+            Tags { "LightMode" = "DepthNormalsOnly" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma vertex ExpandSquare
+            #pragma fragment ShowSquareNormal
+
             #include "ParticleSquares.hlsl"
             ENDHLSL
         }

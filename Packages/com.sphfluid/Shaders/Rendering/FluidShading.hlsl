@@ -1,4 +1,5 @@
-// Light and camera of Unity's Built-in pipeline under their own names, and the lighting that the drawings share. No include of Unity's.
+// Camera, light and lighting that the drawings share, for every render pipeline. No include of any pipeline: the camera's matrices have the same
+// names in all of them, the light comes from the component (SceneLighting.cs).
 #ifndef SPHFLUID_SHADING_INCLUDED
 #define SPHFLUID_SHADING_INCLUDED
 
@@ -8,19 +9,14 @@
 
 float4x4 unity_MatrixV;
 float4x4 unity_MatrixVP;
-float3 _WorldSpaceCameraPos;
-float4 _WorldSpaceLightPos0; // ForwardBase: direction to the light (w = 0) or its position (w = 1)
-float4 _LightColor0;
-float4 unity_LightShadowBias; // x: depth bias in clip space, y: 1 for directional lights
-float4 unity_SHAr;
-float4 unity_SHAg;
-float4 unity_SHAb;
-float4 unity_SHBr;
-float4 unity_SHBg;
-float4 unity_SHBb;
-float4 unity_SHC;
+float3 _WorldSpaceCameraPos;  // absolute in every pipeline
+float4 unity_LightShadowBias; // Built-in; x: depth bias in clip space, y: 1 for directional lights
 
-float4x4 _FluidLocalToWorld; // simulation space to world space: rotation and translation
+float4x4 _FluidLocalToWorld;  // simulation space to world space: rotation and translation
+float4 _FluidLightDirection;  // xyz: unit vector to the main light, world space
+float4 _FluidLightColour;     // rgb: colour times intensity of the main light, in the colours that shaders use
+float4 _FluidAmbient[7];      // ambient light, spherical harmonics of order 2: SHAr, SHAg, SHAb, SHBr, SHBg, SHBb, SHC
+float _FluidShadowClamp;      // 1: shadow casters stay behind the light's near plane, whatever unity_LightShadowBias says
 
 #define WATER_REFLECTANCE 0.02 // Fresnel at normal incidence, ((n - 1) / (n + 1))^2 at n = 1.33
 
@@ -34,9 +30,55 @@ float3 FluidWorldDirection(float3 local)
     return mul((float3x3)_FluidLocalToWorld, local);
 }
 
+#if defined(FLUID_HDRP)
+
+Texture2D<float4> _ExposureTexture; // HDRP's exposure, one pixel
+
+// Where the view matrix has its eye: V p = R p + t, so -R^T t. That is the camera, or the origin where matrices are camera-relative.
+float3 FluidMatrixEye()
+{
+    return -mul(float3(unity_MatrixV[0].w, unity_MatrixV[1].w, unity_MatrixV[2].w), (float3x3)unity_MatrixV);
+}
+
+// E.g. a camera at (9, 0, 0) and a point at (10, 0, 0): (1, 0, 0) if the matrices are camera-relative, else (10, 0, 0).
+float3 FluidMatrixPosition(float3 world)
+{
+    return (world - _WorldSpaceCameraPos) + FluidMatrixEye();
+}
+
+// HDRP counts light in lux, which a matt surface sends back by 1 / pi, and exposes it here.
+float3 FluidLampColour()
+{
+    return _FluidLightColour.rgb / 3.14159265;
+}
+
+float3 FluidExposed(float3 colour)
+{
+    return colour * _ExposureTexture.Load(int3(0, 0, 0)).x;
+}
+
+#else
+
+float3 FluidMatrixPosition(float3 world)
+{
+    return world;
+}
+
+float3 FluidLampColour()
+{
+    return _FluidLightColour.rgb;
+}
+
+float3 FluidExposed(float3 colour)
+{
+    return colour;
+}
+
+#endif
+
 float4 FluidClipPosition(float3 world)
 {
-    return mul(unity_MatrixVP, float4(world, 1.0));
+    return mul(unity_MatrixVP, float4(FluidMatrixPosition(world), 1.0));
 }
 
 // Moves a shadow caster away from the light, but never in front of the light's near plane.
@@ -50,7 +92,7 @@ float4 FluidShadowClipPosition(float3 world)
     clipPosition.z += saturate(unity_LightShadowBias.x / clipPosition.w);
     float clamped = max(clipPosition.z, -clipPosition.w);
 #endif
-    clipPosition.z = lerp(clipPosition.z, clamped, unity_LightShadowBias.y);
+    clipPosition.z = lerp(clipPosition.z, clamped, max(unity_LightShadowBias.y, _FluidShadowClamp));
     return clipPosition;
 }
 
@@ -59,9 +101,9 @@ float3 FluidAmbient(float3 direction)
 {
     float4 n = float4(direction, 1.0);
     float4 products = n.xyzz * n.yzzx;
-    float3 light = float3(dot(unity_SHAr, n), dot(unity_SHAg, n), dot(unity_SHAb, n));
-    light += float3(dot(unity_SHBr, products), dot(unity_SHBg, products), dot(unity_SHBb, products));
-    light += unity_SHC.xyz * (n.x * n.x - n.y * n.y);
+    float3 light = float3(dot(_FluidAmbient[0], n), dot(_FluidAmbient[1], n), dot(_FluidAmbient[2], n));
+    light += float3(dot(_FluidAmbient[3], products), dot(_FluidAmbient[4], products), dot(_FluidAmbient[5], products));
+    light += _FluidAmbient[6].xyz * (n.x * n.x - n.y * n.y);
     light = max(light, 0.0);
 #if defined(UNITY_COLORSPACE_GAMMA)
     light = max(1.055 * pow(light, 1.0 / 2.4) - 0.055, 0.0);
@@ -69,26 +111,21 @@ float3 FluidAmbient(float3 direction)
     return light;
 }
 
-float3 FluidLightDirection(float3 world)
+// Lambert's diffuse light of the main light plus the ambient light.
+float3 FluidDiffuse(float3 albedo, float3 normal)
 {
-    return normalize(_WorldSpaceLightPos0.xyz - world * _WorldSpaceLightPos0.w);
-}
-
-// Lambert's diffuse light of one lamp plus the ambient light.
-float3 FluidDiffuse(float3 albedo, float3 normal, float3 world)
-{
-    float lit = saturate(dot(normal, FluidLightDirection(world)));
-    return albedo * (_LightColor0.rgb * lit + FluidAmbient(normal));
+    float lit = saturate(dot(normal, _FluidLightDirection.xyz));
+    return albedo * (FluidLampColour() * lit + FluidAmbient(normal));
 }
 
 // Blinn-Phong with its energy factor (n + 8) / 8; smoothness 0...1 stands for exponents 2...2048.
-float3 FluidHighlight(float smoothness, float3 normal, float3 view, float3 world)
+float3 FluidHighlight(float smoothness, float3 normal, float3 view)
 {
-    float3 light = FluidLightDirection(world);
+    float3 light = _FluidLightDirection.xyz;
     float exponent = exp2(1.0 + 10.0 * smoothness);
     float facing = saturate(dot(normal, normalize(light + view)));
     float lit = saturate(dot(normal, light));
-    return _LightColor0.rgb * (lit * WATER_REFLECTANCE * (exponent + 8.0) / 8.0 * pow(facing, exponent));
+    return FluidLampColour() * (lit * WATER_REFLECTANCE * (exponent + 8.0) / 8.0 * pow(facing, exponent));
 }
 
 // Schlick's approximation: how much of the light from the mirror direction a smooth water surface reflects.

@@ -74,15 +74,27 @@ float4 ShadeSquare(SquareFragment input) : SV_Target
     float4 sprite = SampleSprite(input.uv);
     float3 normal = BallNormal(input.uv);
     float3 view = normalize(_WorldSpaceCameraPos - input.world);
-    float3 colour = FluidDiffuse(input.colour * sprite.rgb, normal, input.world);
-    colour += FluidHighlight(_Smoothness, normal, view, input.world);
-    return float4(colour, 1.0);
+    float3 colour = FluidDiffuse(input.colour * sprite.rgb, normal);
+    colour += FluidHighlight(_Smoothness, normal, view);
+    return float4(FluidExposed(colour), 1.0);
 }
 
 float4 CastSquareShadow(SquareFragment input) : SV_Target
 {
     SampleSprite(input.uv);
     return 0.0;
+}
+
+float4 ShowSquareDepth(SquareFragment input) : SV_Target
+{
+    SampleSprite(input.uv);
+    return input.clipPosition.z;
+}
+
+float4 ShowSquareNormal(SquareFragment input) : SV_Target
+{
+    SampleSprite(input.uv);
+    return float4(BallNormal(input.uv), 0.0);
 }
 
 #endif

@@ -1,5 +1,5 @@
 // The thesis's surface: marching cubes in a geometry shader, lit per pixel. Drawn with MeshTopology.Points, one point a cube.
-// FLUID_CUBES draws the cubes that the surface cuts instead of the triangles in them.
+// FLUID_CUBES draws the edges of the cubes with a vertex inside instead of the triangles in them. FLUID_HDRP: see FluidShading.hlsl.
 Shader "SPH Fluid/Surface (Geometry Shader)"
 {
     Properties
@@ -12,10 +12,10 @@ Shader "SPH Fluid/Surface (Geometry Shader)"
     {
         Tags { "RenderType" = "Opaque" "Queue" = "Geometry" }
 
+        // No LightMode: drawn by the Built-in pipeline in forward and deferred rendering, by URP and HDRP as SRPDefaultUnlit.
         Pass
         {
-            Name "ForwardBase"
-            Tags { "LightMode" = "ForwardBase" }
+            Name "Forward"
             Cull Back
             ZWrite On
             ZTest LEqual
@@ -24,15 +24,16 @@ Shader "SPH Fluid/Surface (Geometry Shader)"
             #pragma target 4.5
             #pragma require geometry
             #pragma multi_compile_local _ FLUID_CUBES
+            #pragma multi_compile_local _ FLUID_HDRP
             #pragma vertex PassThrough
             #pragma geometry GenerateIsosurface
             #pragma fragment ShadeSurface
 
-            #include "SurfaceGeometry.hlsl"
             #include "SurfaceShading.hlsl"
             ENDHLSL
         }
 
+        // Built-in and URP.
         Pass
         {
             Name "ShadowCaster"
@@ -47,15 +48,54 @@ Shader "SPH Fluid/Surface (Geometry Shader)"
             #pragma multi_compile_local _ FLUID_CUBES
             #pragma vertex PassThrough
             #pragma geometry GenerateIsosurface
-            #pragma fragment CastShadow
+            #pragma fragment CastSurfaceShadow
 
             #define FLUID_SHADOW_CASTER 1
-            #include "SurfaceGeometry.hlsl"
+            #include "SurfaceShading.hlsl"
+            ENDHLSL
+        }
 
-            float4 CastShadow(SurfaceFragment input) : SV_Target
-            {
-                return 0.0;
-            }
+        // URP's depth priming and depth texture, HDRP's depth prepass.
+        Pass
+        {
+            Name "DepthOnly"
+            Tags { "LightMode" = "DepthOnly" }
+            Cull Back
+            ZWrite On
+            ZTest LEqual
+            ColorMask R
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma require geometry
+            #pragma multi_compile_local _ FLUID_CUBES
+            #pragma multi_compile_local _ FLUID_HDRP
+            #pragma vertex PassThrough
+            #pragma geometry GenerateIsosurface
+            #pragma fragment ShowSurfaceDepth
+
+            #include "SurfaceShading.hlsl"
+            ENDHLSL
+        }
+
+        // URP, where an effect wants normals.
+        Pass
+        {
+            Name "DepthNormalsOnly"
+            Tags { "LightMode" = "DepthNormalsOnly" }
+            Cull Back
+            ZWrite On
+            ZTest LEqual
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma require geometry
+            #pragma multi_compile_local _ FLUID_CUBES
+            #pragma vertex PassThrough
+            #pragma geometry GenerateIsosurface
+            #pragma fragment ShowSurfaceNormal
+
+            #include "SurfaceShading.hlsl"
             ENDHLSL
         }
     }

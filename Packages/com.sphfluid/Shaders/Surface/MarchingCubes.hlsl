@@ -16,6 +16,7 @@ float4 _MCCellSize;    // xyz: size of a cell [m]; w: iso value
 #define MC_EDGE_FLAGS 0
 #define MC_TRIANGLES 256
 #define MC_EDGE_CORNERS 4352
+#define MC_ALL_OUTSIDE 255u // index of a cube without a vertex inside
 
 // A vertex never lies closer than this part of an edge to the edge's ends: no zero-area triangles.
 #define MC_EDGE_MARGIN 0.01

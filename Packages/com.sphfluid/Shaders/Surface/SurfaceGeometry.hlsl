@@ -40,35 +40,30 @@ SurfaceFragment ProjectSurfaceVertex(SurfaceVertex surface)
 
 #if defined(FLUID_CUBES)
 
-#define MC_CUBE_VERTICES 24
-
-// A corner of a cube's face: the face across an axis, lower or upper side, its corners in the order of a triangle strip. Cubes of the ring
-// are as thin as it.
-SurfaceVertex CubeFaceCorner(int3 origin, uint axis, uint upper, uint corner)
+// A corner of a cube as the end of a line. It is lit like the liquid's surface; where the density is even, deep inside, it is turned from the light.
+SurfaceVertex CubeCorner(int3 v)
 {
-    int3 along = int3(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
-    int3 first = upper != 0 ? along.zxy : along.yzx;
-    int3 second = upper != 0 ? along.yzx : along.zxy;
-    int3 v = origin + along * (int)upper + first * (int)(corner & 1) + second * (int)(corner >> 1);
+    float3 outwards = MCInGrid(v) ? -MCGradient(v) : (float3)0.0;
+    float squared = dot(outwards, outwards);
 
     SurfaceVertex surface;
     surface.position = _MCGridMinimum.xyz + _MCCellSize.xyz * MCGridPosition(v);
-    surface.normal = (float3)along * (upper != 0 ? 1.0 : -1.0);
+    surface.normal = squared > 0.0 ? outwards * rsqrt(squared) : float3(0.0, -1.0, 0.0);
     return surface;
 }
 
-// Fig. 12 of the thesis, middle: the cubes with at least one vertex inside. Cubes that lie wholly inside are hidden behind others.
-[maxvertexcount(MC_CUBE_VERTICES)]
-void GenerateIsosurface(point CubePoint input[1], inout TriangleStream<SurfaceFragment> triangles)
+// Fig. 12 of the thesis, middle: the edges of the cubes with at least one vertex inside. Cubes of the ring are as thin as it.
+[maxvertexcount(2 * MC_EDGES)]
+void GenerateIsosurface(point CubePoint input[1], inout LineStream<SurfaceFragment> lines)
 {
     int3 origin = MCCubeOrigin(input[0].cube);
-    if (MCEdgeFlags(MCCubeIndex(origin)) != 0)
+    if (MCCubeIndex(origin) != MC_ALL_OUTSIDE)
     {
-        for (uint face = 0; face < 6; face++)
+        for (uint edge = 0; edge < MC_EDGES; edge++)
         {
-            for (uint corner = 0; corner < 4; corner++)
-                triangles.Append(ProjectSurfaceVertex(CubeFaceCorner(origin, face >> 1, face & 1, corner)));
-            triangles.RestartStrip();
+            lines.Append(ProjectSurfaceVertex(CubeCorner(MCEdgeCorner(origin, edge, 0))));
+            lines.Append(ProjectSurfaceVertex(CubeCorner(MCEdgeCorner(origin, edge, 1))));
+            lines.RestartStrip();
         }
     }
 }

@@ -27,10 +27,25 @@ float4 ShadeSurface(SurfaceFragment input) : SV_Target
     float edgeOn = 1.0 - saturate(dot(normal, view));
     float3 body = lerp(_Color.rgb, sqrt(max(_Color.rgb, 0.0)), EDGE_BRIGHTENING * edgeOn * edgeOn);
     float mirrored = FluidFresnel(normal, view);
-    float3 colour = FluidDiffuse(body, normal, input.world) * (1.0 - mirrored);
+    float3 colour = FluidDiffuse(body, normal) * (1.0 - mirrored);
     colour += FluidAmbient(reflect(-view, normal)) * mirrored;
-    colour += FluidHighlight(_Smoothness, normal, view, input.world);
-    return float4(colour, 1.0);
+    colour += FluidHighlight(_Smoothness, normal, view);
+    return float4(FluidExposed(colour), 1.0);
+}
+
+float4 CastSurfaceShadow(SurfaceFragment input) : SV_Target
+{
+    return 0.0;
+}
+
+float4 ShowSurfaceDepth(SurfaceFragment input) : SV_Target
+{
+    return input.clipPosition.z;
+}
+
+float4 ShowSurfaceNormal(SurfaceFragment input) : SV_Target
+{
+    return float4(SurfaceNormal(input), 0.0);
 }
 
 #endif

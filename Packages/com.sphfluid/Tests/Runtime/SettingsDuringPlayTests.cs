@@ -45,6 +45,38 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator ThesisSwitchesGoOnButTheSearchStartsAgain()
+        {
+            yield return null;
+            FluidSolver solver = simulation.Solver;
+            ThesisSwitches switches = ThesisSwitches.Corrected;
+            switches.PressureHalf = false;
+            simulation.Profile.ThesisSwitches = switches;
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Solver, Is.SameAs(solver));
+            Assert.That(solver.Settings.PressureHalf, Is.False);
+            switches.OctantSearch = false;
+            simulation.Profile.ThesisSwitches = switches;
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Solver, Is.Not.SameAs(solver));
+            Assert.That(simulation.Solver.Grid.CellSize, Is.EqualTo(simulation.Solver.Settings.SupportRadius));
+        }
+
+        [UnityTest]
+        public IEnumerator ThePrintedMethodDoesNotAskTheProfile()
+        {
+            simulation.Method = FluidMethodKind.ThesisPrinted;
+            yield return null;
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Solver.Kind, Is.EqualTo(FluidMethodKind.ThesisPrinted));
+            Assert.That(simulation.Solver.Settings.ForceTimesMass, Is.True);
+            Assert.That(simulation.StepCount, Is.GreaterThan(0));
+        }
+
+        [UnityTest]
         public IEnumerator TurningTheDomainTurnsGravity()
         {
             simulation.transform.rotation = Quaternion.Euler(0f, 0f, 90f);

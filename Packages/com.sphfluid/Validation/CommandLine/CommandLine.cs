@@ -1,4 +1,5 @@
 using System;
+using System.IO;
 using UnityEngine;
 using UnityEngine.SceneManagement;
 
@@ -11,6 +12,7 @@ namespace SphFluid.Validation
     public static class CommandLine
     {
         const int UsageExitCode = 2;
+        const int FailureExitCode = 1;
 
         /// <summary>
         /// Prepares a play: the flags --method, --surface, --particles and --seed change every simulation of the scene
@@ -39,6 +41,40 @@ namespace SphFluid.Validation
             }
         }
 
+        /// <summary>
+        /// Measures the tables of the thesis on this device: the flags --table, --particles, --grids, --repeat, --out, --sweep and
+        /// --no-sweep; see <see cref="BenchArguments"/>. The program ends with it. A wrong flag ends it with exit code 2.
+        /// </summary>
+        public static void Bench()
+        {
+            try
+            {
+                BenchArguments arguments = BenchArguments.Parse(Environment.GetCommandLineArgs());
+                BenchProgress progress = Application.isEditor ? new BenchProgress(Debug.Log, null) : BenchProgress.OfConsole();
+                var session = new BenchSession(arguments, BenchAssets.FindShaders(), progress);
+#if UNITY_EDITOR
+                if (!Application.isPlaying)
+                {
+                    EditorBench.Begin(session);
+                    return;
+                }
+#endif
+                BenchDriver.Begin(session);
+            }
+            catch (CommandLineException exception)
+            {
+                Fail(exception.Message);
+            }
+            catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException)
+            {
+                Fail("--out cannot be written: " + exception.Message);
+            }
+            catch (FluidDeviceException exception)
+            {
+                Fail(exception.Message, FailureExitCode);
+            }
+        }
+
         internal static void Prepare(PlayArguments arguments)
         {
             bool begun = false;
@@ -51,13 +87,13 @@ namespace SphFluid.Validation
             };
         }
 
-        static void Fail(string message)
+        static void Fail(string message, int exitCode = UsageExitCode)
         {
             Console.Error.WriteLine(message);
 #if UNITY_EDITOR
-            UnityEditor.EditorApplication.Exit(UsageExitCode);
+            UnityEditor.EditorApplication.Exit(exitCode);
 #else
-            Application.Quit(UsageExitCode);
+            Application.Quit(exitCode);
 #endif
         }
     }

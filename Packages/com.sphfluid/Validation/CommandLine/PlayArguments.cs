@@ -11,13 +11,13 @@ namespace SphFluid.Validation
     public sealed class PlayArguments
     {
         static readonly string[] flags = { "--method", "--surface", "--particles", "--seed", "--state", "--mesh", "--record" };
-        static readonly string[] methods = { "thesis" };
-        static readonly string[] surfaces = { "particles", "marching-cubes-gs", "none" };
+        static readonly string[] methods = { "thesis", "thesis-printed" };
+        static readonly string[] surfaces = { "particles", "cubes", "marching-cubes-gs", "none" };
 
         /// <summary>Method for every simulation; null keeps the scene's.</summary>
         public FluidMethodKind? Method { get; private set; }
 
-        /// <summary>Drawing for every simulation: particles, marching-cubes-gs or none; null keeps the scene's.</summary>
+        /// <summary>Drawing for every simulation: particles, cubes, marching-cubes-gs or none; null keeps the scene's.</summary>
         public string Surface { get; private set; }
 
         /// <summary>Number of particles for every simulation, by rescaling its spacing; null keeps the scene's.</summary>
@@ -66,7 +66,7 @@ namespace SphFluid.Validation
             {
                 case "--method":
                     RequireOneOf(flag, value, methods);
-                    Method = FluidMethodKind.Thesis;
+                    Method = value == "thesis" ? FluidMethodKind.Thesis : FluidMethodKind.ThesisPrinted;
                     break;
                 case "--surface":
                     RequireOneOf(flag, value, surfaces);

@@ -28,9 +28,16 @@ namespace SphFluid.Validation
             {
                 if (!renderer.isActiveAndEnabled)
                     continue;
-                return renderer is FluidSurfaceRenderer surface && !surface.UsesFallback ? "marching-cubes-gs" : "particles";
+                return NameOf(renderer);
             }
             return "none";
+        }
+
+        static string NameOf(FluidRenderer renderer)
+        {
+            if (!(renderer is FluidSurfaceRenderer surface) || surface.UsesFallback)
+                return "particles";
+            return surface.Style == FluidSurfaceStyle.Cubes ? "cubes" : "marching-cubes-gs";
         }
 
         /// <summary>The iso value of a simulation's surface; the default where it has none.</summary>
@@ -61,21 +68,25 @@ namespace SphFluid.Validation
                 renderer.enabled = false;
             if (surface == "particles")
                 Enable<FluidParticleRenderer>(simulation);
+            else if (surface == "cubes")
+                Enable<FluidSurfaceRenderer>(simulation).Style = FluidSurfaceStyle.Cubes;
             else if (surface == "marching-cubes-gs")
-                Enable<FluidSurfaceRenderer>(simulation);
+                Enable<FluidSurfaceRenderer>(simulation).Style = FluidSurfaceStyle.MarchingCubes;
         }
 
-        static void Enable<T>(FluidSimulation simulation) where T : FluidRenderer
+        static T Enable<T>(FluidSimulation simulation) where T : FluidRenderer
         {
             foreach (FluidRenderer renderer in Renderers(simulation))
             {
-                if (renderer is T)
+                if (renderer is T found)
                 {
-                    renderer.enabled = true;
-                    return;
+                    found.enabled = true;
+                    return found;
                 }
             }
-            simulation.gameObject.AddComponent<T>().Simulation = simulation;
+            var added = simulation.gameObject.AddComponent<T>();
+            added.Simulation = simulation;
+            return added;
         }
 
         static IEnumerable<FluidRenderer> Renderers(FluidSimulation simulation)

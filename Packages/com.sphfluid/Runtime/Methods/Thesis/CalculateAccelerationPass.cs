@@ -20,6 +20,7 @@ namespace SphFluid
             FluidSolverSettings settings = state.Settings;
             cmd.BeginSample(Marker);
             kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
+            kernel.SetFloat(cmd, FluidShaderIds.PrintedMass, settings.ForceTimesMass ? settings.ParticleMass : 0f);
             kernel.SetFloat(cmd, FluidShaderIds.AccelerationLimit,
                 settings.AccelerationLimitEnabled ? settings.AccelerationLimit : float.MaxValue);
             kernel.SetVector(cmd, FluidShaderIds.Gravity, settings.Gravity);

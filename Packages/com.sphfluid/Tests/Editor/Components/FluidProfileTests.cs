@@ -30,6 +30,7 @@ namespace SphFluid.Tests
             Assert.That(profile.WallDistanceRatio, Is.EqualTo(water.WallDistanceRatio));
             Assert.That(profile.WallStiffnessRatio, Is.EqualTo(water.WallStiffnessRatio));
             Assert.That(profile.WallDampingRatio, Is.EqualTo(water.WallDampingRatio));
+            Assert.That(profile.ThesisSwitches, Is.EqualTo(ThesisSwitches.Corrected));
             Assert.That(profile.Version, Is.EqualTo(1));
         }
 
@@ -54,6 +55,7 @@ namespace SphFluid.Tests
             Assert.That(water.Shaders, Is.Not.Null);
             Assert.That(water.Shaders.Validate(), Is.Empty);
             Assert.That(water.RestDensity, Is.EqualTo(1000f));
+            Assert.That(water.ThesisSwitches, Is.EqualTo(ThesisSwitches.Corrected));
             Assert.That(water.Version, Is.EqualTo(1));
         }
 

@@ -22,6 +22,19 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void CellsOfTheSupportRadiusAgreeWithBruteForce()
+        {
+            FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.03f);
+            settings.OctantSearch = false;
+            using (var rig = new ThesisRig(settings, ParticleSets.Random(1024, Domain, 1f, 4)))
+            {
+                rig.RunNeighbourSetup();
+                Assert.That(rig.State.Grid.CellSize, Is.EqualTo(settings.SupportRadius));
+                CheckRanges(rig);
+            }
+        }
+
+        [Test]
         public void AllParticlesInOneCell()
         {
             Check(ParticleSets.Random(300, 0.01f * Vector3.one, 1f, 3).Select(p => Moved(p, new Vector3(0.05f, 0.02f, 0.03f))).ToArray());

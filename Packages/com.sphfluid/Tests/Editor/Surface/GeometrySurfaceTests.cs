@@ -73,22 +73,42 @@ namespace SphFluid.Tests
             }
         }
 
-        // One grid vertex inside: the eight cubes around it, seen from the front a square of two cells.
+        // One grid vertex inside: the edges of the eight cubes around it, seen from the front three lines each way over two cells.
         [Test]
-        public void CubesAroundAVertexAreDrawnWhole()
+        public void CubesAroundAVertexAreDrawnAsWires()
+        {
+            float cell = 1f / Cells;
+            Color[] picture = DrawCubes(p => p.magnitude < 0.5f * cell ? 1f : 0f);
+            int covered = 0;
+            foreach (Color pixel in picture)
+                covered += pixel.a > 0f ? 1 : 0;
+            Assert.AreEqual(6 * Size / 2, covered, Size / 4, "pixels of six lines");
+            Assert.AreEqual(0f, picture[Size * 3 / 8 * Size + Size * 3 / 8].a, "the middle of a face is empty");
+            Assert.AreEqual(0f, picture[Size / 8 * Size + Size / 2].a, "cubes without a vertex inside are not drawn");
+        }
+
+        // Everything inside: cubes that no surface cuts, between near and far plane 0.2 m before and behind the middle.
+        [Test]
+        public void CubesWithinTheLiquidAreDrawn()
+        {
+            Color[] picture = DrawCubes(p => 1f, 0.8f, 1.2f);
+            int covered = 0;
+            foreach (Color pixel in picture)
+                covered += pixel.a > 0f ? 1 : 0;
+            Assert.Greater(covered, 5 * Size, "pixels of lines across the picture");
+            Assert.AreEqual(0f, picture[Size * 3 / 8 * Size + Size * 3 / 8].a, "the middle of a face is empty");
+        }
+
+        Color[] DrawCubes(Func<Vector3, float> density, float near = 0.1f, float far = 10f)
         {
             material.EnableKeyword("FLUID_CUBES");
             float cell = 1f / Cells;
-            using (SurfaceField field = Field(p => p.magnitude < 0.5f * cell ? 1f : 0f))
+            using (SurfaceField field = Field(density))
             using (var surface = new GeometrySurface(shaders))
             {
-                Matrix4x4 projection = Matrix4x4.Ortho(-2f * cell, 2f * cell, -2f * cell, 2f * cell, 0.1f, 10f);
-                Color[] picture = SurfaceTestScene.Render(Size, SurfaceTestScene.LookAtOrigin(new Vector3(0f, 0f, -1f)), projection, cmd =>
+                Matrix4x4 projection = Matrix4x4.Ortho(-2f * cell, 2f * cell, -2f * cell, 2f * cell, near, far);
+                return SurfaceTestScene.Render(Size, SurfaceTestScene.LookAtOrigin(new Vector3(0f, 0f, -1f)), projection, cmd =>
                     cmd.DrawProcedural(Matrix4x4.identity, material, GeometryPass, MeshTopology.Points, field.Grid.CubeCount, 1, Properties(surface, field)));
-                int covered = 0;
-                foreach (Color pixel in picture)
-                    covered += pixel.a > 0f ? 1 : 0;
-                Assert.AreEqual(Size * Size / 4, covered, Size);
             }
         }
 

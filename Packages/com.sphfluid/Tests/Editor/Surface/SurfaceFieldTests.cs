@@ -19,10 +19,12 @@ namespace SphFluid.Tests
         [TestCase(SurfaceGridSize.Cells32, true)]
         [TestCase(SurfaceGridSize.Cells32, false)]
         [TestCase(SurfaceGridSize.Cells64, true)]
-        public void FactorsEqualTheSumOverAllParticles(SurfaceGridSize size, bool wallCompletion)
+        [TestCase(SurfaceGridSize.Cells32, true, false)]
+        public void FactorsEqualTheSumOverAllParticles(SurfaceGridSize size, bool wallCompletion, bool octant = true)
         {
             FluidParticle[] particles = ParticleSets.Random(1500, Domain, 0f, 7);
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
+            settings.OctantSearch = octant;
             using (var solver = new FluidSolver(settings, shaders, particles))
             using (var field = new SurfaceField(shaders, SurfaceGrid.OverDomain(Domain, size)) { WallCompletion = wallCompletion })
             {

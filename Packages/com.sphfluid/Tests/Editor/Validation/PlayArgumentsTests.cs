@@ -21,6 +21,13 @@ namespace SphFluid.Tests
             Assert.That(arguments.RecordFile, Is.EqualTo("c.csv"));
         }
 
+        [TestCase("thesis", FluidMethodKind.Thesis)]
+        [TestCase("thesis-printed", FluidMethodKind.ThesisPrinted)]
+        public void NamesEveryMethod(string name, FluidMethodKind kind)
+        {
+            Assert.That(Parse("player", "--", "--method", name).Method, Is.EqualTo(kind));
+        }
+
         [Test]
         public void KeepsTheSceneWithoutFlags()
         {

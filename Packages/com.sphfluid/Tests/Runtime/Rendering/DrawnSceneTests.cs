@@ -13,6 +13,7 @@ namespace SphFluid.Tests
 
         SimulationRig rig;
         Camera camera;
+        Light light;
         RenderTexture target;
 
         [SetUp]
@@ -27,7 +28,7 @@ namespace SphFluid.Tests
             camera.clearFlags = CameraClearFlags.SolidColor;
             camera.backgroundColor = Color.black;
             camera.targetTexture = target;
-            var light = rig.NewObject("Light").AddComponent<Light>();
+            light = rig.NewObject("Light").AddComponent<Light>();
             light.type = LightType.Directional;
             light.transform.rotation = Quaternion.Euler(30f, 20f, 0f);
         }
@@ -78,6 +79,53 @@ namespace SphFluid.Tests
             yield return Frames(15);
             float after = MeanRow(Picture());
             Assert.Less(after, before - 2f, "the liquid falls in the picture");
+        }
+
+        [UnityTest]
+        public IEnumerator ThreeDrawingsOfOneLiquidDiffer()
+        {
+            FluidSimulation simulation = rig.Create();
+            var surface = simulation.gameObject.AddComponent<FluidSurfaceRenderer>();
+            if (surface.MissingSupport() != null)
+                Assert.Ignore(surface.MissingSupport());
+            surface.GridSize = SurfaceGridSize.Cells32;
+            yield return Frames(2);
+            int mesh = Lit(Picture());
+
+            surface.Style = FluidSurfaceStyle.Cubes;
+            yield return Frames(2);
+            int cubes = Lit(Picture());
+            Assert.Greater(cubes, 100, "pixels of wires");
+            Assert.Greater(mesh, 200, "pixels of the surface");
+
+            surface.enabled = false;
+            simulation.gameObject.AddComponent<FluidParticleRenderer>();
+            yield return Frames(2);
+            Assert.Greater(Lit(Picture()), 200, "pixels of particles");
+        }
+
+        [UnityTest]
+        public IEnumerator LiquidIsLitByTheMainLight()
+        {
+            rig.Create().gameObject.AddComponent<FluidParticleRenderer>().Colour = Color.white;
+            light.transform.rotation = Quaternion.LookRotation(Vector3.forward);
+            yield return Frames(2);
+            float front = Brightness(Picture());
+            light.transform.rotation = Quaternion.LookRotation(Vector3.back);
+            yield return Frames(2);
+            float back = Brightness(Picture());
+            Assert.Greater(front, 2f * back, "lit from the camera's side and from behind");
+            Assert.Greater(back, 0f, "ambient light remains");
+        }
+
+        static int Lit(Color[] picture) => Count(picture, 0, Width, p => p.maxColorComponent > 0.05f);
+
+        static float Brightness(Color[] picture)
+        {
+            float sum = 0f;
+            foreach (Color pixel in picture)
+                sum += pixel.linear.maxColorComponent;
+            return sum;
         }
 
         static IEnumerator Frames(int count)

@@ -1,0 +1,6 @@
+namespace Unity.Jobs;
+
+public interface IJobFor
+{
+    void Execute(int index);
+}

@@ -1,0 +1,6 @@
+namespace Unity.Jobs;
+
+public interface IJobParallelFor
+{
+    void Execute(int index);
+}

@@ -1,0 +1,47 @@
+using NUnit.Framework;
+using SphFluid.Validation;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>What --surface does to the drawings of a simulation.</summary>
+    public sealed class PlayOverridesTests
+    {
+        FluidSimulation simulation;
+
+        [SetUp]
+        public void SetUp() => simulation = new GameObject("Fluid").AddComponent<FluidSimulation>();
+
+        [TearDown]
+        public void TearDown() => Object.DestroyImmediate(simulation.gameObject);
+
+        [TestCase("particles")]
+        [TestCase("cubes")]
+        [TestCase("marching-cubes-gs")]
+        [TestCase("none")]
+        public void SurfaceIsReportedAsItWasAskedFor(string surface)
+        {
+            Apply(surface);
+            Assert.AreEqual(surface, PlayOverrides.SurfaceOf(simulation));
+        }
+
+        [Test]
+        public void StyleOfTheScenesRendererFollows()
+        {
+            var drawing = simulation.gameObject.AddComponent<FluidSurfaceRenderer>();
+            Apply("cubes");
+            Assert.AreEqual(FluidSurfaceStyle.Cubes, drawing.Style);
+            Assert.AreEqual(1, simulation.GetComponents<FluidRenderer>().Length, "no second renderer");
+
+            Apply("marching-cubes-gs");
+            Assert.AreEqual(FluidSurfaceStyle.MarchingCubes, drawing.Style);
+
+            Apply("particles");
+            Assert.IsFalse(drawing.enabled);
+            Assert.AreEqual("particles", PlayOverrides.SurfaceOf(simulation));
+        }
+
+        void Apply(string surface) =>
+            PlayOverrides.Apply(PlayArguments.Parse(new[] { "player", "--", "--surface", surface }), new[] { simulation });
+    }
+}

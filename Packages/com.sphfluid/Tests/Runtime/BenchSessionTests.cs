@@ -1,0 +1,80 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using System.IO;
+using NUnit.Framework;
+using SphFluid.Validation;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace SphFluid.Tests
+{
+    /// <summary>A whole benchmark of the smallest size: its files, not its times.</summary>
+    public sealed class BenchSessionTests
+    {
+        readonly List<string> said = new List<string>();
+        string folder;
+
+        [SetUp]
+        public void SetUp()
+        {
+            GpuTest.Require();
+            if (!SystemInfo.supportsGpuRecorder)
+                Assert.Ignore($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) has no GPU times.");
+            said.Clear();
+            folder = Path.Combine(Path.GetTempPath(), "sphfluid-bench-" + Guid.NewGuid().ToString("N"));
+        }
+
+        [TearDown]
+        public void TearDown()
+        {
+            if (folder != null && Directory.Exists(folder))
+                Directory.Delete(folder, true);
+        }
+
+        [UnityTest]
+        public IEnumerator EveryRowHasItsSamples()
+        {
+            using (BenchSession session = Create("--particles", "128", "--grids", "8"))
+            {
+                while (session.Step())
+                    yield return null;
+            }
+            string[] lines = File.ReadAllLines(Path.Combine(folder, "thesis.csv"));
+            string[] head = lines[0].Split(',');
+            int rows = GeometrySurface.MissingSupport() == null ? 3 : 2;
+            Assert.That(lines, Has.Length.EqualTo(1 + rows));
+            for (int i = 1; i < lines.Length; i++)
+            {
+                // The device's name may have commas: count from the end.
+                string[] cells = lines[i].Split(',');
+                string Cell(string name) => cells[cells.Length - head.Length + Array.IndexOf(head, name)];
+                Assert.That(Cell("samples"), Is.EqualTo("5"), lines[i]);
+                Assert.That(Cell("particles"), Is.EqualTo("128"), lines[i]);
+                Assert.That(int.Parse(Cell("frames")), Is.GreaterThanOrEqualTo(5), lines[i]);
+                // 10 sorts and the 8 other blocks, 2 more for a surface.
+                Assert.That(Cell("dispatches"), Is.EqualTo(Cell("grid") == "0" ? "18" : "20"), lines[i]);
+            }
+            Assert.That(said, Has.Some.Contains("about").And.Contains("5 samples of each row"));
+        }
+
+        [UnityTest]
+        public IEnumerator StoppedEarlyLeavesAValidFile()
+        {
+            using (BenchSession session = Create("--particles", "128", "--grids", "none"))
+            {
+                Assert.That(session.Step(), Is.True);
+                yield return null;
+            }
+            Assert.That(File.ReadAllLines(Path.Combine(folder, "thesis.csv")), Has.Length.EqualTo(1));
+            Assert.That(said, Has.Some.StartsWith("Stopped early."));
+        }
+
+        BenchSession Create(params string[] flags)
+        {
+            var words = new List<string> { "player", "--", "--no-sweep", "--out", folder };
+            words.AddRange(flags);
+            return new BenchSession(BenchArguments.Parse(words), TestAssets.Water.Shaders, new BenchProgress(said.Add, null));
+        }
+    }
+}

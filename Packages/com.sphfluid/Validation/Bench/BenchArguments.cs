@@ -1,0 +1,122 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+
+namespace SphFluid.Validation
+{
+    /// <summary>What <c>bench</c> measures and where it writes.</summary>
+    public sealed class BenchArguments
+    {
+        /// <summary>Fewest samples of a row: a median of fewer says little.</summary>
+        public const int MinimumSamples = 5;
+
+        const int MaximumSamples = 1000;
+        const int MinimumParticles = 64;
+        static readonly string[] flags = { "--table", "--particles", "--grids", "--repeat", "--out", "--sweep", "--no-sweep" };
+        static readonly string[] tables = { "thesis", "all" };
+
+        int[] particles = { 16384, 32768, 65536 };
+        int[] grids = { 32, 64, 128, 256 };
+
+        /// <summary>The table: thesis, or all that there are.</summary>
+        public string Table { get; private set; } = "thesis";
+
+        /// <summary>Numbers of particles of the thesis's tables.</summary>
+        public IReadOnlyList<int> Particles => particles;
+
+        /// <summary>Cells a side of the marching-cubes grids.</summary>
+        public IReadOnlyList<int> Grids => grids;
+
+        /// <summary>Samples of each row, <see cref="MinimumSamples"/> or more.</summary>
+        public int Samples { get; private set; } = MinimumSamples;
+
+        /// <summary>Folder of the files.</summary>
+        public string OutputFolder { get; private set; } = "Build/bench";
+
+        /// <summary>Whether the sweep over the number of particles is measured too; null leaves it to the device: yes on a graphics card.</summary>
+        public bool? Sweep { get; private set; }
+
+        /// <summary>
+        /// Reads the whole command line of the process: the flags behind a lone <c>--</c>; without one, flags of others are passed over.
+        /// </summary>
+        /// <exception cref="CommandLineException">A flag behind <c>--</c> is unknown, or a value is missing or wrong.</exception>
+        public static BenchArguments Parse(IReadOnlyList<string> commandLine)
+        {
+            var result = new BenchArguments();
+            int separator = -1;
+            for (int i = 0; i < commandLine.Count && separator < 0; i++)
+                separator = commandLine[i] == "--" ? i : -1;
+            for (int i = separator + 1; i < commandLine.Count; i++)
+            {
+                string word = commandLine[i];
+                int equals = word.StartsWith("--", StringComparison.Ordinal) ? word.IndexOf('=') : -1;
+                string flag = equals > 0 ? word.Substring(0, equals) : word;
+                if (Array.IndexOf(flags, flag) < 0)
+                {
+                    if (separator >= 0)
+                        throw new CommandLineException($"{word} is not a flag of bench. Its flags are {string.Join(", ", flags)}.");
+                    continue;
+                }
+                if (flag == "--sweep" || flag == "--no-sweep")
+                    result.Sweep = equals > 0 ? throw new CommandLineException($"{flag} takes no value.") : flag == "--sweep";
+                else
+                    result.Read(flag, equals > 0 ? word.Substring(equals + 1) : Value(commandLine, ref i));
+            }
+            return result;
+        }
+
+        void Read(string flag, string value)
+        {
+            switch (flag)
+            {
+                case "--table":
+                    if (Array.IndexOf(tables, value) < 0)
+                        throw new CommandLineException($"{flag} must be one of {string.Join(", ", tables)} in this version, found '{value}'.");
+                    Table = value;
+                    break;
+                case "--particles":
+                    particles = List(flag, value, MinimumParticles, FluidProfile.ParticleLimit);
+                    break;
+                case "--grids":
+                    grids = value == "none" ? Array.Empty<int>() : List(flag, value, 1, SurfaceGrid.MaximumCells);
+                    break;
+                case "--repeat":
+                    Samples = Number(flag, value, MinimumSamples, MaximumSamples);
+                    break;
+                case "--out":
+                    OutputFolder = value;
+                    break;
+            }
+        }
+
+        static int[] List(string flag, string value, int minimum, int maximum)
+        {
+            string[] words = value.Split(',');
+            var numbers = new List<int>();
+            foreach (string word in words)
+            {
+                int number = Number(flag, word.Trim(), minimum, maximum);
+                if (numbers.Contains(number))
+                    throw new CommandLineException($"{flag} has {number} twice.");
+                numbers.Add(number);
+            }
+            return numbers.ToArray();
+        }
+
+        static int Number(string flag, string value, int minimum, int maximum)
+        {
+            if (int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out int number) && number >= minimum && number <= maximum)
+                return number;
+            string what = flag == "--repeat" ? "a whole number" : "whole numbers divided by commas, each";
+            throw new CommandLineException($"{flag} must be {what} from {minimum} to {maximum}, found '{value}'.");
+        }
+
+        static string Value(IReadOnlyList<string> commandLine, ref int index)
+        {
+            string flag = commandLine[index];
+            if (index + 1 >= commandLine.Count || commandLine[index + 1].StartsWith("--", StringComparison.Ordinal))
+                throw new CommandLineException($"{flag} needs a value.");
+            return commandLine[++index];
+        }
+    }
+}

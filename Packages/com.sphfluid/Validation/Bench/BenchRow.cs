@@ -1,0 +1,67 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace SphFluid.Validation
+{
+    /// <summary>A row of a table: what was measured, and its samples.</summary>
+    public sealed class BenchRow
+    {
+        readonly List<BenchTimes> samples = new List<BenchTimes>();
+
+        /// <summary>A row without samples.</summary>
+        /// <param name="config">What a frame does.</param>
+        /// <param name="particles">Number of particles.</param>
+        public BenchRow(BenchConfig config, int particles)
+        {
+            Config = config;
+            Particles = particles;
+        }
+
+        /// <summary>What a frame does.</summary>
+        public BenchConfig Config { get; }
+
+        /// <summary>Number of particles.</summary>
+        public int Particles { get; }
+
+        /// <summary>Particle spacing dx [m].</summary>
+        public double Spacing { get; set; }
+
+        /// <summary>Support radius R [m].</summary>
+        public double Support { get; set; }
+
+        /// <summary>Mean number of neighbours within R.</summary>
+        public double NeighboursMean { get; set; }
+
+        /// <summary>Compute dispatches of a frame.</summary>
+        public long Dispatches { get; set; }
+
+        /// <summary>What is to be known when the row is read; empty when nothing.</summary>
+        public string Note { get; set; } = "";
+
+        /// <summary>Number of samples.</summary>
+        public int SampleCount => samples.Count;
+
+        /// <summary>Frames of all samples.</summary>
+        public int FrameCount => samples.Sum(s => s.Frames);
+
+        /// <summary>GPU time of a frame: statistics of the samples' means [ms].</summary>
+        public BenchStatistics Frame => BenchStatistics.Of(samples.Select(s => s.Frame).ToList());
+
+        /// <summary>Frames a second of GPU time, one step each.</summary>
+        public double FramesPerSecond => 1000.0 / Frame.Median;
+
+        /// <summary>Millions of particles stepped a second of GPU time.</summary>
+        public double MillionParticleSteps => Particles * FramesPerSecond * 1e-6;
+
+        /// <summary>Sum of the blocks over the frame, median of the samples.</summary>
+        public double BlocksOverStep => BenchStatistics.Of(samples.Select(s => s.BlocksOverTotal).ToList()).Median;
+
+        /// <summary>GPU time of a block in a frame, median of the samples [ms].</summary>
+        /// <param name="index">Number of the block.</param>
+        public double Block(int index) => BenchStatistics.Of(samples.Select(s => s.Block(index)).ToList()).Median;
+
+        /// <summary>Adds a sample.</summary>
+        /// <param name="times">Times of one frame or more.</param>
+        public void Add(BenchTimes times) => samples.Add(times);
+    }
+}

@@ -1,0 +1,152 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid.Validation
+{
+    /// <summary>Records frames of the benchmark, one step each, and measures them. All waiting is by yielding a frame of the engine.</summary>
+    sealed class BenchSampler : IDisposable
+    {
+        /// <summary>Least GPU time of a sample [ms].</summary>
+        public const double SampleMilliseconds = 200.0;
+
+        // One submission: bounded so that no driver takes it for a hang.
+        const int MostFramesAtOnce = 128;
+        const double SubmissionMilliseconds = 500.0;
+        const int EngineFramesToWait = 200;
+
+        static readonly ProfilerMarker frameMarker = ComputeKernel.CreateMarker(BenchBlocks.Frame);
+
+        readonly FluidShaderSet shaders;
+        readonly Dictionary<int, SurfaceField> fields = new Dictionary<int, SurfaceField>();
+        readonly GpuClock clock = new GpuClock();
+        readonly CommandBuffer cmd = new CommandBuffer { name = "Fluid Benchmark" };
+        readonly BenchDrawing drawing;
+
+        public BenchSampler(FluidShaderSet shaders)
+        {
+            this.shaders = shaders;
+            drawing = new BenchDrawing(shaders);
+        }
+
+        /// <summary>Times of the last sample or submission.</summary>
+        public BenchTimes Last { get; private set; }
+
+        /// <summary>Compute dispatches of a frame of the last sample.</summary>
+        public long Dispatches { get; private set; }
+
+        public bool HasSurface => drawing.HasSurface;
+
+        /// <summary>Runs the steps before the saved state; <see cref="Last"/> then is their time.</summary>
+        public IEnumerator Settle(BenchLiquid liquid)
+        {
+            int steps = 1;
+            while (true)
+            {
+                cmd.Clear();
+                cmd.BeginSample(frameMarker);
+                bool more = liquid.Settle(cmd, steps);
+                cmd.EndSample(frameMarker);
+                if (!more)
+                    yield break;
+                yield return Submit(liquid.Solver, 1);
+                steps = (int)Math.Max(1.0, Math.Min(MostFramesAtOnce, SampleMilliseconds * steps / Math.Max(1e-3, Last.Total)));
+            }
+        }
+
+        /// <summary>Measures frames from the saved state until they took <see cref="SampleMilliseconds"/>; <see cref="Last"/> is then their time.</summary>
+        /// <param name="liquid">The liquid.</param>
+        /// <param name="config">What a frame does.</param>
+        /// <param name="expected">Expected time of a frame [ms]; 0 when it is not known.</param>
+        public IEnumerator Sample(BenchLiquid liquid, BenchConfig config, double expected)
+        {
+            BenchTimes? sum = null;
+            do
+            {
+                liquid.Restore();
+                if (config.Grid > 0)
+                    yield return Prepare(liquid.Solver);
+                double missing = Math.Min(SubmissionMilliseconds, SampleMilliseconds - (sum?.Total ?? 0.0));
+                int frames = expected > 0.0 ? (int)Math.Max(1.0, Math.Min(MostFramesAtOnce, Math.Ceiling(1.05 * missing / expected))) : 1;
+                cmd.Clear();
+                for (int i = 0; i < frames; i++)
+                    Record(liquid, config);
+                yield return Submit(liquid.Solver, frames);
+                expected = Last.Frame;
+                sum = sum?.Plus(Last) ?? Last;
+            }
+            while (sum.Value.Total < SampleMilliseconds);
+            Last = sum.Value;
+        }
+
+        public void Dispose()
+        {
+            foreach (SurfaceField field in fields.Values)
+                field.Dispose();
+            clock.Dispose();
+            cmd.Dispose();
+            drawing.Dispose();
+        }
+
+        // The surface sorts the particles after the step, and the next step makes use of that. So that a sample's first frame has
+        // one sort as every later one, the sort before it is not measured.
+        IEnumerator Prepare(FluidSolver solver)
+        {
+            cmd.Clear();
+            cmd.BeginSample(frameMarker);
+            solver.RecordNeighbourSetup(cmd);
+            cmd.EndSample(frameMarker);
+            return Submit(solver, 1);
+        }
+
+        void Record(BenchLiquid liquid, in BenchConfig config)
+        {
+            long before = ComputeKernel.DispatchesRecorded;
+            cmd.BeginSample(frameMarker);
+            liquid.Solver.RecordSteps(cmd, 1);
+            if (config.Grid > 0)
+            {
+                SurfaceField field = Field(config.Grid);
+                field.Record(cmd, liquid.Solver);
+                drawing.RecordSurface(cmd, field);
+            }
+            else if (config.Surface == BenchConfig.SphParticles.Surface)
+            {
+                drawing.RecordParticles(cmd, liquid.Solver);
+            }
+            cmd.EndSample(frameMarker);
+            Dispatches = ComputeKernel.DispatchesRecorded - before;
+        }
+
+        IEnumerator Submit(FluidSolver solver, int frames)
+        {
+            clock.Restart();
+            Graphics.ExecuteCommandBuffer(cmd);
+            // Waits for the GPU: a loop of empty frames would take a CPU that draws one of its cores.
+            solver.ReadCountersNow();
+            for (int waited = 0; !clock.Collect(frames); waited++)
+            {
+                if (waited == EngineFramesToWait)
+                {
+                    throw new FluidDeviceException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) gave no GPU times within " +
+                        $"{EngineFramesToWait} frames. Run the benchmark with Direct3D 11 or 12, outside a frame debugger.");
+                }
+                yield return null;
+            }
+            Last = clock.Times(frames);
+        }
+
+        SurfaceField Field(int cells)
+        {
+            if (!fields.TryGetValue(cells, out SurfaceField field))
+            {
+                field = new SurfaceField(shaders, new SurfaceGrid(Vector3.one * (-0.5f * BenchLiquid.Edge), Vector3.one * BenchLiquid.Edge, cells));
+                fields.Add(cells, field);
+            }
+            return field;
+        }
+    }
+}

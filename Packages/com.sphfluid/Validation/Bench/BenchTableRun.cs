@@ -1,0 +1,113 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Globalization;
+
+namespace SphFluid.Validation
+{
+    /// <summary>
+    /// Measures one table: settles the liquids, takes a sample of every row that is thrown away, then round after round one sample
+    /// of every row, so that a slow change of the machine meets all rows alike. The file is written after every round.
+    /// </summary>
+    sealed class BenchTableRun : IDisposable
+    {
+        readonly List<BenchLiquid> liquids = new List<BenchLiquid>();
+        readonly Dictionary<BenchRow, BenchLiquid> liquidOf = new Dictionary<BenchRow, BenchLiquid>();
+        readonly Dictionary<BenchRow, (double Wall, double Frame)> costs = new Dictionary<BenchRow, (double, double)>();
+        readonly BenchTable table;
+        readonly BenchSampler sampler;
+        readonly BenchArguments arguments;
+        readonly BenchProgress progress;
+
+        public BenchTableRun(BenchTable table, BenchSampler sampler, BenchArguments arguments, BenchProgress progress)
+        {
+            this.table = table;
+            this.sampler = sampler;
+            this.arguments = arguments;
+            this.progress = progress;
+        }
+
+        public IEnumerator Run(FluidShaderSet shaders, IReadOnlyList<int> particles, IReadOnlyList<BenchConfig> configs)
+        {
+            var clock = Stopwatch.StartNew();
+            progress.Say($"{table.Name}: {particles.Count * configs.Count} rows on {table.Device}; letting {string.Join(", ", particles)} particles fall first.");
+            foreach (int count in particles)
+            {
+                var liquid = new BenchLiquid(shaders, count);
+                liquids.Add(liquid);
+                IEnumerator fall = sampler.Settle(liquid);
+                while (fall.MoveNext())
+                {
+                    progress.Show(0.0, null, $"{liquid.SettledSteps} of {BenchLiquid.SettleSteps} steps of the fall of {count} particles");
+                    yield return fall.Current;
+                }
+                foreach (BenchConfig config in configs)
+                    AddRow(liquid, config);
+            }
+            for (int i = 0; i < table.Rows.Count; i++)
+            {
+                progress.Show(0.0, null, $"warming up row {i + 1} of {table.Rows.Count}, {Title(table.Rows[i])}");
+                yield return Measure(table.Rows[i], false);
+            }
+            TimeSpan estimate = TimeFor(arguments.Samples, 0, 0);
+            progress.Say($"{table.Name}: about {BenchProgress.Duration(estimate)} for {arguments.Samples} samples of each row, after {BenchProgress.Duration(clock.Elapsed)} of warming up.");
+            clock.Restart();
+            for (int round = 0; round < arguments.Samples; round++)
+            {
+                for (int i = 0; i < table.Rows.Count; i++)
+                {
+                    TimeSpan left = TimeFor(arguments.Samples, round, i);
+                    double share = clock.Elapsed.TotalSeconds / (clock.Elapsed + left).TotalSeconds;
+                    progress.Show(share, left, $"round {round + 1} of {arguments.Samples}, {Title(table.Rows[i])}");
+                    yield return Measure(table.Rows[i], true);
+                }
+                table.Write(arguments.OutputFolder);
+            }
+        }
+
+        public void Dispose()
+        {
+            foreach (BenchLiquid liquid in liquids)
+                liquid.Dispose();
+        }
+
+        void AddRow(BenchLiquid liquid, BenchConfig config)
+        {
+            FluidSolverSettings settings = liquid.Solver.Settings;
+            bool limited = config.Grid > 0 && !SurfaceGridSizes.IsSoftwareDevice;
+            var row = new BenchRow(config, liquid.Solver.ParticleCount)
+            {
+                Spacing = settings.Spacing,
+                Support = settings.SupportRadius,
+                NeighboursMean = liquid.NeighboursMean,
+                Note = limited ? "graphics-limited" : "",
+            };
+            table.Rows.Add(row);
+            liquidOf.Add(row, liquid);
+        }
+
+        IEnumerator Measure(BenchRow row, bool keep)
+        {
+            var clock = Stopwatch.StartNew();
+            costs.TryGetValue(row, out (double Wall, double Frame) cost);
+            yield return sampler.Sample(liquidOf[row], row.Config, cost.Frame);
+            row.Dispatches = sampler.Dispatches;
+            if (keep)
+                row.Add(sampler.Last);
+            double wall = clock.Elapsed.TotalSeconds;
+            costs[row] = (cost.Frame > 0.0 ? 0.7 * cost.Wall + 0.3 * wall : wall, sampler.Last.Frame);
+        }
+
+        // Each row costs what its samples did, the last ones more.
+        TimeSpan TimeFor(int rounds, int round, int next)
+        {
+            double seconds = 0;
+            for (int i = 0; i < table.Rows.Count; i++)
+                seconds += costs[table.Rows[i]].Wall * (rounds - round - (i < next ? 1 : 0));
+            return TimeSpan.FromSeconds(seconds);
+        }
+
+        static string Title(BenchRow row) => string.Format(CultureInfo.InvariantCulture, "{0}, {1:N0} particles", row.Config.Title, row.Particles);
+    }
+}

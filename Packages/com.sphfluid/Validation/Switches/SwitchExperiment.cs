@@ -1,0 +1,80 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid.Validation
+{
+    /// <summary>A small liquid whose end shows what one printed form of the thesis does beside the corrected one.</summary>
+    public sealed class SwitchExperiment
+    {
+        const int StepsPerBuffer = 50;
+
+        internal SwitchExperiment(string name, FluidParticle[] start, float seconds, in FluidSolverSettings corrected, in FluidSolverSettings printed)
+        {
+            Name = name;
+            Start = start;
+            Seconds = seconds;
+            Corrected = corrected;
+            Printed = printed;
+        }
+
+        /// <summary>Name of the experiment and of its picture, for instance "self-density".</summary>
+        public string Name { get; }
+
+        /// <summary>Particles at the start.</summary>
+        public FluidParticle[] Start { get; }
+
+        /// <summary>Length of the run [s].</summary>
+        public float Seconds { get; }
+
+        /// <summary>Constants with everything else as in the printed run.</summary>
+        public FluidSolverSettings Corrected { get; }
+
+        /// <summary>Constants with one thing as printed.</summary>
+        public FluidSolverSettings Printed { get; }
+
+        /// <summary>The picture looks down; otherwise along z.</summary>
+        public bool FromAbove { get; internal set; }
+
+        /// <summary>What the picture shows by colour.</summary>
+        public SwitchColour Colour { get; internal set; }
+
+        /// <summary>The printed run takes 8 cells although its cells are h wide: the octant rule of 6.2 with the wrong size.</summary>
+        internal bool EightCellsOfSmoothLength { get; set; }
+
+        /// <summary>Runs one side.</summary>
+        /// <param name="printed">The printed side, else the corrected one.</param>
+        /// <param name="shaders">The compute shaders.</param>
+        /// <returns>The end.</returns>
+        public SwitchResult Run(bool printed, FluidShaderSet shaders)
+        {
+            FluidSolverSettings settings = printed ? Printed : Corrected;
+            using (var solver = new FluidSolver(settings, shaders, Start))
+            {
+                if (printed && EightCellsOfSmoothLength)
+                {
+                    FluidSolverSettings wrong = settings;
+                    wrong.OctantSearch = true;
+                    solver.State.Settings = wrong;
+                }
+                int steps = (int)Math.Round(Seconds / settings.TimeStep);
+                for (int done = 0; done < steps; done += StepsPerBuffer)
+                {
+                    int now = Math.Min(StepsPerBuffer, steps - done);
+                    Execute(cmd => solver.RecordSteps(cmd, now));
+                }
+                Execute(cmd => solver.RecordNeighbourSetup(cmd));
+                return new SwitchResult(solver);
+            }
+        }
+
+        static void Execute(Action<CommandBuffer> record)
+        {
+            using (var cmd = new CommandBuffer { name = "Switch Experiment" })
+            {
+                record(cmd);
+                Graphics.ExecuteCommandBuffer(cmd);
+            }
+        }
+    }
+}
