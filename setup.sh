@@ -10,7 +10,7 @@ cache=${XDG_CACHE_HOME:-$HOME/.cache}/sphfluid
 dotnet_major=10
 
 run_packages=(libvulkan1 mesa-vulkan-drivers glslang-tools ffmpeg)
-test_packages=(vulkan-validationlayers spirv-tools wine64 gcc-mingw-w64-x86-64)
+test_packages=(vulkan-validationlayers spirv-tools wine64 gcc-mingw-w64-x86-64 npm)
 # Microsoft's HLSL compiler, used by ./run check only: it is a file in this npm package.
 compiler_package=gl@8.1.6
 compiler_file=package/deps/windows/dll/x64/d3dcompiler_47.dll
