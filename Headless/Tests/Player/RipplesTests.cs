@@ -120,6 +120,7 @@ public sealed class RipplesTests
     [TestCase("--speed", "3", "--speed is not a flag of play")]
     [TestCase("--scene", "Assets/Scenes/Nowhere.unity", "--scene is given twice")]
     [TestCase("--seconds", "none", "--seconds must be a number of seconds")]
+    [TestCase("--device", "No such card", "No Vulkan device 'No such card'. There is: ")]
     [TestCase("--executeMethod", "Ripples.Nothing.Run", "--executeMethod: no class 'Ripples.Nothing'")]
     public void WrongFlagsAreOneLineAndExitCode2(string flag, string value, string message)
     {
