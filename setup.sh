@@ -10,7 +10,7 @@ cache=${XDG_CACHE_HOME:-$HOME/.cache}/sphfluid
 dotnet_major=10
 
 run_packages=(libvulkan1 mesa-vulkan-drivers glslang-tools ffmpeg)
-test_packages=(vulkan-validationlayers spirv-tools wine64 gcc-mingw-w64-x86-64)
+test_packages=(vulkan-validationlayers spirv-tools wine64 gcc-mingw-w64-x86-64 npm)
 # Microsoft's HLSL compiler, used by ./run check only: it is a file in this npm package.
 compiler_package=gl@8.1.6
 compiler_file=package/deps/windows/dll/x64/d3dcompiler_47.dll
@@ -39,13 +39,14 @@ installed() { [[ $(dpkg-query -W -f '${Status}' "$1" 2> /dev/null) == *" install
 install_packages() {
     local missing=() package sudo=()
     if ! command -v dpkg-query > /dev/null; then
-        say "this is not a Debian system. Needed are the Vulkan loader and a driver, glslangValidator and ffmpeg$([[ $purpose == test ]] && echo ', the Vulkan validation layers, wine64 and x86_64-w64-mingw32-gcc')."
+        say "this is not a Debian system. Needed are the Vulkan loader and a driver, glslangValidator and ffmpeg$([[ $purpose == test ]] && echo ', the Vulkan validation layers, spirv-val, wine64, x86_64-w64-mingw32-gcc and npm')."
         return
     fi
     for package in "${packages[@]}"; do
         # A program of the user's own build serves as well.
         [[ $package == ffmpeg ]] && command -v ffmpeg > /dev/null && continue
         [[ $package == glslang-tools ]] && command -v glslangValidator > /dev/null && continue
+        [[ $package == npm ]] && command -v npm > /dev/null && continue
         installed "$package" || missing+=("$package")
     done
     ((${#missing[@]})) || return 0
@@ -64,7 +65,7 @@ install_packages() {
 fetch_compiler() {
     local target=$cache/d3dcompiler_47.dll folder
     [[ -e $target ]] && return
-    command -v npm > /dev/null || fail "npm is missing: it fetches the HLSL compiler for ./run check. Debian: apt install npm; others: https://nodejs.org/en/download"
+    command -v npm > /dev/null || fail "npm is missing: it fetches the HLSL compiler for ./run check. See https://nodejs.org/en/download"
     say "fetching d3dcompiler_47.dll (npm package $compiler_package)"
     folder=$(mktemp -d)
     (cd "$folder" && npm pack --silent "$compiler_package" > /dev/null && tar -xzf gl-*.tgz "$compiler_file") \

@@ -36,27 +36,11 @@ public static class Program
                 default: throw new UsageException($"'{words[0]}' is not a command: play, test, exec and devices are.");
             }
         }
-        catch (UsageException e)
+        catch (Exception e) when (e is UsageException or UnknownAdapterException)
         {
             return Fail(e.Message, WrongUsage);
         }
-        catch (ImportException e)
-        {
-            return Fail(e.Message, Failed);
-        }
-        catch (ShaderCompilerMissingException e)
-        {
-            return Fail(e.Message, Failed);
-        }
-        catch (GpuException e)
-        {
-            return Fail(e.Message, Failed);
-        }
-        catch (IOException e)
-        {
-            return Fail(e.Message, Failed);
-        }
-        catch (UnauthorizedAccessException e)
+        catch (Exception e) when (e is ImportException or ShaderCompilerMissingException or GpuException or IOException or UnauthorizedAccessException)
         {
             return Fail(e.Message, Failed);
         }

@@ -14,6 +14,9 @@ internal sealed class ApiCheck(string packageRoot)
         ["6000.0"] = ["UNITY_6000", "UNITY_6000_0", "UNITY_6000_0_OR_NEWER", "UNITY_2023_1_OR_NEWER", "UNITY_2022_3_OR_NEWER", "UNITY_2022_2_OR_NEWER", "UNITY_2022_1_OR_NEWER", "UNITY_2021_3_OR_NEWER", "UNITY_5_3_OR_NEWER"],
     };
 
+    // Unity ships NUnit 3.5; the oldest framework on NuGet is 3.6, which added these.
+    private static readonly string[] laterNUnit = ["M:NUnit.Framework.Assert.Multiple", "M:NUnit.Framework.Assert.Warn", "T:NUnit.Framework.Warn", "M:NUnit.Framework.Warn."];
+
     private static readonly string[] obsolete = ["CS0612", "CS0618", "CS0619", "CS0672"];
 
     // Serialised fields are assigned by the Editor.
@@ -42,7 +45,7 @@ internal sealed class ApiCheck(string packageRoot)
             built[assembly.Name] = compilation;
             foreach (var diagnostic in compilation.GetDiagnostics())
                 if (IsFinding(diagnostic, assembly)) report.Findings.Add($"{assembly.Name}: {Describe(diagnostic)}");
-            CollectUsedMembers(compilation, used, editorOnly, assembly.EditorOnly || assembly.IsTest ? null : report);
+            CollectUsedMembers(compilation, used, report.Findings, editorOnly, forPlayers: !assembly.EditorOnly && !assembly.IsTest);
         }
         report.Figures = $"{built.Count} assemblies compile, {used.Count} Unity members used, {references.MemberCount} known";
         return report;
@@ -79,7 +82,7 @@ internal sealed class ApiCheck(string packageRoot)
         return $"{Path.GetFileName(span.Path)}({span.StartLinePosition.Line + 1}): {diagnostic.Id} {diagnostic.GetMessage()}";
     }
 
-    private static void CollectUsedMembers(CSharpCompilation compilation, HashSet<string> used, IReadOnlySet<string> editorOnly, CheckReport? report)
+    private static void CollectUsedMembers(CSharpCompilation compilation, HashSet<string> used, List<string> findings, IReadOnlySet<string> editorOnly, bool forPlayers)
     {
         foreach (var tree in compilation.SyntaxTrees)
         {
@@ -89,13 +92,18 @@ internal sealed class ApiCheck(string packageRoot)
                 var symbol = model.GetSymbolInfo(node).Symbol;
                 if (symbol is IMethodSymbol { ReducedFrom: { } original }) symbol = original;
                 var assembly = symbol?.ContainingAssembly?.Name;
+                if (assembly == "nunit.framework" && symbol!.OriginalDefinition.GetDocumentationCommentId() is { } nunit && laterNUnit.Any(nunit.StartsWith))
+                    findings.Add($"{Place(compilation, tree, node)}: {nunit} is newer than Unity's NUnit 3.5");
                 if (assembly is null || !assembly.StartsWith("Unity", StringComparison.Ordinal)) continue;
                 var id = symbol!.OriginalDefinition.GetDocumentationCommentId();
                 if (id is null) continue;
                 used.Add(id);
-                if (report is not null && editorOnly.Contains(id))
-                    report.Findings.Add($"{compilation.AssemblyName}: {Path.GetFileName(tree.FilePath)}({node.GetLocation().GetLineSpan().StartLinePosition.Line + 1}): {id} exists only in the Editor");
+                if (forPlayers && editorOnly.Contains(id))
+                    findings.Add($"{Place(compilation, tree, node)}: {id} exists only in the Editor");
             }
         }
     }
+
+    private static string Place(CSharpCompilation compilation, SyntaxTree tree, SyntaxNode node) =>
+        $"{compilation.AssemblyName}: {Path.GetFileName(tree.FilePath)}({node.GetLocation().GetLineSpan().StartLinePosition.Line + 1})";
 }

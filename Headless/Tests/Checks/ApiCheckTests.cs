@@ -28,6 +28,16 @@ public sealed class ApiCheckTests
     }
 
     [Test]
+    public void TestsKeepToUnitysNUnit()
+    {
+        using var package = new TemporaryPackage()
+            .Write("Tests/T.asmdef", """{ "name": "T", "references": [], "includePlatforms": [], "defineConstraints": ["UNITY_INCLUDE_TESTS"] }""")
+            .Write("Tests/T.cs", "class T { void M() => NUnit.Framework.Assert.Multiple(() => { }); }");
+
+        Assert.That(new ApiCheck(package.Root).Run().SelectMany(r => r.Findings), Has.Some.Contains("newer than Unity's NUnit 3.5"));
+    }
+
+    [Test]
     public void CSharp10IsRefused()
     {
         Assert.That(Run("namespace N; class A { }").SelectMany(r => r.Findings), Has.Some.Contains("CS8773"));

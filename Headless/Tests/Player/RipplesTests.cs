@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Globalization;
+using System.Runtime.InteropServices;
 using System.Text.Json;
 using NUnit.Framework;
 
@@ -105,7 +106,7 @@ public sealed class RipplesTests
         using Process process = PlayerProcess.Start(Arguments(output, "--seconds", "3600"));
         string frame = Path.Combine(output, "frame_00003.png");
         for (int i = 0; i < 600 && !File.Exists(frame) && !process.HasExited; i++) Thread.Sleep(100);
-        Process.Start("kill", ["-INT", process.Id.ToString(CultureInfo.InvariantCulture)]).WaitForExit();
+        Assert.That(Kill(process.Id, Interrupt), Is.Zero);
         PlayerProcess ended = PlayerProcess.Finish(process);
         Assert.That(ended.ExitCode, Is.Zero, ended.Errors);
         Assert.That(ended.Output, Does.Contain("interrupted: "));
@@ -119,6 +120,7 @@ public sealed class RipplesTests
     [TestCase("--speed", "3", "--speed is not a flag of play")]
     [TestCase("--scene", "Assets/Scenes/Nowhere.unity", "--scene is given twice")]
     [TestCase("--seconds", "none", "--seconds must be a number of seconds")]
+    [TestCase("--device", "No such card", "No Vulkan device 'No such card'. There is: ")]
     [TestCase("--executeMethod", "Ripples.Nothing.Run", "--executeMethod: no class 'Ripples.Nothing'")]
     public void WrongFlagsAreOneLineAndExitCode2(string flag, string value, string message)
     {
@@ -137,4 +139,9 @@ public sealed class RipplesTests
 
     private static int Difference((int R, int G, int B) a, (int R, int G, int B) b) =>
         Math.Max(Math.Abs(a.R - b.R), Math.Max(Math.Abs(a.G - b.G), Math.Abs(a.B - b.B)));
+
+    private const int Interrupt = 2;
+
+    [DllImport("libc", EntryPoint = "kill")]
+    private static extern int Kill(int process, int signal);
 }

@@ -31,7 +31,7 @@ public sealed class DeviceTests
         string known = GpuDevice.Enumerate()[0].Name;
         Assert.That(
             () => GpuDevice.Create(new GpuDeviceOptions { Adapter = "no such device" }),
-            Throws.TypeOf<GpuException>().With.Message.Contains("no such device").And.Message.Contains(known));
+            Throws.TypeOf<UnknownAdapterException>().With.Message.Contains("no such device").And.Message.Contains(known));
     }
 
     [Test]

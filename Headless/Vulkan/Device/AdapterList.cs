@@ -44,7 +44,7 @@ internal static unsafe class AdapterList
         return adapters.FirstOrDefault(adapter => byIndex
                 ? adapter.Info.Index == index
                 : adapter.Info.Name.Contains(wanted, StringComparison.OrdinalIgnoreCase))
-            ?? throw new GpuException($"No Vulkan device '{wanted}'. There is: {string.Join("; ", adapters.Select(adapter => adapter.Info))}.");
+            ?? throw new UnknownAdapterException($"No Vulkan device '{wanted}'. There is: {string.Join("; ", adapters.Select(adapter => adapter.Info))}.");
     }
 
     private static PhysicalAdapter Describe(VkPhysicalDevice handle, int index)

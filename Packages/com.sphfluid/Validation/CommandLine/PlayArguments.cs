@@ -55,7 +55,7 @@ namespace SphFluid.Validation
                 else if (i > separator && Array.IndexOf(flags, flag) >= 0)
                     result.Read(flag, Value(commandLine, ref i));
                 else if (separator >= 0 && i > separator)
-                    throw new CommandLineException($"{flag} is not a flag of play. The liquid's flags are {string.Join(", ", flags)}.");
+                    throw new CommandLineException($"{flag} is not a flag of play. The liquid's flags are {string.Join(", ", flags)}; --help tells the others.");
             }
             return result;
         }
