@@ -43,9 +43,7 @@ namespace SphFluid.Validation
         public static BenchArguments Parse(IReadOnlyList<string> commandLine)
         {
             var result = new BenchArguments();
-            int separator = -1;
-            for (int i = 0; i < commandLine.Count && separator < 0; i++)
-                separator = commandLine[i] == "--" ? i : -1;
+            int separator = CommandLineWords.Separator(commandLine);
             for (int i = separator + 1; i < commandLine.Count; i++)
             {
                 string word = commandLine[i];
@@ -60,7 +58,7 @@ namespace SphFluid.Validation
                 if (flag == "--sweep" || flag == "--no-sweep")
                     result.Sweep = equals > 0 ? throw new CommandLineException($"{flag} takes no value.") : flag == "--sweep";
                 else
-                    result.Read(flag, equals > 0 ? word.Substring(equals + 1) : Value(commandLine, ref i));
+                    result.Read(flag, equals > 0 ? word.Substring(equals + 1) : CommandLineWords.Value(commandLine, ref i));
             }
             return result;
         }
@@ -70,8 +68,7 @@ namespace SphFluid.Validation
             switch (flag)
             {
                 case "--table":
-                    if (Array.IndexOf(tables, value) < 0)
-                        throw new CommandLineException($"{flag} must be one of {string.Join(", ", tables)} in this version, found '{value}'.");
+                    CommandLineWords.RequireOneOf(flag, value, tables);
                     Table = value;
                     break;
                 case "--particles":
@@ -109,14 +106,6 @@ namespace SphFluid.Validation
                 return number;
             string what = flag == "--repeat" ? "a whole number" : "whole numbers divided by commas, each";
             throw new CommandLineException($"{flag} must be {what} from {minimum} to {maximum}, found '{value}'.");
-        }
-
-        static string Value(IReadOnlyList<string> commandLine, ref int index)
-        {
-            string flag = commandLine[index];
-            if (index + 1 >= commandLine.Count || commandLine[index + 1].StartsWith("--", StringComparison.Ordinal))
-                throw new CommandLineException($"{flag} needs a value.");
-            return commandLine[++index];
         }
     }
 }

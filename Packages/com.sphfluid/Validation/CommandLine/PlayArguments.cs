@@ -46,14 +46,14 @@ namespace SphFluid.Validation
         public static PlayArguments Parse(IReadOnlyList<string> commandLine)
         {
             var result = new PlayArguments();
-            int separator = IndexOf(commandLine, "--");
+            int separator = CommandLineWords.Separator(commandLine);
             for (int i = 0; i < commandLine.Count; i++)
             {
                 string flag = commandLine[i];
                 if (flag == "--out" && i < commandLine.Count - 1 && (separator < 0 || i < separator))
                     result.OutputFolder = commandLine[++i];
                 else if (i > separator && Array.IndexOf(flags, flag) >= 0)
-                    result.Read(flag, Value(commandLine, ref i));
+                    result.Read(flag, CommandLineWords.Value(commandLine, ref i));
                 else if (separator >= 0 && i > separator)
                     throw new CommandLineException($"{flag} is not a flag of play. The liquid's flags are {string.Join(", ", flags)}; --help tells the others.");
             }
@@ -65,11 +65,11 @@ namespace SphFluid.Validation
             switch (flag)
             {
                 case "--method":
-                    RequireOneOf(flag, value, methods);
+                    CommandLineWords.RequireOneOf(flag, value, methods);
                     Method = value == "thesis" ? FluidMethodKind.Thesis : FluidMethodKind.ThesisPrinted;
                     break;
                 case "--surface":
-                    RequireOneOf(flag, value, surfaces);
+                    CommandLineWords.RequireOneOf(flag, value, surfaces);
                     Surface = value;
                     break;
                 case "--particles":
@@ -90,20 +90,6 @@ namespace SphFluid.Validation
             }
         }
 
-        static string Value(IReadOnlyList<string> commandLine, ref int index)
-        {
-            string flag = commandLine[index];
-            if (index + 1 >= commandLine.Count || commandLine[index + 1].StartsWith("--", StringComparison.Ordinal))
-                throw new CommandLineException($"{flag} needs a value.");
-            return commandLine[++index];
-        }
-
-        static void RequireOneOf(string flag, string value, string[] allowed)
-        {
-            if (Array.IndexOf(allowed, value) < 0)
-                throw new CommandLineException($"{flag} must be one of {string.Join(", ", allowed)} in this version, found '{value}'.");
-        }
-
         static int Integer(string flag, string value, int minimum)
         {
             if (!int.TryParse(value, NumberStyles.Integer, CultureInfo.InvariantCulture, out int number) || number < minimum)
@@ -116,16 +102,6 @@ namespace SphFluid.Validation
             if (!value.EndsWith(ending, StringComparison.OrdinalIgnoreCase))
                 throw new CommandLineException($"{flag} must be a file ending in {ending}, found '{value}'.");
             return value;
-        }
-
-        static int IndexOf(IReadOnlyList<string> words, string word)
-        {
-            for (int i = 0; i < words.Count; i++)
-            {
-                if (words[i] == word)
-                    return i;
-            }
-            return -1;
         }
     }
 }
