@@ -9,7 +9,7 @@ purpose=${1:-run}
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/sphfluid
 dotnet_major=10
 
-run_packages=(libvulkan1 mesa-vulkan-drivers glslang-tools ffmpeg)
+run_packages=(libvulkan1 mesa-vulkan-drivers glslang-tools ffmpeg gnuplot-nox)
 test_packages=(vulkan-validationlayers spirv-tools wine64 gcc-mingw-w64-x86-64 npm)
 # Microsoft's HLSL compiler, used by ./run check only: it is a file in this npm package.
 compiler_package=gl@8.1.6
@@ -39,12 +39,13 @@ installed() { [[ $(dpkg-query -W -f '${Status}' "$1" 2> /dev/null) == *" install
 install_packages() {
     local missing=() package sudo=()
     if ! command -v dpkg-query > /dev/null; then
-        say "this is not a Debian system. Needed are the Vulkan loader and a driver, glslangValidator and ffmpeg$([[ $purpose == test ]] && echo ', the Vulkan validation layers, spirv-val, wine64, x86_64-w64-mingw32-gcc and npm')."
+        say "this is not a Debian system. Needed are the Vulkan loader and a driver, glslangValidator, ffmpeg and gnuplot$([[ $purpose == test ]] && echo ', the Vulkan validation layers, spirv-val, wine64, x86_64-w64-mingw32-gcc and npm')."
         return
     fi
     for package in "${packages[@]}"; do
         # A program of the user's own build serves as well.
         [[ $package == ffmpeg ]] && command -v ffmpeg > /dev/null && continue
+        [[ $package == gnuplot-nox ]] && command -v gnuplot > /dev/null && continue
         [[ $package == glslang-tools ]] && command -v glslangValidator > /dev/null && continue
         [[ $package == npm ]] && command -v npm > /dev/null && continue
         installed "$package" || missing+=("$package")

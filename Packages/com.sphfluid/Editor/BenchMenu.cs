@@ -1,7 +1,6 @@
 using System;
 using SphFluid.Validation;
 using UnityEditor;
-using UnityEngine;
 
 namespace SphFluid.Editor
 {
@@ -10,48 +9,11 @@ namespace SphFluid.Editor
     {
         const string Path = "Window/SPH Fluid/Benchmark";
 
-        static BenchSession session;
+        static readonly MenuSession session =
+            new MenuSession(progress => new BenchSession(BenchArguments.Parse(Array.Empty<string>()), PackageAssets.Shaders, progress));
 
         /// <summary>Starts the benchmark with the command line's defaults, or stops the one that runs; it goes on while the Editor is used.</summary>
         [MenuItem(Path, false, 3010)]
-        public static void Toggle()
-        {
-            if (session != null)
-            {
-                End();
-                return;
-            }
-            try
-            {
-                BenchArguments arguments = BenchArguments.Parse(Array.Empty<string>());
-                session = new BenchSession(arguments, PackageAssets.Shaders, new BenchProgress(text => Debug.Log($"{FluidMessage.Prefix} {text}"), null));
-                EditorApplication.update += Step;
-            }
-            catch (FluidDeviceException exception)
-            {
-                Debug.LogError($"{FluidMessage.Prefix} {exception.Message}");
-            }
-        }
-
-        static void Step()
-        {
-            try
-            {
-                if (!session.Step())
-                    End();
-            }
-            catch (Exception exception)
-            {
-                Debug.LogException(exception);
-                End();
-            }
-        }
-
-        static void End()
-        {
-            EditorApplication.update -= Step;
-            session.Dispose();
-            session = null;
-        }
+        public static void Toggle() => session.Toggle();
     }
 }

@@ -46,6 +46,10 @@ namespace SphFluid.Editor
                     return Change(simulation, "Fit Spacing", () => simulation.Spacing = FittingSpacing(simulation));
                 case FluidIssue.TimeStepInvalid:
                     return Change(simulation, "Use Automatic", () => simulation.TimeStepMode = FluidTimeStepMode.Automatic);
+                case FluidIssue.BoundariesInvalid when BoundaryRules.FacesAreWrong(simulation):
+                    return Change(simulation, "Use Plain Walls", () => simulation.Boundaries = default);
+                case FluidIssue.BoundariesInvalid:
+                    return Change(simulation, "Remove Body Force", () => simulation.BodyForce = default);
                 case FluidIssue.NoLiquid:
                     return new FluidFix("Add Liquid", () => FluidMenu.AddVolume(simulation));
                 case FluidIssue.TooManyParticles when simulation.Profile != null:

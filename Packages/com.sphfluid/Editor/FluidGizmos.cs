@@ -19,6 +19,7 @@ namespace SphFluid.Editor
             Gizmos.matrix = simulation.LocalToWorld;
             Gizmos.color = color;
             Gizmos.DrawWireCube(Vector3.zero, simulation.DomainSize);
+            FaceGizmos.Draw(simulation.Boundaries, simulation.DomainSize, color.a);
         }
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]

@@ -26,6 +26,7 @@ namespace SphFluid.Editor
 
             EditorGUILayout.Space();
             validation.Draw();
+            if (validation.Constants is FluidSolverSettings constants) DrawTimeStep(constants);
             if (Application.isPlaying) DrawStatus();
         }
 
@@ -62,10 +63,19 @@ namespace SphFluid.Editor
         string[] Hidden()
         {
             var hidden = new List<string> { "m_Script" };
-            bool automatic = serializedObject.FindProperty("timeStepMode").enumValueIndex == (int)FluidTimeStepMode.Automatic;
-            if (automatic) hidden.Add("fixedTimeStep");
+            bool given = serializedObject.FindProperty("timeStepMode").enumValueIndex == (int)FluidTimeStepMode.Fixed;
+            if (!given) hidden.Add("fixedTimeStep");
             if (serializedObject.FindProperty("useSceneGravity").boolValue) hidden.Add("gravity");
             return hidden.ToArray();
+        }
+
+        void DrawTimeStep(in FluidSolverSettings constants)
+        {
+            TimeStepText text = Simulation.IsRunning ? TimeStepText.Now(Simulation) : TimeStepText.Before(Simulation, constants);
+            EditorGUILayout.Space();
+            EditorGUILayout.LabelField("Constants by Rule", EditorStyles.boldLabel);
+            foreach ((string label, string value) in text.Lines) EditorGUILayout.LabelField(label, value);
+            EditorGUILayout.HelpBox(text.Advice, MessageType.None);
         }
 
         void DrawStatus()
@@ -79,7 +89,6 @@ namespace SphFluid.Editor
                 FluidCounters counters = simulation.Solver.Counters;
                 EditorGUILayout.LabelField("Particles", simulation.ParticleCount.ToString("N0"));
                 EditorGUILayout.LabelField("Simulated time", $"{simulation.SimulatedTime:0.00} s in {simulation.StepCount:N0} steps");
-                EditorGUILayout.LabelField("Time step", $"{1e3f * simulation.TimeStep:0.###} ms");
                 EditorGUILayout.LabelField("Real-time factor", $"{simulation.RealTimeFactor:0.00} ({simulation.CapHits} frames at the substep cap)");
                 EditorGUILayout.LabelField("Fastest particle", $"{counters.MaxSpeed:0.00} m/s");
                 EditorGUILayout.LabelField("Largest compression", $"{100f * counters.MaxCompression:0.0} %");

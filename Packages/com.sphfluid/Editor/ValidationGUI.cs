@@ -13,9 +13,13 @@ namespace SphFluid.Editor
 
         readonly FluidSimulation simulation;
         IReadOnlyList<FluidMessage> messages = Array.Empty<FluidMessage>();
+        FluidSolverSettings? constants;
         double nextCheck;
 
         public ValidationGUI(FluidSimulation simulation) => this.simulation = simulation;
+
+        /// <summary>Constants that the simulation runs with, or would start with; null when it cannot.</summary>
+        public FluidSolverSettings? Constants => simulation.IsRunning ? simulation.Solver.Settings : constants;
 
         /// <summary>Checks again at the next draw.</summary>
         public void Refresh() => nextCheck = 0.0;
@@ -37,7 +41,7 @@ namespace SphFluid.Editor
             }
             double now = EditorApplication.timeSinceStartup;
             if (now < nextCheck) return;
-            messages = simulation.Validate();
+            messages = FluidValidation.Preview(simulation, out constants);
             double took = EditorApplication.timeSinceStartup - now;
             nextCheck = now + Math.Max(LeastInterval, LoadShare * took);
         }

@@ -64,6 +64,10 @@ namespace SphFluid
         SubstepCap,
         /// <summary>The solver's guards acted: accelerations limited, particles put back, or non-finite values.</summary>
         GuardActed,
+        /// <summary>The faces of the domain are set to something that cannot be: a periodic axis that is too short, a wall that moves across its plane.</summary>
+        BoundariesInvalid,
+        /// <summary>A detector of the diagnostics saw a failure.</summary>
+        Diagnosis,
         /// <summary>The simulation could not start for a reason that only the attempt showed.</summary>
         StartFailed,
     }

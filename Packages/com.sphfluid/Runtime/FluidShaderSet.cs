@@ -45,6 +45,10 @@ namespace SphFluid
         [SerializeField, Tooltip("Kernels of the compute twin of the geometry-shader marching cubes, for mesh export and tests.")]
         ComputeShader surfaceMesh;
 
+        [Header("Diagnostics")]
+        [SerializeField, Tooltip("Kernel MeasureVitals: energies, momentum, compression, clumps and more of a whole liquid.")]
+        ComputeShader measureVitals;
+
         [Header("Drawing")]
         [SerializeField, Tooltip("Particles as textured, lit squares that face the camera.")]
         Shader particleShader;
@@ -85,6 +89,9 @@ namespace SphFluid
         /// <summary>Kernels of the compute twin of the geometry-shader marching cubes, for mesh export and tests.</summary>
         public ComputeShader SurfaceMesh { get => surfaceMesh; set => surfaceMesh = value; }
 
+        /// <summary>Kernel MeasureVitals: energies, momentum, compression, clumps and more of a whole liquid.</summary>
+        public ComputeShader MeasureVitals { get => measureVitals; set => measureVitals = value; }
+
         /// <summary>Particles as textured, lit squares that face the camera.</summary>
         public Shader ParticleShader { get => particleShader; set => particleShader = value; }
 
@@ -108,13 +115,14 @@ namespace SphFluid
             return missing;
         }
 
-        /// <summary>Names of all empty entries, the drawing's included.</summary>
+        /// <summary>Names of all empty entries, those of drawing and diagnostics included.</summary>
         /// <returns>Field names in the inspector's order; empty when all are there.</returns>
         public IReadOnlyList<string> Validate()
         {
             var missing = new List<string>(MissingForSimulation());
             Check(surfaceField, nameof(surfaceField), missing);
             Check(surfaceMesh, nameof(surfaceMesh), missing);
+            Check(measureVitals, nameof(measureVitals), missing);
             Check(particleShader, nameof(particleShader), missing);
             Check(surfaceGeometryShader, nameof(surfaceGeometryShader), missing);
             return missing;

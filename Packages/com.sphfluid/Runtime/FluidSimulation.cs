@@ -33,7 +33,8 @@ namespace SphFluid
         LayerMask colliderLayers = ~0;
 
         [Header("Time")]
-        [SerializeField, Tooltip("Automatic: the time step follows from spacing, stiffness and viscosity. Fixed: as given.")]
+        [SerializeField, Tooltip("Automatic: the time step follows from spacing, stiffness and viscosity. Fixed: as given. " +
+            "Adaptive: equal parts of each frame, shorter when the liquid is faster than expected.")]
         FluidTimeStepMode timeStepMode = FluidTimeStepMode.Automatic;
 
         [SerializeField, Min(0f), Tooltip("Time step in seconds when Time Step Mode is Fixed.")]
@@ -52,6 +53,13 @@ namespace SphFluid
 
         [SerializeField, Tooltip("Gravity in m/s² in world space when Use Scene Gravity is off.")]
         Vector3 gravity = new Vector3(0f, -9.81f, 0f);
+
+        [SerializeField, Tooltip("A force by position besides gravity, along the axes of the domain box.")]
+        FluidBodyForce bodyForce;
+
+        [Header("Faces")]
+        [SerializeField, Tooltip("What the faces of the domain box do: walls at rest, moving walls that drag, or openings into the opposite face.")]
+        FluidBoundaries boundaries;
 
         [Header("Start")]
         [SerializeField, Tooltip("Start with the scene or when the component is enabled.")]
@@ -113,6 +121,18 @@ namespace SphFluid
         /// <summary>Own gravity in world space [m/s²].</summary>
         public Vector3 Gravity { get => gravity; set => gravity = value; }
 
+        /// <summary>Force by position besides gravity, along the axes of the domain box.</summary>
+        public FluidBodyForce BodyForce { get => bodyForce; set => bodyForce = value; }
+
+        /// <summary>What the faces of the domain box do. Other periodic axes start the liquid again; all else acts at once.</summary>
+        public FluidBoundaries Boundaries { get => boundaries; set => boundaries = value; }
+
+        /// <summary>
+        /// Velocity [m/s] by position [m] that each particle starts with besides its volume's, both in simulation space; null: none.
+        /// From code only. Another function starts the liquid again.
+        /// </summary>
+        public Func<Vector3, Vector3> VelocityField { get; set; }
+
         /// <summary>Whether the simulation starts when it is enabled.</summary>
         public bool PlayOnEnable { get => playOnEnable; set => playOnEnable = value; }
 
@@ -137,8 +157,8 @@ namespace SphFluid
         /// <summary>Steps since the start.</summary>
         public long StepCount => run?.Solver.StepCount ?? 0;
 
-        /// <summary>Time step in use [s]; 0 when stopped.</summary>
-        public float TimeStep => run?.Solver.Settings.TimeStep ?? 0f;
+        /// <summary>Time step in use [s], in adaptive mode that of the last frame; 0 when stopped.</summary>
+        public float TimeStep => run?.TimeStep ?? 0f;
 
         /// <summary>Frames since the start that needed more steps than allowed.</summary>
         public long CapHits => run?.CapHits ?? 0;

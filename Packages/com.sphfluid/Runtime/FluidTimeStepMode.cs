@@ -3,10 +3,13 @@ namespace SphFluid
     /// <summary>Where a simulation's time step comes from.</summary>
     public enum FluidTimeStepMode
     {
-        /// <summary>By rule from spacing, stiffness and viscosity: always stable.</summary>
+        /// <summary>By rule from spacing, stiffness and viscosity: one length, stable up to the fastest expected speed.</summary>
         Automatic = 0,
 
         /// <summary>A number of seconds given by the user.</summary>
         Fixed = 1,
+
+        /// <summary>Equal parts of each frame, as few as are stable at the speed that was measured: liquid faster than expected takes more steps.</summary>
+        Adaptive = 2,
     }
 }

@@ -18,6 +18,20 @@ namespace SphFluid
                 return Prepare(simulation, collision, false, out _);
         }
 
+        /// <summary>Checks like <see cref="Validate"/> and tells the constants that the simulation would start with.</summary>
+        /// <param name="simulation">The simulation.</param>
+        /// <param name="constants">Null when there is an error.</param>
+        /// <returns>The messages, errors first.</returns>
+        internal static List<FluidMessage> Preview(FluidSimulation simulation, out FluidSolverSettings? constants)
+        {
+            using (var collision = new CollisionScene())
+            {
+                List<FluidMessage> messages = Prepare(simulation, collision, false, out FluidStart start);
+                constants = start?.Constants;
+                return messages;
+            }
+        }
+
         /// <summary>Checks the simulation and, when nothing speaks against it, tells its start.</summary>
         /// <param name="simulation">The simulation.</param>
         /// <param name="collision">Receives the colliders.</param>
@@ -39,9 +53,10 @@ namespace SphFluid
                 messages.AddRange(collision.Messages);
                 MeshColliderRules.Check(query, messages);
                 start = LiquidRules.Check(simulation, collision, fill, messages);
+                BoundaryRules.Check(simulation, messages);
             }
-            if (HasErrors(messages)) start = null;
-            if (start != null) CheckTimeStep(simulation, start, messages);
+            if (HasErrors(messages) || !TryDerive(simulation, start, messages)) start = null;
+            if (start != null) TimeStepRules.Check(simulation, start.Constants, messages);
             return messages.OrderByDescending(m => m.Severity).ToList();
         }
 
@@ -112,14 +127,18 @@ namespace SphFluid
             return sized && spaced && AffineMath.IsFinite(simulation.transform.position);
         }
 
-        static void CheckTimeStep(FluidSimulation simulation, FluidStart start, List<FluidMessage> messages)
+        static bool TryDerive(FluidSimulation simulation, FluidStart start, List<FluidMessage> messages)
         {
-            if (simulation.TimeStepMode != FluidTimeStepMode.Fixed) return;
-            double limit = FluidConstants.LargestTimeStep(FluidConstants.Derive(simulation, start, simulation.LocalGravity));
-            if (simulation.FixedTimeStep <= limit) return;
-            messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.TimeStepInvalid, simulation,
-                System.FormattableString.Invariant($"The fixed time step of {1e3f * simulation.FixedTimeStep:G3} ms is above the stability limit of {1e3 * limit:G3} ms, so the liquid will fly apart."),
-                System.FormattableString.Invariant($"Use a Fixed Time Step of {1e-6 * System.Math.Floor(0.6e6 * limit):G3} s, or set Time Step Mode to Automatic.")));
+            try
+            {
+                if (start != null) start.Constants = FluidConstants.Derive(simulation, start, simulation.LocalGravity);
+                return true;
+            }
+            catch (System.ArgumentException exception)
+            {
+                messages.Add(Error(simulation, FluidIssue.StartFailed, exception.Message, ""));
+                return false;
+            }
         }
 
         internal static string Text(Vector3 v) => System.FormattableString.Invariant($"{v.x:0.####} × {v.y:0.####} × {v.z:0.####}");

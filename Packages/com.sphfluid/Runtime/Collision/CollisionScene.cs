@@ -37,6 +37,9 @@ namespace SphFluid
         /// <summary>GPU copy of <see cref="Colliders"/>; null before <see cref="Upload"/>.</summary>
         public GraphicsBuffer ColliderBuffer => buffers.Colliders;
 
+        /// <summary>Times that <see cref="Gather"/> found a change.</summary>
+        public long Changes { get; private set; }
+
         /// <summary>Bytes of the GPU buffers.</summary>
         public long GpuBytes => buffers.Bytes;
 
@@ -45,6 +48,7 @@ namespace SphFluid
         public bool Gather(in CollisionQuery query)
         {
             if (!finder.Find(query)) return false;
+            Changes++;
             messages.Clear();
             known.Clear();
             foreach (ColliderSolid solid in solids)

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Unity.Profiling;
 using Unity.Profiling.LowLevel;
 using UnityEngine;
@@ -17,7 +18,7 @@ namespace SphFluid
 
         readonly ComputeShader shader;
         readonly int index;
-        LocalKeyword lastKeyword;
+        readonly Dictionary<string, LocalKeyword> keywords = new Dictionary<string, LocalKeyword>();
 
         /// <summary>Finds a kernel.</summary>
         /// <param name="shader">The compute shader.</param>
@@ -115,12 +116,13 @@ namespace SphFluid
         /// <exception cref="FluidDeviceException">The shader does not declare the keyword.</exception>
         public void SetKeyword(CommandBuffer cmd, string keyword, bool value)
         {
-            if (lastKeyword.name != keyword)
+            if (!keywords.TryGetValue(keyword, out LocalKeyword declared))
             {
-                lastKeyword = FindKeyword(keyword);
+                declared = FindKeyword(keyword);
+                keywords.Add(keyword, declared);
             }
 
-            cmd.SetKeyword(shader, lastKeyword, value);
+            cmd.SetKeyword(shader, declared, value);
         }
 
         /// <summary>Records integers for the next dispatch.</summary>

@@ -12,7 +12,7 @@ namespace SphFluid
         const int AccelerationLimit = 0;
         const int DomainClamp = 1;
         const int NonFinite = 2;
-        const int MaxSpeed = 4;
+        internal const int MaxSpeed = 4;
         const int MaxDensity = 5;
         const int FirstMaximum = 4;
 

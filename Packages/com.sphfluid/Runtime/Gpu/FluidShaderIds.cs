@@ -54,5 +54,21 @@ namespace SphFluid
         public static readonly int WallDamping = Shader.PropertyToID("_WallDamping");
         public static readonly int WallDistance = Shader.PropertyToID("_WallDistance");
         public static readonly int WallReach = Shader.PropertyToID("_WallReach");
+
+        public static readonly int KickStep = Shader.PropertyToID("_KickStep");
+        public static readonly int KickPart = Shader.PropertyToID("_KickPart");
+        public static readonly int PeriodLength = Shader.PropertyToID("_PeriodLength");
+        public static readonly int PeriodRate = Shader.PropertyToID("_PeriodRate");
+        public static readonly int BodyForceCentre = Shader.PropertyToID("_BodyForceCentre");
+        public static readonly int BodyForceRate = Shader.PropertyToID("_BodyForceRate");
+        public static readonly int DragSpeed = Shader.PropertyToID("_DragSpeed");
+        public static readonly int DragDistance = Shader.PropertyToID("_DragDistance");
+        public static readonly int DragStep = Shader.PropertyToID("_DragStep");
+        public static readonly int WallLowX = Shader.PropertyToID("_WallLowX");
+        public static readonly int WallLowY = Shader.PropertyToID("_WallLowY");
+        public static readonly int WallLowZ = Shader.PropertyToID("_WallLowZ");
+        public static readonly int WallHighX = Shader.PropertyToID("_WallHighX");
+        public static readonly int WallHighY = Shader.PropertyToID("_WallHighY");
+        public static readonly int WallHighZ = Shader.PropertyToID("_WallHighZ");
     }
 }

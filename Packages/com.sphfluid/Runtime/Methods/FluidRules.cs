@@ -11,21 +11,12 @@ namespace SphFluid
     /// <item><description>k = 2 c_eff²: equation (13) has ½ (p_i + p_j), half of the pressure gradient.</description></item>
     /// <item><description>m = ρ0 dx³ / Σ W dx³: the rest lattice has the rest density.</description></item>
     /// <item><description>ν = max(real, α c_eff R): poly6 against spiky feeds energy in, which this takes out.</description></item>
-    /// <item><description>dt = 0.6 · 1.35 R/√k, and no more than viscosity, 0.06 R²/ν, and walls allow.</description></item>
+    /// <item><description>dt = 0.6 · 1.35 R/√k, and no more than speed, 0.4 dx/v_max, viscosity, 0.06 R²/ν, and walls allow: <see cref="TimeStepAdvice"/>.</description></item>
     /// <item><description>k_w = (v_max/d)², c_w = 2 √k_w, d = dx/2: a wall stops v_max in d without rebound.</description></item>
     /// </list>
     /// </summary>
     internal static class FluidRules
     {
-        // Lattice stability of Müller's force, leapfrog: dt √k / R < 1.35, k = 2 c².
-        const double AcousticLimit = 1.35;
-
-        // Explicit viscosity with Müller's Laplacian: ν dt / R² < 0.115; about half of it.
-        const double ViscousLimit = 0.06;
-
-        // Penalty wall: k_w dt² < 4 − 2 c_w dt, kept with a tenth to spare.
-        const double WallMargin = 0.9;
-
         // The emergency limit moves a particle by one spacing in one step from rest.
         const double AccelerationReach = 1.0;
 
@@ -44,13 +35,11 @@ namespace SphFluid
             double wallDistance = input.WallDistanceRatio * dx;
             double wallRate = Math.Sqrt(input.WallStiffnessRatio) * speed / wallDistance;
             double wallDamping = 2.0 * input.WallDampingRatio * wallRate;
-            double step = input.TimeStepFraction * AcousticLimit * radius / Math.Sqrt(stiffness);
-            if (kinematic > 0.0)
-            {
-                step = Math.Min(step, ViscousLimit * radius * radius / kinematic);
-            }
 
-            step = Math.Min(step, WallStepLimit(wallRate, wallDamping));
+            // The fraction has room for the liquid's speed, a fifth of the sound's: it is of the limit at rest.
+            TimeStepAdvice atRest = TimeStepAdvice.Of(dx, radius, sound, 0.0, kinematic, wallRate * wallRate, wallDamping);
+            TimeStepAdvice atSpeed = TimeStepAdvice.Of(dx, radius, sound, speed, kinematic, wallRate * wallRate, wallDamping);
+            double step = Math.Min(atRest.Step(input.TimeStepFraction), atSpeed.Speed);
             return new FluidSolverSettings
             {
                 DomainSize = input.DomainSize,
@@ -78,18 +67,6 @@ namespace SphFluid
 
         /// <summary>Largest acceleration of the fluid itself that is no accident [m/s²].</summary>
         public static float EmergencyLimit(double spacing, double timeStep) => (float)(AccelerationReach * spacing / (timeStep * timeStep));
-
-        // Largest dt with ω² dt² = margin (4 − 2 c dt).
-        static double WallStepLimit(double rate, double damping)
-        {
-            if (rate <= 0.0)
-            {
-                return double.PositiveInfinity;
-            }
-
-            double half = WallMargin * damping;
-            return (Math.Sqrt(half * half + 4.0 * WallMargin * rate * rate) - half) / (rate * rate);
-        }
 
         static void Check(in FluidRuleInput input)
         {

@@ -15,6 +15,7 @@ namespace SphFluid
         readonly IFluidMethod method;
         readonly FluidState state;
         readonly CounterReadback counters;
+        float previousStep;
         bool neighboursFresh;
         bool disposed;
 
@@ -68,6 +69,9 @@ namespace SphFluid
         /// <summary>Time recorded since the start [s].</summary>
         public double SimulatedTime { get; private set; }
 
+        /// <summary>Length of the last recorded step [s]: velocities are half of it older than positions; 0 before the first.</summary>
+        internal float LastTimeStep => previousStep;
+
         /// <summary>Events counted on the GPU, as of the last finished read-back.</summary>
         public FluidCounters Counters => counters.Counters;
 
@@ -87,7 +91,7 @@ namespace SphFluid
         }
 
         /// <summary>Changes the physics between steps.</summary>
-        /// <param name="settings">New constants; domain size, support radius and neighbour search must stay, the grid depends on them.</param>
+        /// <param name="settings">New constants; domain size, support radius, neighbour search and periodic axes must stay, the grid depends on them.</param>
         /// <exception cref="ArgumentException">A constant is out of range, or the grid would change.</exception>
         public void ApplySettings(in FluidSolverSettings settings)
         {
@@ -95,9 +99,9 @@ namespace SphFluid
             settings.Validate();
             FluidSolverSettings switched = AsSwitched(settings);
             if (switched.DomainSize != state.Settings.DomainSize || switched.SupportRadius != state.Settings.SupportRadius ||
-                switched.OctantSearch != state.Settings.OctantSearch)
+                switched.OctantSearch != state.Settings.OctantSearch || switched.Boundaries.Periodic != state.Settings.Boundaries.Periodic)
             {
-                throw new ArgumentException("DomainSize, SupportRadius and OctantSearch cannot change while the liquid runs: " +
+                throw new ArgumentException("DomainSize, SupportRadius, OctantSearch and Boundaries.Periodic cannot change while the liquid runs: " +
                     "the grid depends on them. Start a new solver.");
             }
 
@@ -111,10 +115,26 @@ namespace SphFluid
         /// <param name="steps">Number of steps; none records nothing.</param>
         public void RecordSteps(CommandBuffer cmd, int steps)
         {
+            RecordSteps(cmd, steps, state.Settings.TimeStep);
+        }
+
+        /// <summary>Records a number of steps of another length than the settings have, and a read-back of the counters.</summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        /// <param name="steps">Number of steps; none records nothing.</param>
+        /// <param name="timeStep">Length of each [s], positive. Velocities live between the steps: the first kick after a change is
+        /// the mean of both lengths.</param>
+        /// <exception cref="ArgumentOutOfRangeException">An argument is out of range.</exception>
+        public void RecordSteps(CommandBuffer cmd, int steps, float timeStep)
+        {
             ThrowIfDisposed();
             if (steps < 0)
             {
                 throw new ArgumentOutOfRangeException(nameof(steps), steps, "The number of steps must be zero or more.");
+            }
+
+            if (!(timeStep > 0f) || float.IsInfinity(timeStep))
+            {
+                throw new ArgumentOutOfRangeException(nameof(timeStep), timeStep, "The length of a step must be a positive number of seconds.");
             }
 
             if (steps == 0)
@@ -126,10 +146,11 @@ namespace SphFluid
             for (int i = 0; i < steps; i++)
             {
                 RecordNeighbourSetup(cmd);
-                method.RecordMotion(cmd, state, StepCount == 0);
+                method.RecordMotion(cmd, state, new FluidStep(timeStep, StepCount == 0 ? timeStep : previousStep, StepCount == 0));
+                previousStep = timeStep;
                 neighboursFresh = false;
                 StepCount++;
-                SimulatedTime += state.Settings.TimeStep;
+                SimulatedTime += timeStep;
             }
 
             counters.RecordRequest(cmd);
@@ -180,7 +201,14 @@ namespace SphFluid
 
         FluidSolverSettings AsSwitched(in FluidSolverSettings settings)
         {
-            return Kind == FluidMethodKind.ThesisPrinted ? settings.With(ThesisSwitches.Printed) : settings;
+            if (Kind != FluidMethodKind.ThesisPrinted)
+            {
+                return settings;
+            }
+
+            ThesisSwitches printed = ThesisSwitches.Printed;
+            printed.OctantSearch = settings.OctantSearch; // both searches find the same neighbours
+            return settings.With(printed);
         }
 
         static IFluidMethod CreateMethod(FluidMethodKind kind, FluidShaderSet shaders)

@@ -33,8 +33,14 @@ namespace SphFluid
         /// <summary>Gravity [m/s²], along the axes of the domain box.</summary>
         public Vector3 Gravity;
 
-        /// <summary>Emergency limit on the fluid's own acceleration [m/s²]; gravity and contact are not limited.</summary>
+        /// <summary>
+        /// Emergency limit on the fluid's own acceleration [m/s²], for steps of <see cref="TimeStep"/>; gravity, body force and contact are
+        /// not limited. A distance a step, so steps of another length scale it by 1/dt², unless <see cref="AccelerationLimitFixed"/>.
+        /// </summary>
         public float AccelerationLimit;
+
+        /// <summary>True: <see cref="AccelerationLimit"/> is the same for steps of every length, as 6.3.3 prints it.</summary>
+        public bool AccelerationLimitFixed;
 
         /// <summary>Stiffness of walls per unit mass [1/s²].</summary>
         public float WallStiffness;
@@ -69,8 +75,26 @@ namespace SphFluid
         /// <summary>True: the first step gives half a kick, so that velocities live between the steps, equation (21).</summary>
         public bool HalfKick;
 
+        /// <summary>What the faces of the domain do.</summary>
+        public FluidBoundaries Boundaries;
+
+        /// <summary>A force by position besides <see cref="Gravity"/>.</summary>
+        public FluidBodyForce BodyForce;
+
         /// <summary>Effective speed of sound [m/s]: √(k/2) with the ½ of equation (13), √k without.</summary>
         public float SoundSpeed => Mathf.Sqrt(PressureHalf ? 0.5f * Stiffness : Stiffness);
+
+        /// <summary>Length of the domain along periodic axes [m]; zero along the others.</summary>
+        public Vector3 PeriodLength => new Vector3(
+            (Boundaries.Periodic & FluidAxes.X) != 0 ? DomainSize.x : 0f,
+            (Boundaries.Periodic & FluidAxes.Y) != 0 ? DomainSize.y : 0f,
+            (Boundaries.Periodic & FluidAxes.Z) != 0 ? DomainSize.z : 0f);
+
+        /// <summary>Inverse of <see cref="PeriodLength"/> [1/m]; zero along axes with walls.</summary>
+        internal Vector3 PeriodRate => new Vector3(
+            (Boundaries.Periodic & FluidAxes.X) != 0 ? 1f / DomainSize.x : 0f,
+            (Boundaries.Periodic & FluidAxes.Y) != 0 ? 1f / DomainSize.y : 0f,
+            (Boundaries.Periodic & FluidAxes.Z) != 0 ? 1f / DomainSize.z : 0f);
 
         /// <summary>Constants by rule from spacing, depth and speed; see <see cref="FluidRules"/>.</summary>
         /// <param name="input">What the rules start from.</param>
@@ -100,6 +124,7 @@ namespace SphFluid
             settings.AccelerationLimit = switches.AccelerationLimit == ThesisAccelerationLimit.AsPrinted
                 ? MaxSpeed
                 : FluidRules.EmergencyLimit(Spacing, TimeStep);
+            settings.AccelerationLimitFixed = switches.AccelerationLimit == ThesisAccelerationLimit.AsPrinted;
             if (PressureHalf != switches.PressureHalf)
             {
                 settings.Stiffness = switches.PressureHalf ? 2f * Stiffness : 0.5f * Stiffness;
@@ -127,6 +152,19 @@ namespace SphFluid
             RequireNotNegative(WallDamping, nameof(WallDamping));
             RequireNotNegative(WallDistance, nameof(WallDistance));
             RequireNotNegative(Gravity.magnitude, nameof(Gravity));
+            Boundaries.Validate();
+            BodyForce.Validate(Boundaries.Periodic);
+            if (Boundaries.Periodic != FluidAxes.None)
+            {
+                FluidGrid.For(this);
+            }
+        }
+
+        // The emergency is a way of one spacing in a step from rest.
+        internal float AccelerationLimitAt(float step)
+        {
+            double ratio = AccelerationLimitFixed ? 1.0 : TimeStep / (double)step;
+            return (float)(AccelerationLimit * ratio * ratio);
         }
 
         internal static void RequirePositive(float value, string name)

@@ -9,7 +9,7 @@ namespace SphFluid
         internal FluidState(in FluidSolverSettings settings, int particleCount)
         {
             Settings = settings;
-            Grid = new FluidGrid(settings.DomainSize, settings.OctantSearch ? 2f * settings.SupportRadius : settings.SupportRadius);
+            Grid = FluidGrid.For(settings);
             Buffers = new FluidBuffers(particleCount, Grid.CellCount);
         }
 

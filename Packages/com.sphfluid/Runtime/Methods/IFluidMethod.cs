@@ -13,8 +13,8 @@ namespace SphFluid
         /// <summary>Records the forces and the motion of one time step. The neighbour setup comes before it.</summary>
         /// <param name="cmd">Command buffer to record into.</param>
         /// <param name="state">Buffers and settings.</param>
-        /// <param name="firstStep">True where the particles' velocities are still those of the start.</param>
-        void RecordMotion(CommandBuffer cmd, FluidState state, bool firstStep);
+        /// <param name="step">Length of this step and of the one before.</param>
+        void RecordMotion(CommandBuffer cmd, FluidState state, in FluidStep step);
 
         /// <summary>Records what a kernel needs that includes the method's neighbour loop.</summary>
         /// <param name="cmd">Command buffer to record into.</param>

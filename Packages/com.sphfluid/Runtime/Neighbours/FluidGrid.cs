@@ -3,14 +3,29 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>The thesis's grid (6.2) over the domain box, cells of side 2R for 8 of them or R for 27, numbered x first, then y, then z.</summary>
+    /// <summary>
+    /// The thesis's grid (6.2) over the domain box, cells of side 2R for 8 of them or R for 27, numbered x first, then y, then z.
+    /// Along periodic axes the cells divide the box evenly, so they are somewhat longer.
+    /// </summary>
     public readonly struct FluidGrid
     {
-        /// <summary>Grid over a domain box that is centred on the origin of simulation space.</summary>
+        // Two cells of 2R, the octant's, or three of R: with fewer the loop would meet one of them twice.
+        const int OctantCells = 2;
+        const int RowCells = 3;
+
+        // What a product of a number of cells and their size may miss by rounding to float.
+        const double Rounding = 1e-6;
+
+        /// <summary>Grid over a domain box that is centred on the origin of simulation space, walls all around.</summary>
         /// <param name="domainSize">Size of the box [m].</param>
         /// <param name="cellSize">Side of a cell [m]: 2R for the octant search to be complete, R for the search of 27 cells.</param>
         /// <exception cref="ArgumentException">A size is not positive, or the grid has more cells than an index can name.</exception>
         public FluidGrid(Vector3 domainSize, float cellSize)
+            : this(domainSize, cellSize, FluidAxes.None, 1)
+        {
+        }
+
+        FluidGrid(Vector3 domainSize, float cellSize, FluidAxes periodic, int leastCells)
         {
             if (!(domainSize.x > 0f && domainSize.y > 0f && domainSize.z > 0f && cellSize > 0f))
             {
@@ -18,9 +33,9 @@ namespace SphFluid
                     $"The domain size {domainSize} m and the cell size {cellSize} m must be positive along every axis.");
             }
 
-            double x = Math.Ceiling(domainSize.x / (double)cellSize);
-            double y = Math.Ceiling(domainSize.y / (double)cellSize);
-            double z = Math.Ceiling(domainSize.z / (double)cellSize);
+            double x = Cells(domainSize.x, cellSize, periodic, FluidAxes.X, leastCells);
+            double y = Cells(domainSize.y, cellSize, periodic, FluidAxes.Y, leastCells);
+            double z = Cells(domainSize.z, cellSize, periodic, FluidAxes.Z, leastCells);
             if (x * y * z > int.MaxValue)
             {
                 throw new ArgumentException(
@@ -29,20 +44,54 @@ namespace SphFluid
             }
 
             Origin = -0.5f * domainSize;
-            CellSize = cellSize;
             Counts = new Vector3Int((int)x, (int)y, (int)z);
+            CellSize = new Vector3(
+                (periodic & FluidAxes.X) != 0 ? (float)(domainSize.x / x) : cellSize,
+                (periodic & FluidAxes.Y) != 0 ? (float)(domainSize.y / y) : cellSize,
+                (periodic & FluidAxes.Z) != 0 ? (float)(domainSize.z / z) : cellSize);
         }
 
         /// <summary>Lower corner of the box in simulation space [m].</summary>
         public Vector3 Origin { get; }
 
-        /// <summary>Side of a cell [m].</summary>
-        public float CellSize { get; }
+        /// <summary>Sides of a cell [m].</summary>
+        public Vector3 CellSize { get; }
 
         /// <summary>Cells along each axis.</summary>
         public Vector3Int Counts { get; }
 
         /// <summary>Number of cells.</summary>
         public int CellCount => Counts.x * Counts.y * Counts.z;
+
+        /// <summary>The grid that a neighbour search needs.</summary>
+        /// <param name="settings">Domain, support radius, search and periodic axes.</param>
+        /// <returns>Cells of 2R or R, evenly along periodic axes.</returns>
+        /// <exception cref="ArgumentException">A periodic axis is too short for the search, or there are too many cells.</exception>
+        public static FluidGrid For(in FluidSolverSettings settings)
+        {
+            float cell = settings.OctantSearch ? 2f * settings.SupportRadius : settings.SupportRadius;
+            return new FluidGrid(settings.DomainSize, cell, settings.Boundaries.Periodic, settings.OctantSearch ? OctantCells : RowCells);
+        }
+
+        // 1 m in cells of 0.3 m: 4 between walls, the last reaching over; 3 of 0.333 m on a periodic axis.
+        static double Cells(float length, float cellSize, FluidAxes periodic, FluidAxes axis, int leastCells)
+        {
+            if ((periodic & axis) == 0)
+            {
+                return Math.Ceiling(length / (double)cellSize);
+            }
+
+            double count = Math.Floor(length / (double)cellSize * (1.0 + Rounding));
+            if (count < leastCells)
+            {
+                double radius = leastCells == OctantCells ? 0.5 * cellSize : cellSize;
+                throw new ArgumentException(
+                    $"The domain is {length:G6} m along {axis}, which is periodic, but with a support radius R = {radius:G6} m it must be " +
+                    $"{leastCells * cellSize:G6} m or more: {leastCells} cells of {cellSize:G6} m. Enlarge the domain along {axis}, use a smaller " +
+                    (leastCells == OctantCells ? "spacing, or set OctantSearch off, for which 3 R are enough." : "spacing, or give the axis walls."));
+            }
+
+            return count;
+        }
     }
 }

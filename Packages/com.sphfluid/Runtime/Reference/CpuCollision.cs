@@ -7,7 +7,9 @@ namespace SphFluid
     internal struct CpuCollision
     {
         public double3 HalfSize;
+        public CpuWallDrag Drag;
         public double TimeStep;
+        public double KickStep;      // s: what the acceleration is multiplied by
         public double WallStiffness; // 1/s^2
         public double WallDamping;   // 1/s
         public double WallDistance;  // m: contact begins here
@@ -21,8 +23,9 @@ namespace SphFluid
         /// <summary>Domain box and every mesh whose box is within reach of the step.</summary>
         public double3 Force(double3 position, double3 velocity)
         {
-            double reach = WallDistance + math.length(velocity) * TimeStep;
+            double reach = (Drag.On ? math.max(WallDistance, Drag.Distance) : WallDistance) + math.length(velocity) * TimeStep;
             double3 force = DomainForce(position, velocity);
+            double3 drag = Drag.On ? Drag.Domain(position + HalfSize, HalfSize - position, velocity) : double3.zero;
             for (int m = 0; m < MeshCount; m++)
             {
                 CpuMesh mesh = Meshes[m];
@@ -30,11 +33,11 @@ namespace SphFluid
                 double3 high = mesh.BoundsMax - position;
                 if (math.min(math.min(low.x, low.y), low.z) > -reach && math.min(math.min(high.x, high.y), high.z) > -reach)
                 {
-                    force += MeshForce(mesh, position, velocity, reach);
+                    force += MeshForce(mesh, position, velocity, reach, ref drag);
                 }
             }
 
-            return force;
+            return force + drag;
         }
 
         double3 WallForce(double3 normal, double distance, double3 velocity)
@@ -50,14 +53,14 @@ namespace SphFluid
 
         double3 DomainForce(double3 p, double3 v)
         {
-            return new double3(
+            return Drag.Period.WhereWalls(new double3(
                 Push(p.x + HalfSize.x, v.x) - Push(HalfSize.x - p.x, -v.x),
                 Push(p.y + HalfSize.y, v.y) - Push(HalfSize.y - p.y, -v.y),
-                Push(p.z + HalfSize.z, v.z) - Push(HalfSize.z - p.z, -v.z));
+                Push(p.z + HalfSize.z, v.z) - Push(HalfSize.z - p.z, -v.z)));
         }
 
         // Faces whose prism holds the particle add up; edges and vertices count where no face does, the nearest alone.
-        double3 MeshForce(in CpuMesh mesh, double3 position, double3 velocity, double reach)
+        double3 MeshForce(in CpuMesh mesh, double3 position, double3 velocity, double reach, ref double3 drag)
         {
             double range = mesh.Closed ? math.max(WallReach, reach) : reach;
             double3 move = velocity * TimeStep;
@@ -118,8 +121,14 @@ namespace SphFluid
                 force = WallForce(nearest > 0.0 ? nearestOffset / nearest : math.normalize(nearestNormal), nearest, velocity);
             }
 
+            if (Drag.On && nearest < Drag.Distance)
+            {
+                double3 away = nearest > 0.0 ? nearestOffset / nearest : math.normalize(nearestNormal);
+                drag += Drag.Mesh(away, behind ? 0.0 : nearest, velocity + drag * KickStep);
+            }
+
             // A step that would cross a face is cut at the face.
-            double missing = -math.dot(velocity, hitNormal) * (1.0 - hit) / TimeStep - math.dot(force, hitNormal);
+            double missing = -math.dot(velocity, hitNormal) * (1.0 - hit) / KickStep - math.dot(force, hitNormal);
             return hit < 1.0 && missing > 0.0 ? force + hitNormal * missing : force;
         }
     }

@@ -33,7 +33,7 @@ namespace SphFluid
                 Neighbours.Range(position, k, out int first, out int end);
                 for (int j = first; j < end; j++)
                 {
-                    double3 d = position - Particles[j].Position;
+                    double3 d = Neighbours.Separation(position, Particles[j].Position);
                     double t = SmoothLengthSquared - math.dot(d, d);
                     factor += t > 0.0 && (j != index || SelfDensity) ? t * t * t : 0.0;
                 }

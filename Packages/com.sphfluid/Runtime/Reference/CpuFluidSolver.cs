@@ -24,6 +24,7 @@ namespace SphFluid
         readonly CpuMeshes meshes;
         readonly CpuNeighbours neighbours;
         readonly CpuRounding rounding;
+        double previousStep;
         bool densityFresh;
         bool disposed;
 
@@ -40,10 +41,10 @@ namespace SphFluid
             this.settings = settings;
             Precision = precision;
             rounding = new CpuRounding { ToFloat = precision == CpuFluidPrecision.Single };
-            var grid = new FluidGrid(settings.DomainSize, settings.OctantSearch ? 2f * settings.SupportRadius : settings.SupportRadius);
+            FluidGrid grid = FluidGrid.For(settings);
             buffers = new CpuFluidBuffers(particles, grid.CellCount);
             meshes = new CpuMeshes();
-            neighbours = new CpuNeighbours(grid, settings.OctantSearch, buffers.First);
+            neighbours = new CpuNeighbours(grid, settings, buffers.First);
         }
 
         /// <summary>In what values are kept.</summary>
@@ -59,7 +60,7 @@ namespace SphFluid
         public long StepCount { get; private set; }
 
         /// <summary>Time since the start [s].</summary>
-        public double SimulatedTime => StepCount * (double)settings.TimeStep;
+        public double SimulatedTime { get; private set; }
 
         /// <summary>Particles, in the order of the last sort. Ask again after each step: two arrays alternate.</summary>
         public NativeArray<CpuFluidParticle>.ReadOnly Particles => Alive().Particles.AsReadOnly();
@@ -76,7 +77,7 @@ namespace SphFluid
         /// <summary>Acceleration [m/s²] of each particle in the last step, collisions and gravity included.</summary>
         public NativeArray<double3>.ReadOnly Acceleration => Alive().Acceleration.AsReadOnly();
 
-        /// <summary>Events since the start, and maxima of the last <see cref="Step"/>.</summary>
+        /// <summary>Events since the start, and maxima of the last <see cref="Step(int, float)"/>.</summary>
         public FluidCounters Counters => Alive().ReadCounters(settings.RestDensity);
 
         /// <summary>Adds a mesh that the liquid collides with.</summary>
@@ -93,7 +94,20 @@ namespace SphFluid
         /// <param name="steps">Number of steps, zero or more.</param>
         public void Step(int steps)
         {
+            Step(steps, settings.TimeStep);
+        }
+
+        /// <summary>Does a number of steps of another length than the settings have, and waits for them.</summary>
+        /// <param name="steps">Number of steps, zero or more.</param>
+        /// <param name="timeStep">Length of each [s], positive; the first kick after a change is the mean of both lengths.</param>
+        public void Step(int steps, float timeStep)
+        {
             Alive();
+            if (!(timeStep > 0f) || float.IsInfinity(timeStep))
+            {
+                throw new ArgumentOutOfRangeException(nameof(timeStep), timeStep, "The length of a step must be a positive number of seconds.");
+            }
+
             if (steps < 0)
             {
                 throw new ArgumentOutOfRangeException(nameof(steps), steps, "The number of steps must be zero or more.");
@@ -103,9 +117,11 @@ namespace SphFluid
             for (int i = 0; i < steps; i++)
             {
                 UpdateDensity();
-                Move();
+                Move(timeStep, StepCount == 0 ? timeStep : previousStep);
+                previousStep = timeStep;
                 densityFresh = false;
                 StepCount++;
+                SimulatedTime += timeStep;
             }
         }
 
@@ -170,8 +186,9 @@ namespace SphFluid
             }
         }
 
-        void Move()
+        void Move(float timeStep, double previous)
         {
+            double kick = 0.5 * (previous + timeStep);
             int count = ParticleCount;
             double factor = settings.ParticleMass * ThesisKernels.SpikyGradientFactor(settings.SupportRadius);
             double3 half = 0.5 * CpuFluidParticle.Double(settings.DomainSize);
@@ -190,10 +207,12 @@ namespace SphFluid
             var acceleration = new CpuAccelerationJob
             {
                 Rounding = rounding,
-                Collision = meshes.Collision(settings, half),
+                Collision = meshes.Collision(settings, half, timeStep, kick),
                 PrintedMass = settings.ForceTimesMass ? settings.ParticleMass : 0.0,
-                AccelerationLimit = settings.AccelerationLimitEnabled ? settings.AccelerationLimit : double.MaxValue,
+                AccelerationLimit = settings.AccelerationLimitEnabled ? settings.AccelerationLimitAt(timeStep) : double.MaxValue,
                 Gravity = CpuFluidParticle.Double(settings.Gravity),
+                BodyForceCentre = CpuFluidParticle.Double(settings.BodyForce.Centre),
+                BodyForceRate = CpuFluidParticle.Double(settings.BodyForce.RateSquared),
                 Particles = buffers.Particles,
                 Density = buffers.Density,
                 Force = buffers.Force,
@@ -203,7 +222,10 @@ namespace SphFluid
             var position = new CpuNewPositionJob
             {
                 Rounding = rounding,
-                TimeStep = settings.TimeStep,
+                Period = neighbours.Period,
+                TimeStep = timeStep,
+                KickStep = kick,
+                KickPart = previous / (previous + timeStep),
                 FirstStep = StepCount == 0 && settings.HalfKick,
                 HalfSize = half,
                 Acceleration = buffers.Acceleration,

@@ -34,7 +34,7 @@ namespace SphFluid
                 for (int j = first; j < end; j++)
                 {
                     CpuFluidParticle other = Particles[j];
-                    double3 d = particle.Position - other.Position;
+                    double3 d = Neighbours.Separation(particle.Position, other.Position);
                     double r = math.sqrt(math.dot(d, d));
                     if (j != index && r < SmoothLength)
                     {

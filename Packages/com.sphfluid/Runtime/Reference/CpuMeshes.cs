@@ -44,12 +44,14 @@ namespace SphFluid
             meshArray = new NativeArray<CpuMesh>(meshes.ToArray(), Allocator.Persistent);
         }
 
-        public CpuCollision Collision(in FluidSolverSettings settings, double3 halfSize)
+        public CpuCollision Collision(in FluidSolverSettings settings, double3 halfSize, double timeStep, double kick)
         {
             return new CpuCollision
             {
                 HalfSize = halfSize,
-                TimeStep = settings.TimeStep,
+                Drag = CpuWallDrag.Of(settings, kick),
+                TimeStep = timeStep,
+                KickStep = kick,
                 WallStiffness = settings.WallStiffness,
                 WallDamping = settings.WallDamping,
                 WallDistance = settings.WallDistance,

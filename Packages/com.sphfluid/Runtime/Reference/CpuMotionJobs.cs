@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace SphFluid
 {
-    /// <summary>Thesis 6.3.3: the fluid's acceleration, limited; the collisions'; gravity.</summary>
+    /// <summary>Thesis 6.3.3: the fluid's acceleration, limited; the collisions'; gravity and the body force.</summary>
     [BurstCompile(FloatPrecision.High, FloatMode.Strict)]
     internal struct CpuAccelerationJob : IJobParallelFor
     {
@@ -14,6 +14,8 @@ namespace SphFluid
         public double PrintedMass; // kg: 6.3.3 as printed multiplies by it; 0: force density over density, equation (9)
         public double AccelerationLimit;
         public double3 Gravity;
+        public double3 BodyForceCentre;
+        public double3 BodyForceRate; // 1/s^2
 
         [ReadOnly] public NativeArray<CpuFluidParticle> Particles;
 
@@ -37,6 +39,7 @@ namespace SphFluid
             }
 
             acceleration += Collision.Force(particle.Position, particle.VelT0);
+            acceleration += BodyForceRate * (BodyForceCentre - particle.Position);
             Acceleration[index] = Rounding.Store(acceleration + Gravity);
             Events[index] = limited ? CpuCountJob.Limited : 0;
         }
@@ -47,7 +50,10 @@ namespace SphFluid
     internal struct CpuNewPositionJob : IJobParallelFor
     {
         public CpuRounding Rounding;
+        public CpuPeriod Period;
         public double TimeStep;
+        public double KickStep; // s, from the middle of the last step to the middle of this one
+        public double KickPart; // the part of it up to the time of the force
         public bool FirstStep; // VelT0 is still v(0), not v(-dt/2)
         public double3 HalfSize;
 
@@ -61,10 +67,10 @@ namespace SphFluid
         {
             CpuFluidParticle particle = Particles[index];
             int events = Events[index];
-            double3 kick = Acceleration[index] * TimeStep;
+            double3 kick = Acceleration[index] * KickStep;
             double3 v0 = FirstStep ? particle.VelT0 - kick * 0.5 : particle.VelT0;
             double3 v = Rounding.Store(v0 + kick);
-            double3 velT1 = Rounding.Store((v0 + v) * 0.5);
+            double3 velT1 = Rounding.Store(v0 * (1.0 - KickPart) + v * KickPart);
             double3 position = Rounding.Store(particle.Position + v * TimeStep);
             if (!math.all(math.isfinite(position)) || !math.all(math.isfinite(v)))
             {
@@ -74,6 +80,7 @@ namespace SphFluid
                 velT1 = v;
             }
 
+            position = Rounding.Store(Period.Wrap(position));
             double3 inside = math.clamp(position, -HalfSize, HalfSize);
             if (inside.x != position.x || inside.y != position.y || inside.z != position.z)
             {

@@ -10,29 +10,34 @@ namespace SphFluid
     internal struct CpuNeighbours
     {
         public double3 Origin;
-        public double CellSize;
+        public double3 CellSize;
         public int3 Counts;
         public bool Octant;
+        public CpuPeriod Period;
 
         [ReadOnly] public NativeArray<int> First;
 
-        public CpuNeighbours(in FluidGrid grid, bool octant, NativeArray<int> first)
+        public CpuNeighbours(in FluidGrid grid, in FluidSolverSettings settings, NativeArray<int> first)
         {
             Origin = CpuFluidParticle.Double(grid.Origin);
-            CellSize = grid.CellSize;
+            CellSize = CpuFluidParticle.Double(grid.CellSize);
             Counts = new int3(grid.Counts.x, grid.Counts.y, grid.Counts.z);
-            Octant = octant;
+            Octant = settings.OctantSearch;
+            Period = CpuPeriod.Of(settings);
             First = first;
         }
 
-        /// <summary>Runs of particles to look through: 8 cells of 2h at the octant, or 9 rows of 3 cells of h.</summary>
-        public int RangeCount => Octant ? 8 : 9;
+        /// <summary>Runs of particles to look through: 8 cells of 2h at the octant, or 9 rows of 3 cells of h; each in two runs where x is periodic.</summary>
+        public int RangeCount => Octant ? 8 : Period.X ? 18 : 9;
 
         /// <summary>Cell of a position; a particle on the upper face belongs to the last cell.</summary>
         public int Cell(double3 position)
         {
             return Index(math.clamp(Floor((position - Origin) / CellSize), new int3(0, 0, 0), Counts - new int3(1, 1, 1)));
         }
+
+        /// <summary>From the second position to the first, from the nearest image along periodic axes.</summary>
+        public double3 Separation(double3 position, double3 from) => Period.Separation(position, from);
 
         /// <summary>The k-th run of sorted particles near a position; cells outside the grid hold none.</summary>
         public void Range(double3 position, int k, out int first, out int end)
@@ -42,7 +47,7 @@ namespace SphFluid
             double3 place = (position - Origin) / CellSize;
             if (Octant)
             {
-                int3 cell = Floor(place - new double3(0.5, 0.5, 0.5)) + new int3(k & 1, (k >> 1) & 1, (k >> 2) & 1);
+                int3 cell = Wrap(Floor(place - new double3(0.5, 0.5, 0.5)) + new int3(k & 1, (k >> 1) & 1, (k >> 2) & 1));
                 if (Holds(cell))
                 {
                     first = First[Index(cell)];
@@ -51,9 +56,11 @@ namespace SphFluid
             }
             else
             {
-                int3 cell = Floor(place) + new int3(0, k % 3 - 1, k / 3 - 1);
-                int low = math.max(cell.x - 1, 0);
-                int high = math.min(cell.x + 1, Counts.x - 1);
+                int3 cell = Floor(place);
+                int x = cell.x;
+                cell = Wrap(cell + new int3(0, k % 3 - 1, k / 3 % 3 - 1));
+                int low = k < 9 ? math.max(x - 1, 0) : x < 1 ? Counts.x + x - 1 : 0;
+                int high = k < 9 ? math.min(x + 1, Counts.x - 1) : x < 1 ? Counts.x - 1 : x + 1 - Counts.x;
                 if (low <= high && Holds(new int3(low, cell.y, cell.z)))
                 {
                     first = First[Index(new int3(low, cell.y, cell.z))];
@@ -63,6 +70,10 @@ namespace SphFluid
         }
 
         static int3 Floor(double3 v) => new int3((int)math.floor(v.x), (int)math.floor(v.y), (int)math.floor(v.z));
+
+        int3 Wrap(int3 c) => new int3(Wrap(c.x, Counts.x, Period.X), Wrap(c.y, Counts.y, Period.Y), Wrap(c.z, Counts.z, Period.Z));
+
+        static int Wrap(int cell, int count, bool periodic) => !periodic ? cell : cell < 0 ? cell + count : cell < count ? cell : cell - count;
 
         int Index(int3 cell) => cell.x + Counts.x * (cell.y + Counts.y * cell.z);
 

@@ -54,6 +54,9 @@ namespace SphFluid
         /// <summary>Whether the value is neither infinite nor not a number.</summary>
         public static bool IsFinite(float value) => !float.IsNaN(value) && !float.IsInfinity(value);
 
+        /// <summary>Whether the numbers are the same, NaN included; == and Equals differ from NaN, == also lets 1e-5 pass.</summary>
+        public static bool Same(Vector3 a, Vector3 b) => a.x.Equals(b.x) && a.y.Equals(b.y) && a.z.Equals(b.z);
+
         static double Length(in Matrix4x4 m, int column)
         {
             Vector4 c = m.GetColumn(column);

@@ -5,9 +5,6 @@ namespace SphFluid
     /// <summary>The solver's constants from a component, its profile and where its liquid starts.</summary>
     internal static class FluidConstants
     {
-        // dt √k / R at the border of stability, see FluidRules.
-        const double AcousticLimit = 1.35;
-
         /// <summary>Constants by rule.</summary>
         /// <param name="simulation">Settings, with a profile.</param>
         /// <param name="start">Where the liquid starts.</param>
@@ -25,7 +22,7 @@ namespace SphFluid
             input.Gravity = gravity;
             input.LiquidHeight = height;
             input.LiquidDepth = Mathf.Min(height, DepthAtRest(simulation, start, fall));
-            input.InitialSpeed = start.Extent.InitialSpeed;
+            input.InitialSpeed = Hypotenuse(start.InitialSpeed, start.Extent.SpeedBy(simulation.BodyForce));
             input.RestDensity = profile.RestDensity;
             input.KinematicViscosity = profile.KinematicViscosity;
             input.SupportRatio = profile.SupportRatio;
@@ -36,15 +33,13 @@ namespace SphFluid
             input.WallDistanceRatio = profile.WallDistanceRatio;
             input.WallStiffnessRatio = profile.WallStiffnessRatio;
             input.WallDampingRatio = profile.WallDampingRatio;
-            input.MinSpeed = Mathf.Max(input.MinSpeed, simulation.ExpectedSpeed);
+            input.MinSpeed = Mathf.Max(input.MinSpeed, Mathf.Max(simulation.ExpectedSpeed, FastestWall(simulation.Boundaries)));
             FluidSolverSettings settings = FluidSolverSettings.FromRules(input);
+            settings.Boundaries = simulation.Boundaries;
+            settings.BodyForce = simulation.BodyForce;
             if (simulation.TimeStepMode == FluidTimeStepMode.Fixed) UseTimeStep(ref settings, simulation.FixedTimeStep);
             return settings.With(profile.ThesisSwitches);
         }
-
-        /// <summary>Longest stable time step for these constants [s]: 1.35 R/√k with k = 2 c².</summary>
-        public static double LargestTimeStep(in FluidSolverSettings settings) =>
-            AcousticLimit * settings.SupportRadius / (System.Math.Sqrt(2.0) * settings.SoundSpeed);
 
         // The acceleration limit is a distance a step, so it goes with 1/dt².
         static void UseTimeStep(ref FluidSolverSettings settings, float timeStep)
@@ -53,6 +48,14 @@ namespace SphFluid
             settings.AccelerationLimit = (float)(settings.AccelerationLimit * ratio * ratio);
             settings.TimeStep = timeStep;
         }
+
+        static float FastestWall(in FluidBoundaries faces)
+        {
+            float low = Mathf.Max(faces.LowX.magnitude, Mathf.Max(faces.LowY.magnitude, faces.LowZ.magnitude));
+            return Mathf.Max(low, Mathf.Max(faces.HighX.magnitude, Mathf.Max(faces.HighY.magnitude, faces.HighZ.magnitude)));
+        }
+
+        static float Hypotenuse(float a, float b) => b > 0f ? (float)System.Math.Sqrt((double)a * a + (double)b * b) : a;
 
         // Liquid volume over the domain's cross-section across gravity, domain volume / domain height.
         static float DepthAtRest(FluidSimulation simulation, FluidStart start, Vector3 gravity)

@@ -45,9 +45,18 @@ namespace SphFluid
             }
             catch (Exception exception) when (exception is ArgumentException || exception is FluidDeviceException)
             {
-                simulation.Report(Failure(simulation, exception));
+                ReportChange(simulation, exception);
                 return false;
             }
+        }
+
+        // A check names the setting and the cure; the exception is told where no check knows of it.
+        static void ReportChange(FluidSimulation simulation, Exception exception)
+        {
+            List<FluidMessage> found = FluidValidation.Validate(simulation);
+            if (!FluidValidation.HasErrors(found)) found = new List<FluidMessage> { Failure(simulation, exception) };
+            foreach (FluidMessage message in found)
+                if (message.Severity == FluidSeverity.Error) simulation.Report(message);
         }
 
         /// <summary>The worst message as a line; empty when there is none.</summary>

@@ -14,7 +14,7 @@ namespace SphFluid
         readonly CommandBuffer commands;
         readonly SubstepMonitor substeps = new SubstepMonitor();
         readonly GuardMonitor guards = new GuardMonitor();
-        StepClock clock;
+        readonly FluidPace pace;
         FluidLiveKey live;
 
         /// <summary>Starts; takes over <paramref name="collision"/>, which has been gathered.</summary>
@@ -28,12 +28,11 @@ namespace SphFluid
             startGravity = simulation.LocalGravity;
             Key = FluidStartKey.Of(simulation);
             live = FluidLiveKey.Of(simulation);
-            FluidSolverSettings settings = FluidConstants.Derive(simulation, start, startGravity);
-            Solver = new FluidSolver(settings, simulation.Profile.Shaders, start.Particles, simulation.Method);
-            clock = new StepClock(settings.TimeStep, simulation.MaxSubstepsPerFrame);
+            Solver = new FluidSolver(start.Constants, simulation.Profile.Shaders, start.Particles, simulation.Method);
             commands = new CommandBuffer { name = "SPH Fluid" };
             try
             {
+                pace = new FluidPace(simulation, Solver);
                 ShareColliders();
                 Execute(0);
             }
@@ -46,6 +45,7 @@ namespace SphFluid
 
         public FluidSolver Solver { get; }
         public FluidStartKey Key { get; }
+        public float TimeStep => (float)pace.Clock.TimeStep;
         public long CapHits => substeps.CapHits;
         public double RealTimeFactor => substeps.RealTimeFactor;
         public long GpuBytes => Solver.GpuBytes + collision.GpuBytes;
@@ -62,14 +62,15 @@ namespace SphFluid
                 ShareColliders();
                 foreach (FluidMessage message in collision.Messages) simulation.Report(message);
             }
-            int steps = clock.Advance(deltaTime);
+            int steps = pace.Advance(deltaTime);
             Execute(steps);
-            if (substeps.Note(clock, steps, deltaTime) is string text)
+            if (steps > 0) pace.Stepped();
+            if (substeps.Note(pace.Clock, steps, deltaTime) is string text)
                 simulation.Report(new FluidMessage(FluidSeverity.Warning, FluidIssue.SubstepCap, simulation, text,
                     "Raise Max Substeps Per Frame, use a larger Particle Spacing, or lower the profile's Sound Speed Ratio."));
             if (guards.Note(Solver.Counters) is string guard)
                 simulation.Report(new FluidMessage(FluidSeverity.Warning, FluidIssue.GuardActed, simulation, guard,
-                    "Lower the profile's Time Step Fraction, or raise Expected Speed when colliders or forces move the liquid faster than its fall."));
+                    "Lower the profile's Time Step Fraction, or raise Expected Speed or set Time Step Mode to Adaptive when colliders or forces move the liquid faster than its fall."));
         }
 
         /// <summary>Reads all meshes again with the next frame.</summary>
@@ -89,8 +90,7 @@ namespace SphFluid
             live = now;
             FluidSolverSettings settings = FluidConstants.Derive(simulation, start, startGravity);
             Solver.ApplySettings(settings);
-            if (clock.TimeStep != settings.TimeStep || clock.MaxSteps != simulation.MaxSubstepsPerFrame)
-                clock = new StepClock(settings.TimeStep, simulation.MaxSubstepsPerFrame);
+            pace.Update();
         }
 
         void ShareColliders()
@@ -102,7 +102,7 @@ namespace SphFluid
         void Execute(int steps)
         {
             commands.Clear();
-            Solver.RecordSteps(commands, steps);
+            Solver.RecordSteps(commands, steps, (float)pace.Clock.TimeStep);
             Solver.RecordNeighbourSetup(commands);
             Graphics.ExecuteCommandBuffer(commands);
         }

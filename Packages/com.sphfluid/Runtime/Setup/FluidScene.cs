@@ -85,6 +85,7 @@ namespace SphFluid
                 Seed = simulation.Seed,
                 Jitter = simulation.StartJitter,
                 Obstacle = obstacles ? point => collision.FindCovering(point, clearance) : (Func<Vector3, int>)null,
+                Velocity = simulation.VelocityField,
             };
         }
 

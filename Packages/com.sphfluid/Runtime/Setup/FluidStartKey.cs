@@ -13,6 +13,8 @@ namespace SphFluid
         readonly float spacing, supportRatio, jitter;
         readonly int seed, maxParticles;
         readonly bool octantSearch;
+        readonly FluidAxes periodic;
+        readonly Func<Vector3, Vector3> velocityField;
 
         FluidStartKey(FluidSimulation simulation)
         {
@@ -28,16 +30,19 @@ namespace SphFluid
             spacing = simulation.Spacing;
             jitter = simulation.StartJitter;
             seed = simulation.Seed;
+            periodic = simulation.Boundaries.Periodic;
+            velocityField = simulation.VelocityField;
         }
 
         public static FluidStartKey Of(FluidSimulation simulation) => new FluidStartKey(simulation);
 
-        // Equals of numbers, unlike ==, holds for NaN: a wrong number is reported once, not every frame.
+        // Same and Equals of numbers, unlike ==, hold for NaN: a wrong number is reported once, not every frame.
         public bool Equals(FluidStartKey other) =>
             ReferenceEquals(profile, other.profile) && ReferenceEquals(shaders, other.shaders) && method == other.method &&
-            domainSize.Equals(other.domainSize) && (scale - other.scale).sqrMagnitude < 1e-9f && spacing.Equals(other.spacing) &&
+            AffineMath.Same(domainSize, other.domainSize) && (scale - other.scale).sqrMagnitude < 1e-9f && spacing.Equals(other.spacing) &&
             supportRatio.Equals(other.supportRatio) && jitter.Equals(other.jitter) && seed == other.seed &&
-            maxParticles == other.maxParticles && octantSearch == other.octantSearch;
+            maxParticles == other.maxParticles && octantSearch == other.octantSearch &&
+            periodic == other.periodic && velocityField == other.velocityField;
 
         public override bool Equals(object obj) => obj is FluidStartKey other && Equals(other);
 
@@ -51,6 +56,8 @@ namespace SphFluid
         readonly FluidTimeStepMode mode;
         readonly float fixedTimeStep, expectedSpeed;
         readonly int maxSubsteps, revision;
+        readonly FluidBoundaries boundaries;
+        readonly FluidBodyForce bodyForce;
 
         FluidLiveKey(FluidSimulation simulation, Vector3 gravity)
         {
@@ -59,6 +66,8 @@ namespace SphFluid
             fixedTimeStep = simulation.FixedTimeStep;
             expectedSpeed = simulation.ExpectedSpeed;
             maxSubsteps = simulation.MaxSubstepsPerFrame;
+            boundaries = simulation.Boundaries;
+            bodyForce = simulation.BodyForce;
             revision = simulation.Profile != null ? simulation.Profile.Revision : 0;
         }
 
@@ -69,8 +78,9 @@ namespace SphFluid
         public static FluidLiveKey AsGiven(FluidSimulation simulation) => new FluidLiveKey(simulation, simulation.EffectiveGravity);
 
         public bool Equals(FluidLiveKey other) =>
-            gravity.Equals(other.gravity) && mode == other.mode && fixedTimeStep.Equals(other.fixedTimeStep) &&
-            expectedSpeed.Equals(other.expectedSpeed) && maxSubsteps == other.maxSubsteps && revision == other.revision;
+            AffineMath.Same(gravity, other.gravity) && mode == other.mode && fixedTimeStep.Equals(other.fixedTimeStep) &&
+            expectedSpeed.Equals(other.expectedSpeed) && maxSubsteps == other.maxSubsteps && revision == other.revision &&
+            boundaries.Equals(other.boundaries) && bodyForce.Equals(other.bodyForce);
 
         public override bool Equals(object obj) => obj is FluidLiveKey other && Equals(other);
 

@@ -7,8 +7,9 @@ namespace SphFluid
     /// <summary>First particles of a simulation and how far and fast its liquid can fall.</summary>
     internal sealed class FluidStart
     {
-        public FluidStart(List<FluidParticle> particles, long count, LiquidExtent extent)
+        public FluidStart(List<FluidParticle> particles, long count, LiquidExtent extent, float initialSpeed)
         {
+            InitialSpeed = initialSpeed;
             Particles = particles;
             Count = count;
             Extent = extent;
@@ -21,6 +22,12 @@ namespace SphFluid
         public long Count { get; }
 
         public LiquidExtent Extent { get; }
+
+        /// <summary>Largest speed of a particle at the start [m/s].</summary>
+        public float InitialSpeed { get; }
+
+        /// <summary>The solver's constants with the present settings.</summary>
+        public FluidSolverSettings Constants { get; set; }
     }
 
     /// <summary>Rules about the liquid volumes.</summary>
@@ -52,7 +59,10 @@ namespace SphFluid
             SpawnResult spawn = fill ? FluidSpawner.Fill(request) : FluidSpawner.Measure(request);
             CheckCount(simulation, spawn, messages);
             for (int i = 0; i < boxes.Count; i++) CheckTally(simulation, sources[i], spawn.Tallies[i], collision, messages);
-            return new FluidStart(spawn.Particles, spawn.Needed, LiquidExtent.Of(boxes, simulation.DomainSize));
+            if (!AffineMath.IsFinite(spawn.Fastest))
+                messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.StartFailed, simulation,
+                    "The velocity field gives a velocity that is not a finite number.", "Give VelocityField a function with finite numbers everywhere in the liquid."));
+            return new FluidStart(spawn.Particles, spawn.Needed, LiquidExtent.Of(boxes, simulation.DomainSize), spawn.Fastest);
         }
 
         static bool CheckVolume(FluidVolume volume, in LiquidBox box, List<FluidMessage> messages)

@@ -10,6 +10,7 @@ namespace SphFluid
     {
         const double QuietTime = 1.0;
         const double Smoothing = 0.1;
+        const double RoundingSlack = 1e-6;
 
         bool lagging;
         double quiet;
@@ -25,7 +26,7 @@ namespace SphFluid
         /// <param name="steps">Steps that it gave.</param>
         /// <param name="deltaTime">Frame time [s].</param>
         /// <returns>What to tell the user; null when nothing new.</returns>
-        public string Note(StepClock clock, int steps, double deltaTime)
+        public string Note(IStepClock clock, int steps, double deltaTime)
         {
             if (!(deltaTime > 0.0)) return null;
             bool capped = clock.LastDroppedTime > 0.0;
@@ -41,7 +42,7 @@ namespace SphFluid
             quiet = 0.0;
             if (lagging) return null;
             lagging = true;
-            double needed = steps + Math.Round(clock.LastDroppedTime / clock.TimeStep);
+            double needed = steps + Math.Ceiling(clock.LastDroppedTime / clock.TimeStep - RoundingSlack);
             return FormattableString.Invariant(
                 $"A frame of {1e3 * deltaTime:0.#} ms needs {needed} steps of {1e3 * clock.TimeStep:0.###} ms, but at most {clock.MaxSteps} are allowed, so the liquid moves at {100.0 * factor:0} % of real time.");
         }

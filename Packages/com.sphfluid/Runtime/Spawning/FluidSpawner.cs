@@ -20,18 +20,25 @@ namespace SphFluid
         public static SpawnResult Fill(SpawnRequest request)
         {
             var particles = new List<FluidParticle>();
-            SpawnTally[] tallies = Walk(request, (site, box) => particles.Add(Particle(request, site, box, particles.Count)),
-                request.MaxParticles, out long needed);
+            float fastest = 0f;
+            SpawnTally[] tallies = Walk(request, (site, box) =>
+            {
+                FluidParticle particle = Particle(request, site, box, particles.Count);
+                particles.Add(particle);
+                fastest = Faster(fastest, particle.VelT0);
+            }, request.MaxParticles, out long needed);
             if (needed > request.MaxParticles) particles.Clear();
-            return new SpawnResult(particles, tallies, needed);
+            return new SpawnResult(particles, tallies, needed, fastest);
         }
 
         /// <summary>Counts what <see cref="Fill"/> would make, without making it.</summary>
         /// <exception cref="ArgumentException">The domain or the spacing is not positive and finite.</exception>
         public static SpawnResult Measure(SpawnRequest request)
         {
-            SpawnTally[] tallies = Walk(request, null, 0, out long needed);
-            return new SpawnResult(new List<FluidParticle>(), tallies, needed);
+            float fastest = 0f;
+            SpawnTally[] tallies = Walk(request, (site, box) => fastest = Faster(fastest, Velocity(request, site, box)),
+                request.MaxParticles, out long needed);
+            return new SpawnResult(new List<FluidParticle>(), tallies, needed, fastest);
         }
 
         static SpawnTally[] Walk(SpawnRequest request, Action<Vector3, LiquidBox> place, long most, out long needed)
@@ -136,7 +143,18 @@ namespace SphFluid
             float amplitude = Mathf.Clamp(request.Jitter, 0f, MaxJitter) * request.Spacing;
             uint state = Hash((uint)id ^ Hash((uint)request.Seed));
             Vector3 offset = new Vector3(Signed(state), Signed(Hash(state + 1)), Signed(Hash(state + 2))) * amplitude;
-            return new FluidParticle { Position = site + offset, Id = (uint)id, VelT0 = box.Velocity, VelT1 = box.Velocity };
+            Vector3 velocity = Velocity(request, site + offset, box);
+            return new FluidParticle { Position = site + offset, Id = (uint)id, VelT0 = velocity, VelT1 = velocity };
+        }
+
+        static Vector3 Velocity(SpawnRequest request, Vector3 position, LiquidBox box) =>
+            request.Velocity == null ? box.Velocity : box.Velocity + request.Velocity(position);
+
+        // NaN stays: it is for the caller to report.
+        static float Faster(float fastest, Vector3 velocity)
+        {
+            float speed = velocity.magnitude;
+            return speed <= fastest || float.IsNaN(fastest) ? fastest : speed;
         }
 
         // PCG hash: M. Jarzynski, M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020.

@@ -27,6 +27,9 @@ namespace SphFluid
 
         /// <summary>Index of the obstacle that covers a point, or −1; null: no obstacles.</summary>
         public Func<Vector3, int> Obstacle { get; set; }
+
+        /// <summary>Velocity by position that is added to a box's [m/s]; null: none.</summary>
+        public Func<Vector3, Vector3> Velocity { get; set; }
     }
 
     /// <summary>What became of one box of liquid.</summary>
@@ -54,8 +57,9 @@ namespace SphFluid
     /// <summary>Particles of the start, with what was left out.</summary>
     internal sealed class SpawnResult
     {
-        internal SpawnResult(List<FluidParticle> particles, SpawnTally[] tallies, long needed)
+        internal SpawnResult(List<FluidParticle> particles, SpawnTally[] tallies, long needed, float fastest)
         {
+            Fastest = fastest;
             Particles = particles;
             Tallies = tallies;
             Needed = needed;
@@ -69,6 +73,9 @@ namespace SphFluid
 
         /// <summary>Particles that the boxes need at this spacing.</summary>
         public long Needed { get; }
+
+        /// <summary>Largest speed of a particle [m/s]; not a finite number where a velocity is none.</summary>
+        public float Fastest { get; }
 
         /// <summary>Whether more are needed than the request allows.</summary>
         public bool TooMany => Needed > Particles.Count;

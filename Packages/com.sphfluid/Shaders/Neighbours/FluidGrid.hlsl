@@ -2,8 +2,9 @@
 #define SPHFLUID_FLUID_GRID
 
 // The thesis's grid (6.2): cells of side 2h, or h where 27 are searched, over the domain box, numbered x first, then y, then z.
+// Along a periodic axis the cells are somewhat longer, so that they divide it evenly.
 float3 _GridOrigin;
-float _CellSize;
+float3 _CellSize;
 int3 _GridCounts;
 
 // Position in units of cells.

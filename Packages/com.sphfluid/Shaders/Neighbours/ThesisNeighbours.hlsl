@@ -3,27 +3,63 @@
 
 #include "../Gpu/FluidTypes.hlsl"
 #include "FluidGrid.hlsl"
+#include "PeriodicAxes.hlsl"
 
 StructuredBuffer<Particle> _Particles;
 StructuredBuffer<uint2> _GridIndices; // [first, end) of each cell in _Particles
 float _SmoothLengthSquared;           // h^2, h the support radius
 float _DensityCoefficient;            // m 315 / (64 pi h^9)
 
-// A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_CELLS_OF_H".
+// A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_CELLS_OF_H" and "_ FLUID_PERIODIC".
+
+// Along periodic axes the cell beyond the last is the first. Cells are one to two beyond the grid at most.
+int3 WrapCell(int3 cell)
+{
+#if defined(FLUID_PERIODIC)
+    const int3 wrapped = cell < 0 ? cell + _GridCounts : (cell < _GridCounts ? cell : cell - _GridCounts);
+    cell = _PeriodLength > 0.0 ? wrapped : cell;
+#endif
+    return cell;
+}
+
 #if defined(FLUID_CELLS_OF_H)
 
 // Cells h wide: whatever is in reach lies in the 27 around the particle. Three of a row follow each other in the order of
 // the cells, so their particles are one run: 9 runs. Worked example: in a row, [4, 6) [0, 0) [6, 9) make [4, 9).
-#define NEIGHBOUR_RANGES 9u
+// Where x is periodic, a row at its end goes on at its beginning: a second run for each. Worked example: 5 cells, x = 0:
+// cells 0 and 1, then cell 4; x = 4: cells 3 and 4, then cell 0. Three cells or more never meet twice.
+uint NeighbourRanges(float3 position)
+{
+#if defined(FLUID_PERIODIC)
+    const int x = int(floor(GridPosition(position).x));
+    return _PeriodLength.x > 0.0 && (x < 1 || x + 1 >= _GridCounts.x) ? 18u : 9u;
+#else
+    return 9u;
+#endif
+}
 
 uint2 NeighbourRange(float3 position, uint k)
 {
-    const int3 cell = int3(floor(GridPosition(position))) + int3(0, int(k % 3u) - 1, int(k / 3u) - 1);
+#if defined(FLUID_PERIODIC)
+    const uint row = k % 9u;
+#else
+    const uint row = k;
+#endif
+    int3 cell = int3(floor(GridPosition(position))) + int3(0, int(row % 3u) - 1, int(row / 3u) - 1);
+    int first = max(cell.x - 1, 0);
+    int last = min(cell.x + 1, _GridCounts.x - 1);
+#if defined(FLUID_PERIODIC)
+    cell.yz = WrapCell(cell).yz;
+    if (k >= 9u)
+    {
+        first = cell.x < 1 ? _GridCounts.x + cell.x - 1 : 0;
+        last = cell.x < 1 ? _GridCounts.x - 1 : cell.x + 1 - _GridCounts.x;
+    }
+#endif
     uint2 run = uint2(0xffffffffu, 0u);
     if (all(cell.yz >= 0) && all(cell.yz < _GridCounts.yz))
     {
-        const int last = min(cell.x + 1, _GridCounts.x - 1);
-        for (int x = max(cell.x - 1, 0); x <= last; x++)
+        for (int x = first; x <= last; x++)
         {
             const uint2 range = _GridIndices[CellIndex(int3(x, cell.yz))];
             run.x = range.x < range.y ? min(run.x, range.x) : run.x; // an empty cell is [0, 0)
@@ -38,12 +74,15 @@ uint2 NeighbourRange(float3 position, uint k)
 // GetNeighbors(GetQuadrant(position)), thesis 6.3.1. A cell is 2h wide, so h reaches over one face an axis: the nearer one.
 // Worked example on one axis, in cells: 4.3 lies in the lower half of cell 4, floor(4.3 - 0.5) = 3, cells 3 and 4;
 // 4.7 lies in the upper half, floor(4.7 - 0.5) = 4, cells 4 and 5.
-#define NEIGHBOUR_RANGES 8u
+uint NeighbourRanges(float3 position)
+{
+    return 8u;
+}
 
 // Particles of the k-th neighbour cell; cells outside the grid hold none.
 uint2 NeighbourRange(float3 position, uint k)
 {
-    const int3 cell = int3(floor(GridPosition(position) - 0.5)) + int3(uint3(k, k >> 1, k >> 2) & 1u);
+    const int3 cell = WrapCell(int3(floor(GridPosition(position) - 0.5)) + int3(uint3(k, k >> 1, k >> 2) & 1u));
     uint2 range = uint2(0u, 0u);
     if (all(cell >= 0) && all(cell < _GridCounts))
     {
@@ -55,9 +94,9 @@ uint2 NeighbourRange(float3 position, uint k)
 #endif
 
 // The one neighbour loop: every particle j of the neighbour cells, j included where position is its own.
-// Whether j is in reach of h is the body's question: it has the distance.
+// Whether j is in reach of h is the body's question: it has the distance, by Separation.
 #define FOR_EACH_NEIGHBOUR(position, j) \
-    for (uint neighbourRange = 0u; neighbourRange < NEIGHBOUR_RANGES; neighbourRange++) \
+    for (uint neighbourRange = 0u; neighbourRange < NeighbourRanges(position); neighbourRange++) \
         for (uint2 range = NeighbourRange(position, neighbourRange); range.x < range.y; range.x = range.y) \
             for (uint j = range.x; j < range.y; j++)
 
@@ -74,7 +113,7 @@ float ThesisDensityAt(float3 position)
     float sum = 0.0;
     FOR_EACH_NEIGHBOUR(position, j)
     {
-        const float3 d = position - _Particles[j].Position;
+        const float3 d = Separation(position, _Particles[j].Position);
         sum += DensityFactor(dot(d, d));
     }
     return sum * _DensityCoefficient;

@@ -95,6 +95,51 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void UnstableTimeStepNamesWhatLimitsIt()
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.TimeStepMode = FluidTimeStepMode.Fixed;
+            simulation.FixedTimeStep = 0.0015f;
+            Assert.That(simulation.Validate(), Is.Empty);
+            rig.Profile.KinematicViscosity = 0.5f;
+            FluidMessage message = simulation.Validate().Single();
+            Assert.That(message.Text, Does.Contain("above the stability limit of 1.2 ms, which the kinematic viscosity (0.5 m²/s) sets"), "0.06 · 0.1² / 0.5");
+            Assert.That(message.Cure, Does.Contain("0.0012 s").Or.Contain("0.0011 s"));
+            simulation.TimeStepMode = FluidTimeStepMode.Automatic;
+            Assert.That(simulation.Validate(), Is.Empty);
+        }
+
+        [TestCase("across", "The wall velocity Boundaries\\.LowX is .*wall's plane\\. Set its X component to zero")]
+        [TestCase("slip", "The wall velocity Boundaries\\.LowX is .*only push\\. Set NoSlip")]
+        [TestCase("open", "The wall velocity Boundaries\\.LowX is .*X is periodic and has no walls\\. Set the velocity")]
+        [TestCase("short", "The domain is 0\\.4 m along X, which is periodic, .*must be 0\\.48 m or more.*\\. Enlarge")]
+        [TestCase("force", "The body force's RateSquared is 1 1/s² along X, which is periodic.*\\. Set it to zero")]
+        public void WrongFaces(string kind, string expected)
+        {
+            FluidSimulation simulation = rig.Create();
+            var along = new Vector3(0f, 1f, 0f);
+            switch (kind)
+            {
+                case "across": simulation.Boundaries = new FluidBoundaries { NoSlip = true, LowX = Vector3.one }; break;
+                case "slip": simulation.Boundaries = new FluidBoundaries { LowX = along }; break;
+                case "open": simulation.Boundaries = new FluidBoundaries { NoSlip = true, LowX = along, Periodic = FluidAxes.X }; break;
+                default: simulation.Boundaries = new FluidBoundaries { Periodic = FluidAxes.X }; break;
+            }
+            if (kind == "short") rig.Profile.SupportRatio = 2.4f;
+            if (kind == "force") simulation.BodyForce = new FluidBodyForce { RateSquared = Vector3.one };
+            Fails(simulation, FluidIssue.BoundariesInvalid, "'Fluid': " + expected);
+            Assert.That(simulation.Messages.Count, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void VelocityFieldWithoutNumbers()
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.VelocityField = position => position / 0f;
+            Fails(simulation, FluidIssue.StartFailed, "'Fluid': The velocity field gives a velocity that is not a finite number\\. Give VelocityField");
+        }
+
+        [Test]
         public void DomainWithoutLiquid() =>
             Fails(rig.Create(liquid: false), FluidIssue.NoLiquid, "'Fluid': The domain holds no liquid.*Fluid Volume");
 

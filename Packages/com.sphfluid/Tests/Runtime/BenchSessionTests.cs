@@ -74,7 +74,7 @@ namespace SphFluid.Tests
         {
             var words = new List<string> { "player", "--", "--no-sweep", "--out", folder };
             words.AddRange(flags);
-            return new BenchSession(BenchArguments.Parse(words), TestAssets.Water.Shaders, new BenchProgress(said.Add, null));
+            return new BenchSession(BenchArguments.Parse(words), TestAssets.Water.Shaders, new SessionProgress(said.Add, null));
         }
     }
 }

@@ -61,7 +61,7 @@ namespace SphFluid.Tests
             yield return null;
             yield return null;
             Assert.That(simulation.Solver, Is.Not.SameAs(solver));
-            Assert.That(simulation.Solver.Grid.CellSize, Is.EqualTo(simulation.Solver.Settings.SupportRadius));
+            Assert.That(simulation.Solver.Grid.CellSize.x, Is.EqualTo(simulation.Solver.Settings.SupportRadius));
         }
 
         [UnityTest]
@@ -113,6 +113,52 @@ namespace SphFluid.Tests
             Assert.That(simulation.Solver, Is.Not.SameAs(solver));
             simulation.enabled = false;
             Object.DestroyImmediate(copy);
+        }
+
+        [UnityTest]
+        public IEnumerator PeriodicAxesAndVelocityFieldsStartAgainButWallsAndForcesGoOn()
+        {
+            yield return null;
+            FluidSolver solver = simulation.Solver;
+            simulation.Boundaries = new FluidBoundaries { Periodic = FluidAxes.Z };
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Solver, Is.Not.SameAs(solver));
+            Assert.That(simulation.Solver.Settings.Boundaries.Periodic, Is.EqualTo(FluidAxes.Z));
+
+            solver = simulation.Solver;
+            simulation.Boundaries = new FluidBoundaries { Periodic = FluidAxes.Z, NoSlip = true, LowY = new Vector3(9f, 0f, 0f) };
+            simulation.BodyForce = new FluidBodyForce { RateSquared = new Vector3(4f, 0f, 0f) };
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Solver, Is.SameAs(solver));
+            Assert.That(solver.Settings.Boundaries, Is.EqualTo(simulation.Boundaries));
+            Assert.That(solver.Settings.BodyForce, Is.EqualTo(simulation.BodyForce));
+            Assert.That(solver.Settings.MaxSpeed, Is.EqualTo(9f), "the wall is faster than the fall");
+
+            simulation.VelocityField = position => new Vector3(0f, 0f, 10f * position.x);
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Solver, Is.Not.SameAs(solver));
+            solver = simulation.Solver;
+            yield return null;
+            Assert.That(simulation.Solver, Is.SameAs(solver));
+        }
+
+        [UnityTest]
+        public IEnumerator AWrongFaceIsToldWithItsCureAndTheRightOneStartsAgain()
+        {
+            yield return null;
+            yield return null;
+            simulation.Boundaries = new FluidBoundaries { NoSlip = true, HighZ = new Vector3(0f, 0f, float.NaN) };
+            LogAssert.Expect(LogType.Error, new Regex(@"\[SPH Fluid\] 'Fluid': The wall velocity Boundaries\.HighZ is"));
+            for (int frame = 0; frame < 4; frame++) yield return null;
+            Assert.That(simulation.IsRunning, Is.False);
+            Assert.That(simulation.Messages[simulation.Messages.Count - 1].Issue, Is.EqualTo(FluidIssue.BoundariesInvalid));
+            simulation.Boundaries = default;
+            yield return null;
+            yield return null;
+            Assert.That(simulation.IsRunning, simulation.StatusMessage);
         }
 
         [UnityTest]

@@ -45,7 +45,7 @@ namespace SphFluid.Validation
         public int FrameCount => samples.Sum(s => s.Frames);
 
         /// <summary>GPU time of a frame: statistics of the samples' means [ms].</summary>
-        public BenchStatistics Frame => BenchStatistics.Of(samples.Select(s => s.Frame).ToList());
+        public SampleStatistics Frame => SampleStatistics.Of(samples.Select(s => s.Frame).ToList());
 
         /// <summary>Frames a second of GPU time, one step each.</summary>
         public double FramesPerSecond => 1000.0 / Frame.Median;
@@ -54,11 +54,11 @@ namespace SphFluid.Validation
         public double MillionParticleSteps => Particles * FramesPerSecond * 1e-6;
 
         /// <summary>Sum of the blocks over the frame, median of the samples.</summary>
-        public double BlocksOverStep => BenchStatistics.Of(samples.Select(s => s.BlocksOverTotal).ToList()).Median;
+        public double BlocksOverStep => SampleStatistics.Of(samples.Select(s => s.BlocksOverTotal).ToList()).Median;
 
         /// <summary>GPU time of a block in a frame, median of the samples [ms].</summary>
         /// <param name="index">Number of the block.</param>
-        public double Block(int index) => BenchStatistics.Of(samples.Select(s => s.Block(index)).ToList()).Median;
+        public double Block(int index) => SampleStatistics.Of(samples.Select(s => s.Block(index)).ToList()).Median;
 
         /// <summary>Adds a sample.</summary>
         /// <param name="times">Times of one frame or more.</param>

@@ -11,15 +11,15 @@ namespace SphFluid.Validation
     /// A whole benchmark. <see cref="Step"/> is called once a frame of the engine, by a component in play mode or by the Editor's
     /// update; it needs no scene.
     /// </summary>
-    public sealed class BenchSession : IDisposable
+    public sealed class BenchSession : IValidationSession
     {
         const int LeastSweepParticles = 4096;
         const int MostSweepParticles = 1024 * 1024;
 
         readonly BenchArguments arguments;
         readonly FluidShaderSet shaders;
-        readonly BenchProgress progress;
-        readonly Stack<IEnumerator> work = new Stack<IEnumerator>();
+        readonly SessionProgress progress;
+        readonly SessionWork work;
         readonly List<BenchTable> tables = new List<BenchTable>();
         BenchSampler sampler;
         BenchTableRun run;
@@ -30,7 +30,7 @@ namespace SphFluid.Validation
         /// <param name="progress">Where it says how far it is.</param>
         /// <exception cref="FluidDeviceException">The device cannot run it, or has no GPU times.</exception>
         /// <exception cref="IOException">The output folder cannot be written.</exception>
-        public BenchSession(BenchArguments arguments, FluidShaderSet shaders, BenchProgress progress)
+        public BenchSession(BenchArguments arguments, FluidShaderSet shaders, SessionProgress progress)
         {
             this.arguments = arguments;
             this.shaders = shaders;
@@ -44,33 +44,21 @@ namespace SphFluid.Validation
             }
             Directory.CreateDirectory(arguments.OutputFolder);
             sampler = new BenchSampler(shaders);
-            work.Push(Run());
+            work = new SessionWork(Run());
         }
 
         /// <summary>Goes on; waits for the GPU by returning.</summary>
         /// <returns>False when all is measured and written.</returns>
         /// <exception cref="FluidDeviceException">The device failed or gave no times.</exception>
         /// <exception cref="IOException">A file cannot be written.</exception>
-        public bool Step()
-        {
-            while (work.Count > 0)
-            {
-                if (!work.Peek().MoveNext())
-                    work.Pop();
-                else if (work.Peek().Current is IEnumerator inner)
-                    work.Push(inner);
-                else
-                    return true;
-            }
-            return false;
-        }
+        public bool Step() => work.Step();
 
         /// <summary>Frees the GPU memory. An unfinished benchmark leaves the files of its last whole round, and says so.</summary>
         public void Dispose()
         {
             if (sampler == null)
                 return;
-            if (work.Count > 0)
+            if (!work.IsDone)
                 progress.Say($"Stopped early. The files in '{arguments.OutputFolder}' hold whole rounds; their column samples says how many.");
             work.Clear();
             run?.Dispose();

@@ -47,7 +47,7 @@ namespace SphFluid.Validation
             head.AddRange(new[] { "blocks_over_step", "samples", "frames", "date", "published_fps_gtx_580", "published_fps_gtx_430", "note" });
             yield return string.Join(",", head);
             foreach (BenchRow row in Rows.Where(r => r.SampleCount > 0))
-                yield return string.Join(",", Cells(row).Select(Quoted));
+                yield return CsvText.Join(Cells(row));
         }
 
         /// <summary>Writes the file whole: whoever stops the program finds the last whole one.</summary>
@@ -55,43 +55,31 @@ namespace SphFluid.Validation
         /// <returns>The file.</returns>
         public string Write(string folder)
         {
-            Directory.CreateDirectory(folder);
             string file = Path.Combine(folder, Name + ".csv");
-            string unfinished = file + ".tmp";
-            File.WriteAllLines(unfinished, Lines());
-            if (File.Exists(file))
-                File.Replace(unfinished, file, null);
-            else
-                File.Move(unfinished, file);
+            CsvText.WriteWhole(file, Lines());
             return file;
         }
 
         IEnumerable<string> Cells(BenchRow row)
         {
-            BenchStatistics frame = row.Frame;
+            SampleStatistics frame = row.Frame;
             var cells = new List<string>
             {
-                Name, Device, row.Config.Name, "thesis", row.Config.Surface, Text(row.Particles), Text(row.Config.Grid), Text(row.Spacing), Text(row.Support),
-                Text(row.NeighboursMean), Text(row.Dispatches), Text(frame.Median), Text(frame.Minimum), Text(frame.Maximum),
-                Text(row.FramesPerSecond), Text(row.MillionParticleSteps),
+                Name, Device, row.Config.Name, "thesis", row.Config.Surface, CsvText.Text(row.Particles), CsvText.Text(row.Config.Grid),
+                CsvText.Text(row.Spacing), CsvText.Text(row.Support),
+                CsvText.Text(row.NeighboursMean), CsvText.Text(row.Dispatches), CsvText.Text(frame.Median), CsvText.Text(frame.Minimum), CsvText.Text(frame.Maximum),
+                CsvText.Text(row.FramesPerSecond), CsvText.Text(row.MillionParticleSteps),
             };
             for (int i = 0; i < blocks.Count; i++)
-                cells.Add(Text(row.Block(i)));
-            cells.Add(Text(row.BlocksOverStep));
-            cells.Add(Text(row.SampleCount));
-            cells.Add(Text(row.FrameCount));
+                cells.Add(CsvText.Text(row.Block(i)));
+            cells.Add(CsvText.Text(row.BlocksOverStep));
+            cells.Add(CsvText.Text(row.SampleCount));
+            cells.Add(CsvText.Text(row.FrameCount));
             cells.Add(Date);
             cells.Add(PublishedTables.System1(row.Config, row.Particles)?.ToString(CultureInfo.InvariantCulture) ?? "");
             cells.Add(PublishedTables.System2(row.Config, row.Particles)?.ToString(CultureInfo.InvariantCulture) ?? "");
             cells.Add(row.Note);
             return cells;
         }
-
-        static string Text(long value) => value.ToString(CultureInfo.InvariantCulture);
-
-        // Six digits: more than a timing has.
-        static string Text(double value) => value.ToString("G6", CultureInfo.InvariantCulture);
-
-        static string Quoted(string cell) => cell.IndexOfAny(new[] { ',', '"', '\n', '\r' }) < 0 ? cell : "\"" + cell.Replace("\"", "\"\"") + "\"";
     }
 }

@@ -18,9 +18,9 @@ namespace SphFluid.Validation
         readonly BenchTable table;
         readonly BenchSampler sampler;
         readonly BenchArguments arguments;
-        readonly BenchProgress progress;
+        readonly SessionProgress progress;
 
-        public BenchTableRun(BenchTable table, BenchSampler sampler, BenchArguments arguments, BenchProgress progress)
+        public BenchTableRun(BenchTable table, BenchSampler sampler, BenchArguments arguments, SessionProgress progress)
         {
             this.table = table;
             this.sampler = sampler;
@@ -51,7 +51,7 @@ namespace SphFluid.Validation
                 yield return Measure(table.Rows[i], false);
             }
             TimeSpan estimate = TimeFor(arguments.Samples, 0, 0);
-            progress.Say($"{table.Name}: about {BenchProgress.Duration(estimate)} for {arguments.Samples} samples of each row, after {BenchProgress.Duration(clock.Elapsed)} of warming up.");
+            progress.Say($"{table.Name}: about {SessionProgress.Duration(estimate)} for {arguments.Samples} samples of each row, after {SessionProgress.Duration(clock.Elapsed)} of warming up.");
             clock.Restart();
             for (int round = 0; round < arguments.Samples; round++)
             {

@@ -45,21 +45,50 @@ namespace SphFluid.Validation
         /// Measures the tables of the thesis on this device: the flags --table, --particles, --grids, --repeat, --out, --sweep and
         /// --no-sweep; see <see cref="BenchArguments"/>. The program ends with it. A wrong flag ends it with exit code 2.
         /// </summary>
-        public static void Bench()
+        public static void Bench() =>
+            Measure((words, progress) => new BenchSession(BenchArguments.Parse(words), SessionAssets.FindShaders(), progress));
+
+        /// <summary>
+        /// Measures the accuracy chart: the flags --quick, --case, --method, --out and --slice; see <see cref="ChartArguments"/>. The
+        /// program ends with it. A wrong flag, or a folder with another device's chart, ends it with exit code 2.
+        /// </summary>
+        public static void Chart() =>
+            Measure((words, progress) => new ChartSession(ChartArguments.Parse(words), SessionAssets.FindShaders(), progress));
+
+        /// <summary>
+        /// Measures where the methods are stable: the flags --quick, --map, --method, --out and --slice; see <see cref="StabilityArguments"/>.
+        /// The program ends with it. A wrong flag, or a folder with another device's maps, ends it with exit code 2.
+        /// </summary>
+        public static void Stability() =>
+            Measure((words, progress) => new StabilitySession(StabilityArguments.Parse(words), SessionAssets.FindShaders(), progress));
+
+        internal static void Prepare(PlayArguments arguments)
+        {
+            bool begun = false;
+            SceneManager.sceneLoaded += (scene, mode) =>
+            {
+                PlayOverrides.Apply(arguments, FluidSimulation.Active);
+                if (!begun)
+                    PlayRecorder.Begin(arguments);
+                begun = true;
+            };
+        }
+
+        // A step a frame until the measurement is done; in the Editor outside play mode by its own update.
+        static void Measure(Func<string[], SessionProgress, IValidationSession> create)
         {
             try
             {
-                BenchArguments arguments = BenchArguments.Parse(Environment.GetCommandLineArgs());
-                BenchProgress progress = Application.isEditor ? new BenchProgress(Debug.Log, null) : BenchProgress.OfConsole();
-                var session = new BenchSession(arguments, BenchAssets.FindShaders(), progress);
+                SessionProgress progress = Application.isEditor ? new SessionProgress(Debug.Log, null) : SessionProgress.OfConsole();
+                IValidationSession session = create(Environment.GetCommandLineArgs(), progress);
 #if UNITY_EDITOR
                 if (!Application.isPlaying)
                 {
-                    EditorBench.Begin(session);
+                    EditorSession.Begin(session);
                     return;
                 }
 #endif
-                BenchDriver.Begin(session);
+                SessionDriver.Begin(session);
             }
             catch (CommandLineException exception)
             {
@@ -73,18 +102,6 @@ namespace SphFluid.Validation
             {
                 Fail(exception.Message, FailureExitCode);
             }
-        }
-
-        internal static void Prepare(PlayArguments arguments)
-        {
-            bool begun = false;
-            SceneManager.sceneLoaded += (scene, mode) =>
-            {
-                PlayOverrides.Apply(arguments, FluidSimulation.Active);
-                if (!begun)
-                    PlayRecorder.Begin(arguments);
-                begun = true;
-            };
         }
 
         static void Fail(string message, int exitCode = UsageExitCode)

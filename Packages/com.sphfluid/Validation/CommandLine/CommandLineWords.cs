@@ -1,5 +1,7 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
 
 namespace SphFluid.Validation
 {
@@ -27,11 +29,56 @@ namespace SphFluid.Validation
             return commandLine[++index];
         }
 
+        /// <summary>The words behind a flag up to the next flag, each divided at its commas; the index moves on to the last one.</summary>
+        /// <exception cref="CommandLineException">There is none, or one is empty.</exception>
+        public static IReadOnlyList<string> Values(IReadOnlyList<string> commandLine, ref int index)
+        {
+            string flag = commandLine[index];
+            var values = new List<string>(List(flag, Value(commandLine, ref index)));
+            while (index + 1 < commandLine.Count && !commandLine[index + 1].StartsWith("-", StringComparison.Ordinal))
+                values.AddRange(List(flag, commandLine[++index]));
+            return values;
+        }
+
+        /// <summary>A value divided at its commas.</summary>
+        /// <exception cref="CommandLineException">A part is empty.</exception>
+        public static IReadOnlyList<string> List(string flag, string value)
+        {
+            string[] words = value.Split(',');
+            for (int i = 0; i < words.Length; i++)
+            {
+                words[i] = words[i].Trim();
+                if (words[i].Length == 0)
+                    throw new CommandLineException($"{flag} has an empty name in '{value}'.");
+            }
+            return words;
+        }
+
         /// <exception cref="CommandLineException">The value is not among those allowed.</exception>
         public static void RequireOneOf(string flag, string value, string[] allowed)
         {
             if (Array.IndexOf(allowed, value) < 0)
                 throw new CommandLineException($"{flag} must be one of {string.Join(", ", allowed)} in this version, found '{value}'.");
+        }
+
+        /// <summary>Adds what has a name to what is chosen.</summary>
+        /// <exception cref="CommandLineException">There is none of the name, or it is chosen already.</exception>
+        public static void Choose<T>(List<T> chosen, string flag, string name, IReadOnlyList<T> known, Func<T, string> nameOf)
+        {
+            RequireOneOf(flag, name, known.Select(nameOf).ToArray());
+            T found = known.First(item => nameOf(item) == name);
+            if (chosen.Contains(found))
+                throw new CommandLineException($"{flag} has {name} twice.");
+            chosen.Add(found);
+        }
+
+        /// <summary>A number of minutes above zero.</summary>
+        /// <exception cref="CommandLineException">It is none.</exception>
+        public static TimeSpan Minutes(string flag, string value)
+        {
+            if (!double.TryParse(value, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double minutes) || !(minutes > 0.0) || minutes > 1e6)
+                throw new CommandLineException($"{flag} must be a number of minutes above zero, found '{value}'.");
+            return TimeSpan.FromMinutes(minutes);
         }
     }
 }

@@ -52,6 +52,14 @@ namespace SphFluid.Validation
             FluidSolver solver = simulation.Solver;
             if (solver == null)
                 throw new InvalidOperationException($"'{simulation.name}' is not running, so it has no particles to read. Start it first.");
+            return Read(solver, simulation.LocalToWorld);
+        }
+
+        /// <summary>Reads the particles of a solver; world space is the simulation's own.</summary>
+        public static FluidSnapshot Read(FluidSolver solver) => Read(solver, Matrix4x4.identity);
+
+        static FluidSnapshot Read(FluidSolver solver, Matrix4x4 localToWorld)
+        {
             using (var cmd = new CommandBuffer { name = "Fluid Snapshot" })
             {
                 solver.RecordNeighbourSetup(cmd);
@@ -63,7 +71,7 @@ namespace SphFluid.Validation
             solver.Particles.GetData(particles);
             solver.Density.GetData(densities);
             solver.Pressure.GetData(pressures);
-            return FromParticles(particles, densities, pressures, simulation.LocalToWorld);
+            return FromParticles(particles, densities, pressures, localToWorld);
         }
 
         internal static FluidSnapshot FromParticles(FluidParticle[] particles, float[] densities, float[] pressures, Matrix4x4 localToWorld)
@@ -80,12 +88,22 @@ namespace SphFluid.Validation
                 snapshot.Ids[i] = particle.Id;
                 snapshot.LocalPositions[i] = particle.Position;
                 snapshot.Positions[i] = localToWorld.MultiplyPoint3x4(particle.Position);
-                snapshot.Velocities[i] = localToWorld.MultiplyVector(particle.VelT1);
+                snapshot.Velocities[i] = localToWorld.MultiplyVector(VelocityOf(particle));
                 snapshot.Densities[i] = densities[order[i]];
                 snapshot.Pressures[i] = pressures[order[i]];
             }
             snapshot.Hash = HashOf(particles, order);
             return snapshot;
+        }
+
+        // Positions are half a step ahead of VelT0 and a whole one ahead of VelT1: what the last force did between the two is done once
+        // more. From v(t-dt) = 1 and v(t-dt/2) = 1.5, a = 1/dt: v(t) = 2. A component that a face of the domain stopped is zero.
+        static Vector3 VelocityOf(in FluidParticle particle)
+        {
+            Vector3 velocity = particle.VelT0;
+            for (int axis = 0; axis < 3; axis++)
+                velocity[axis] = velocity[axis] == 0f ? 0f : 2f * velocity[axis] - particle.VelT1[axis];
+            return velocity;
         }
 
         static string HashOf(FluidParticle[] particles, int[] order)

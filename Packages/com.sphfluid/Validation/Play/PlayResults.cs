@@ -67,7 +67,7 @@ namespace SphFluid.Validation
                 .Add("particles", simulation.ParticleCount)
                 .Add("spacing_m", settings.Spacing)
                 .Add("support_radius_m", settings.SupportRadius)
-                .Add("time_step_s", settings.TimeStep)
+                .Add("time_step_s", simulation.TimeStep)
                 .Add("sound_speed_m_s", settings.SoundSpeed)
                 .Add("steps", simulation.StepCount)
                 .Add("liquid_time_s", simulation.SimulatedTime)

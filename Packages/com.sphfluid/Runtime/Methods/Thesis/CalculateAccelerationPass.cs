@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Thesis 6.3.3: the fluid's acceleration, limited, then the collisions' over the scene's triangles, then gravity.</summary>
+    /// <summary>Thesis 6.3.3: the fluid's acceleration, limited, then the collisions' over the scene's triangles, then gravity and the body force.</summary>
     internal sealed class CalculateAccelerationPass
     {
         static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("CalculateAcceleration");
@@ -15,16 +15,20 @@ namespace SphFluid
             kernel = new ComputeKernel(shaders.CalculateAcceleration, "CalculateAcceleration");
         }
 
-        public void Record(CommandBuffer cmd, FluidState state)
+        public void Record(CommandBuffer cmd, FluidState state, in FluidStep step)
         {
             FluidSolverSettings settings = state.Settings;
             cmd.BeginSample(Marker);
+            DomainBindings.SetPeriodic(cmd, kernel, settings);
+            DomainBindings.SetBodyForce(cmd, kernel, settings.BodyForce);
+            DomainBindings.SetWallDrag(cmd, kernel, settings, step);
             kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
             kernel.SetFloat(cmd, FluidShaderIds.PrintedMass, settings.ForceTimesMass ? settings.ParticleMass : 0f);
             kernel.SetFloat(cmd, FluidShaderIds.AccelerationLimit,
-                settings.AccelerationLimitEnabled ? settings.AccelerationLimit : float.MaxValue);
+                settings.AccelerationLimitEnabled ? settings.AccelerationLimitAt(step.Length) : float.MaxValue);
             kernel.SetVector(cmd, FluidShaderIds.Gravity, settings.Gravity);
-            kernel.SetFloat(cmd, FluidShaderIds.TimeStep, settings.TimeStep);
+            kernel.SetFloat(cmd, FluidShaderIds.TimeStep, step.Length);
+            kernel.SetFloat(cmd, FluidShaderIds.KickStep, step.Kick);
             kernel.SetVector(cmd, FluidShaderIds.DomainHalfSize, 0.5f * settings.DomainSize);
             kernel.SetFloat(cmd, FluidShaderIds.WallStiffness, settings.WallStiffness);
             kernel.SetFloat(cmd, FluidShaderIds.WallDamping, settings.WallDamping);

@@ -15,13 +15,16 @@ namespace SphFluid
             kernel = new ComputeKernel(shaders.CalculateNewPosition, "CalculateNewPosition");
         }
 
-        public void Record(CommandBuffer cmd, FluidState state, bool firstStep)
+        public void Record(CommandBuffer cmd, FluidState state, in FluidStep step)
         {
             FluidSolverSettings settings = state.Settings;
             cmd.BeginSample(Marker);
+            DomainBindings.SetPeriodic(cmd, kernel, settings);
             kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-            kernel.SetFloat(cmd, FluidShaderIds.TimeStep, settings.TimeStep);
-            kernel.SetBool(cmd, FluidShaderIds.FirstStep, firstStep && settings.HalfKick);
+            kernel.SetFloat(cmd, FluidShaderIds.TimeStep, step.Length);
+            kernel.SetFloat(cmd, FluidShaderIds.KickStep, step.Kick);
+            kernel.SetFloat(cmd, FluidShaderIds.KickPart, step.KickPart);
+            kernel.SetBool(cmd, FluidShaderIds.FirstStep, step.IsFirst && settings.HalfKick);
             kernel.SetVector(cmd, FluidShaderIds.DomainHalfSize, 0.5f * settings.DomainSize);
             kernel.SetBuffer(cmd, FluidShaderIds.Particles, state.Buffers.Particles);
             kernel.SetBuffer(cmd, FluidShaderIds.Acceleration, state.Buffers.Acceleration);

@@ -19,7 +19,7 @@ namespace SphFluid
             Counts[1] = counts.y;
             Counts[2] = counts.z;
             kernel.SetVector(cmd, FluidShaderIds.GridOrigin, grid.Origin);
-            kernel.SetFloat(cmd, FluidShaderIds.CellSize, grid.CellSize);
+            kernel.SetVector(cmd, FluidShaderIds.CellSize, grid.CellSize);
             kernel.SetInts(cmd, FluidShaderIds.GridCounts, Counts);
         }
 
@@ -28,6 +28,7 @@ namespace SphFluid
             FluidSolverSettings settings = state.Settings;
             double h = settings.SupportRadius;
             SetGrid(cmd, kernel, state.Grid);
+            DomainBindings.SetPeriodic(cmd, kernel, settings);
             kernel.SetKeyword(cmd, CellsOfSmoothLength, !settings.OctantSearch);
             kernel.SetFloat(cmd, FluidShaderIds.SmoothLengthSquared, (float)(h * h));
             kernel.SetFloat(cmd, FluidShaderIds.DensityCoefficient, (float)(settings.ParticleMass * ThesisKernels.Poly6Factor(h)));

@@ -44,11 +44,11 @@ namespace SphFluid
         }
 
         /// <inheritdoc/>
-        public void RecordMotion(CommandBuffer cmd, FluidState state, bool firstStep)
+        public void RecordMotion(CommandBuffer cmd, FluidState state, in FluidStep step)
         {
             calculateForce.Record(cmd, state);
-            calculateAcceleration.Record(cmd, state);
-            calculateNewPosition.Record(cmd, state, firstStep);
+            calculateAcceleration.Record(cmd, state, step);
+            calculateNewPosition.Record(cmd, state, step);
         }
 
         /// <inheritdoc/>

@@ -5,12 +5,14 @@
 // and the object". A damped spring per unit mass that only pushes.
 #include "../../Collision/CollisionTypes.hlsl"
 #include "../../Collision/TriangleQueries.hlsl"
+#include "../WallDrag.hlsl"
 
 StructuredBuffer<CollisionTriangle> _Triangles;
 StructuredBuffer<CollisionCollider> _Colliders;
 uint _ColliderCount;
 float3 _DomainHalfSize;
 float _TimeStep;
+float _KickStep;      // s, what the acceleration is multiplied by: the mean of this step and the last
 float _WallStiffness; // 1/s^2
 float _WallDamping;   // 1/s
 float _WallDistance;  // m: contact begins here
@@ -23,20 +25,21 @@ float3 WallForce(float3 normal, float distanceToWall, float3 velocity)
     return distanceToWall < _WallDistance ? normal * max(push, 0.0) : float3(0.0, 0.0, 0.0);
 }
 
-// The six inner faces of the domain box, by the same law.
+// The six inner faces of the domain box, by the same law; faces of periodic axes are no walls.
 float3 DomainForce(float3 position, float3 velocity)
 {
     const float3 low = position + _DomainHalfSize;
     const float3 high = _DomainHalfSize - position;
     const float3 pushLow = _WallStiffness * (_WallDistance - low) - _WallDamping * velocity;
     const float3 pushHigh = _WallStiffness * (_WallDistance - high) + _WallDamping * velocity;
-    return float3(low < _WallDistance) * max(pushLow, 0.0) - float3(high < _WallDistance) * max(pushHigh, 0.0);
+    return WhereWalls(float3(low < _WallDistance) * max(pushLow, 0.0) - float3(high < _WallDistance) * max(pushHigh, 0.0));
 }
 
 // What one mesh does to a particle. Faces whose prism holds the particle add up: two at a concave edge are two walls.
 // Edges and vertices count only where no face is in contact, and then the nearest alone,
-// so that triangles which share an edge or a plane are not counted twice.
-float3 ColliderForce(CollisionCollider collider, float3 position, float3 velocity, float reach)
+// so that triangles which share an edge or a plane are not counted twice. The drag goes on from that of the meshes before:
+// each takes from what is left of the velocity.
+float3 ColliderForce(CollisionCollider collider, float3 position, float3 velocity, float reach, inout float3 drag)
 {
     const bool closed = (collider.TriangleCount & COLLIDER_CLOSED) != 0u;
     const uint end = collider.FirstTriangle + (collider.TriangleCount & COLLIDER_COUNT_MASK);
@@ -100,8 +103,16 @@ float3 ColliderForce(CollisionCollider collider, float3 position, float3 velocit
         force = WallForce(away, nearest, velocity);
     }
 
+#if defined(FLUID_NO_SLIP)
+    if (nearest < _DragDistance)
+    {
+        const float3 away = nearest > 0.0 ? nearestOffset / nearest : normalize(nearestNormal);
+        drag += MeshDrag(away, behind ? 0.0 : nearest, velocity + drag * _KickStep);
+    }
+#endif
+
     // A step that would cross a face is cut at the face.
-    const float missing = -dot(velocity, hitNormal) * (1.0 - hit) / _TimeStep - dot(force, hitNormal);
+    const float missing = -dot(velocity, hitNormal) * (1.0 - hit) / _KickStep - dot(force, hitNormal);
     if (hit < 1.0 && missing > 0.0)
     {
         force += hitNormal * missing;
@@ -112,16 +123,25 @@ float3 ColliderForce(CollisionCollider collider, float3 position, float3 velocit
 // "For each triangle: if collision detected". Meshes whose box is out of reach are skipped whole.
 float3 CollisionForce(float3 position, float3 velocity)
 {
-    const float reach = _WallDistance + length(velocity) * _TimeStep;
+    float contact = _WallDistance;
+    float3 drag = float3(0.0, 0.0, 0.0);
     float3 force = DomainForce(position, velocity);
+#if defined(FLUID_NO_SLIP)
+    contact = max(contact, _DragDistance);
+    drag = DomainDrag(position + _DomainHalfSize, _DomainHalfSize - position, velocity);
+#endif
+    const float reach = contact + length(velocity) * _TimeStep;
     for (uint c = 0u; c < _ColliderCount; c++)
     {
         const CollisionCollider collider = _Colliders[c];
         if (all(position > collider.BoundsMin - reach) && all(position < collider.BoundsMax + reach))
         {
-            force += ColliderForce(collider, position, velocity, reach);
+            force += ColliderForce(collider, position, velocity, reach, drag);
         }
     }
+#if defined(FLUID_NO_SLIP)
+    force += drag;
+#endif
     return force;
 }
 

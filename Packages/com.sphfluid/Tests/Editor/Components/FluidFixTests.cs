@@ -71,6 +71,20 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void WrongFacesAndForces()
+        {
+            simulation.BodyForce = new FluidBodyForce { RateSquared = Vector3.one };
+            simulation.Boundaries = new FluidBoundaries { NoSlip = true, LowY = new Vector3(0f, 1f, 0f) };
+            Cure(FluidIssue.BoundariesInvalid);
+            Assert.That(simulation.Boundaries.IsDefault);
+            Assert.That(simulation.BodyForce.IsOn, "the force was not at fault");
+            simulation.Boundaries = new FluidBoundaries { Periodic = FluidAxes.X };
+            Cure(FluidIssue.BoundariesInvalid);
+            Assert.That(simulation.BodyForce.IsOn, Is.False);
+            Assert.That(simulation.Boundaries.Periodic, Is.EqualTo(FluidAxes.X), "the faces were not at fault");
+        }
+
+        [Test]
         public void NoLiquid()
         {
             Object.DestroyImmediate(simulation.GetComponentInChildren<FluidVolume>().gameObject);

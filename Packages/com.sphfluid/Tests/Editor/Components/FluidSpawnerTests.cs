@@ -154,6 +154,26 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void AVelocityFieldAddsToTheBoxesVelocity()
+        {
+            SpawnRequest request = Request(0.1f, Box(Vector3.zero, new Vector3(0.5f, 0.3f, 0.7f), new Vector3(1f, 0f, 0f)));
+            Assert.That(FluidSpawner.Fill(request).Fastest, Is.EqualTo(1f));
+            request.Jitter = 0.1f;
+            request.Velocity = p => new Vector3(0f, 0f, 2f * p.x);
+            SpawnResult result = FluidSpawner.Fill(request);
+            foreach (FluidParticle particle in result.Particles)
+            {
+                Assert.That(particle.VelT0, Is.EqualTo(new Vector3(1f, 0f, 2f * particle.Position.x)));
+                Assert.That(particle.VelT1, Is.EqualTo(particle.VelT0));
+            }
+            Assert.That(result.Fastest, Is.EqualTo(result.Particles.Max(p => p.VelT0.magnitude)));
+            request.Jitter = 0f;
+            Assert.That(FluidSpawner.Measure(request).Fastest, Is.EqualTo(FluidSpawner.Fill(request).Fastest));
+            request.Velocity = p => new Vector3(p.x > 0.1f ? float.NaN : 0f, 0f, 0f);
+            Assert.That(FluidSpawner.Measure(request).Fastest, Is.NaN);
+        }
+
+        [Test]
         public void BadRequestsAreNamed()
         {
             SpawnRequest request = Request(0f, Box(Vector3.zero, Vector3.one));

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>How far the liquid can fall and how fast it starts.</summary>
+    /// <summary>How far the liquid can fall and how fast a force can make it.</summary>
     public sealed class LiquidExtentTests
     {
         static readonly Vector3 Domain = new Vector3(2f, 3f, 4f);
@@ -23,14 +23,17 @@ namespace SphFluid.Tests
             Assert.That(Extent(new Vector3(0f, 1.5f, 0f), Vector3.one).FallHeight(Down), Is.EqualTo(3f).Within(1e-5f));
 
         [Test]
-        public void InitialSpeedIsTheLargest()
+        public void ABodyForceGivesItsRateTimesTheDistance()
         {
-            LiquidExtent extent = LiquidExtent.Of(new[]
-            {
-                new LiquidBox("slow", Matrix4x4.identity, new Vector3(0f, 1f, 0f)),
-                new LiquidBox("fast", Matrix4x4.identity, new Vector3(3f, 0f, 4f)),
-            }, Domain);
-            Assert.That(extent.InitialSpeed, Is.EqualTo(5f).Within(1e-5f));
+            // A metre's cube at 0.5 m: along y up to 1 m from the centre, along x 0.5 m. ω² = 9 and 16: v² = 9 · 0.25 + 16 · 1.
+            LiquidExtent extent = Extent(new Vector3(0f, 0.5f, 0f), Vector3.one);
+            var force = new FluidBodyForce { RateSquared = new Vector3(9f, 16f, 0f) };
+            Assert.That(extent.SpeedBy(force), Is.EqualTo(Mathf.Sqrt(18.25f)).Within(1e-5f));
+            force.Centre = new Vector3(0f, 1f, 0f);
+            Assert.That(extent.SpeedBy(force), Is.EqualTo(Mathf.Sqrt(18.25f)).Within(1e-5f), "the cube's foot is as far away");
+            force = new FluidBodyForce { RateSquared = new Vector3(0f, 0f, -4f), Centre = new Vector3(0f, 0f, 1f) };
+            Assert.That(extent.SpeedBy(force), Is.EqualTo(2f * 3f).Within(1e-5f), "pushed to the far face, 3 m from the centre");
+            Assert.That(extent.SpeedBy(default), Is.Zero);
         }
 
         static LiquidExtent Extent(Vector3 center, Vector3 size) =>

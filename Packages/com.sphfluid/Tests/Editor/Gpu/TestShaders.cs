@@ -23,6 +23,7 @@ namespace SphFluid.Tests
             set.CalculateForce = Thesis("CalculateForce");
             set.CalculateAcceleration = Thesis("CalculateAcceleration");
             set.CalculateNewPosition = Thesis("CalculateNewPosition");
+            set.MeasureVitals = Load("Shaders/Diagnostics/MeasureVitals.compute");
             return set;
         }
 

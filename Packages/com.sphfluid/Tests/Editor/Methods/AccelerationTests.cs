@@ -196,7 +196,7 @@ namespace SphFluid.Tests
             GpuTest.Run(cmd =>
             {
                 force.Record(cmd, rig.State);
-                pass.Record(cmd, rig.State);
+                pass.Record(cmd, rig.State, rig.Step);
             });
             particles = rig.ReadParticles();
             acceleration = rig.ReadAcceleration().Select(a => (Double3)(Vector3)a).ToArray();

@@ -61,6 +61,30 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void TheStepIsTheAdvisedOne()
+        {
+            FluidRuleInput input = Example();
+            FluidSolverSettings s = FluidSolverSettings.FromRules(input);
+            Assert.That(s.TimeStep, Is.EqualTo(TimeStepAdvice.For(s, 0.0).Step(0.6)).Within(1e-9));
+            input.WallStiffnessRatio = 100f;
+            s = FluidSolverSettings.FromRules(input);
+            Assert.That(s.TimeStep, Is.EqualTo(TimeStepAdvice.For(s, 0.0).Walls).Within(1e-9));
+        }
+
+        [Test]
+        public void AParticleMovesLessThanHalfASpacingInAStep()
+        {
+            // κ = 4, c = 3 v and the whole acoustic limit would be 1.27 dx a step; 0.4 are kept.
+            FluidRuleInput input = Example();
+            input.SupportRatio = 4f;
+            input.SoundSpeedRatio = 3f;
+            input.MaxCompression = 1f;
+            input.TimeStepFraction = 1f;
+            FluidSolverSettings s = FluidSolverSettings.FromRules(input);
+            Assert.That(s.TimeStep * s.MaxSpeed / s.Spacing, Is.EqualTo(0.4).Within(1e-5));
+        }
+
+        [Test]
         public void LiquidAtRestWithoutGravityHasAStep()
         {
             FluidRuleInput input = Example();

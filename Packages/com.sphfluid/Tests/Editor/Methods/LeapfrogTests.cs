@@ -93,7 +93,7 @@ namespace SphFluid.Tests
             {
                 for (int i = 0; i < steps; i++)
                 {
-                    pass.Record(cmd, rig.State, i == 0);
+                    pass.Record(cmd, rig.State, new FluidStep(rig.State.Settings.TimeStep, rig.State.Settings.TimeStep, i == 0));
                 }
             });
         }

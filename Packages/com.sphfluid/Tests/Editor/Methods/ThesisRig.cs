@@ -26,6 +26,9 @@ namespace SphFluid.Tests
 
         public FluidShaderSet Shaders => shaders;
 
+        /// <summary>A step of the settings' length after another of the same.</summary>
+        public FluidStep Step => new FluidStep(State.Settings.TimeStep, State.Settings.TimeStep, false);
+
         /// <summary>Runs the blocks 6.2.2 to 6.3.1: the particles are then in the order of their cells, with densities.</summary>
         public void RunNeighbourSetup()
         {

@@ -204,7 +204,7 @@ namespace SphFluid.Tests
                 GpuTest.Run(cmd =>
                 {
                     force.Record(cmd, rig.State);
-                    acceleration.Record(cmd, rig.State);
+                    acceleration.Record(cmd, rig.State, rig.Step);
                 });
                 int first = First(rig);
                 density = rig.ReadDensity()[first];

@@ -29,7 +29,7 @@ namespace SphFluid.Tests
             using (var rig = new ThesisRig(settings, ParticleSets.Random(1024, Domain, 1f, 4)))
             {
                 rig.RunNeighbourSetup();
-                Assert.That(rig.State.Grid.CellSize, Is.EqualTo(settings.SupportRadius));
+                Assert.That(rig.State.Grid.CellSize, Is.EqualTo(settings.SupportRadius * Vector3.one));
                 CheckRanges(rig);
             }
         }
@@ -93,7 +93,8 @@ namespace SphFluid.Tests
 
         static int Cell(in FluidGrid grid, Vector3 position)
         {
-            Vector3 p = (position - grid.Origin) / grid.CellSize;
+            Vector3 p = position - grid.Origin;
+            p = new Vector3(p.x / grid.CellSize.x, p.y / grid.CellSize.y, p.z / grid.CellSize.z);
             int x = Mathf.Clamp(Mathf.FloorToInt(p.x), 0, grid.Counts.x - 1);
             int y = Mathf.Clamp(Mathf.FloorToInt(p.y), 0, grid.Counts.y - 1);
             int z = Mathf.Clamp(Mathf.FloorToInt(p.z), 0, grid.Counts.z - 1);

@@ -21,7 +21,7 @@ namespace SphFluid.Tests
             using (var rig = new ThesisRig(settings, ParticleSets.Random(count, Domain, 0f, count)))
             {
                 rig.RunNeighbourSetup();
-                Check(rig, settings.SupportRadius);
+                NeighbourPairs.Check(rig);
             }
         }
 
@@ -35,7 +35,7 @@ namespace SphFluid.Tests
             using (var rig = new ThesisRig(settings, lattice))
             {
                 rig.RunNeighbourSetup();
-                Check(rig, settings.SupportRadius);
+                NeighbourPairs.Check(rig);
             }
         }
 
@@ -68,7 +68,7 @@ namespace SphFluid.Tests
                 wrong.OctantSearch = true;
                 rig.State.Settings = wrong;
                 rig.RunNeighbourSetup();
-                Count(rig, settings.SupportRadius, out int pairs, out int missing, out int oneWay);
+                NeighbourPairs.Count(rig, out int pairs, out int missing, out int oneWay);
                 Assert.That(missing, Is.GreaterThan(pairs / 20), "pairs lost");
                 Assert.That(oneWay, Is.GreaterThan(0), "the force on one of them has no counterforce");
             }
@@ -88,61 +88,5 @@ namespace SphFluid.Tests
                     i => new Vector4(force[i].x, force[i].y, force[i].z, density[i]));
             }
         }
-
-        static void Check(ThesisRig rig, double h)
-        {
-            Count(rig, h, out _, out int missing, out int oneWay);
-            Assert.That(missing, Is.Zero, "pairs that differ from brute force");
-            Assert.That(oneWay, Is.Zero, "one-way pairs");
-        }
-
-        static void Count(ThesisRig rig, double h, out int all, out int missing, out int oneWay)
-        {
-            FluidParticle[] particles = rig.ReadParticles();
-            int words = (particles.Length + 31) / 32;
-            uint[] pairs;
-            uint[] visits;
-            using (GraphicsBuffer pairBuffer = GpuBuffers.Create("Pairs", words * particles.Length, sizeof(uint)))
-            using (GraphicsBuffer visitBuffer = GpuBuffers.Create("Visits", particles.Length, sizeof(uint)))
-            {
-                pairBuffer.SetData(new uint[words * particles.Length]);
-                var kernel = new ComputeKernel(TestShaders.Load("Tests/Editor/Neighbours/NeighbourPairs.compute"), "NeighbourPairs");
-                GpuTest.Run(cmd =>
-                {
-                    ThesisBindings.SetNeighbours(cmd, kernel, rig.State);
-                    kernel.SetInt(cmd, Shader.PropertyToID("_RowWords"), words);
-                    kernel.SetInt(cmd, Shader.PropertyToID("_ParticleCount"), particles.Length);
-                    kernel.SetBuffer(cmd, Shader.PropertyToID("_Pairs"), pairBuffer);
-                    kernel.SetBuffer(cmd, Shader.PropertyToID("_Visits"), visitBuffer);
-                    kernel.DispatchThreads(cmd, particles.Length);
-                });
-                pairs = GpuTest.Read<uint>(pairBuffer, words * particles.Length);
-                visits = GpuTest.Read<uint>(visitBuffer, particles.Length);
-            }
-
-            all = 0;
-            missing = 0;
-            oneWay = 0;
-            for (int i = 0; i < particles.Length; i++)
-            {
-                uint found = 0;
-                for (int j = 0; j < particles.Length; j++)
-                {
-                    bool pair = Bit(pairs, words, i, j);
-                    found += pair ? 1u : 0u;
-                    double distance = ThesisReference.Distance(particles[i], particles[j]);
-
-                    // Float rounding decides whether a pair at distance h is one; its weight is below 1e-9 of the nearest's.
-                    bool onTheBorder = System.Math.Abs(distance - h) < 1e-5 * h;
-                    all += distance < h ? 1 : 0;
-                    missing += pair != distance < h && !onTheBorder ? 1 : 0;
-                    oneWay += pair != Bit(pairs, words, j, i) && !onTheBorder ? 1 : 0;
-                }
-
-                Assert.That(visits[i], Is.EqualTo(found), $"particle {i} meets each neighbour once");
-            }
-        }
-
-        static bool Bit(uint[] pairs, int words, int i, int j) => (pairs[i * words + j / 32] >> (j % 32) & 1u) != 0u;
     }
 }

@@ -72,8 +72,8 @@ namespace SphFluid.Tests
             using (var solver = new CpuFluidSolver(settings, initial))
             {
                 solver.UpdateDensity();
-                var grid = new FluidGrid(settings.DomainSize, 2f * settings.SupportRadius);
-                var neighbours = new CpuNeighbours(grid, true, default);
+                FluidGrid grid = FluidGrid.For(settings);
+                var neighbours = new CpuNeighbours(grid, settings, default);
                 IEnumerable<uint> expected = initial.OrderBy(p => neighbours.Cell(CpuFluidParticle.Double(p.Position))).ThenBy(p => p.Id).Select(p => p.Id);
                 Assert.That(solver.ToFloat().Select(p => p.Id), Is.EqualTo(expected));
             }

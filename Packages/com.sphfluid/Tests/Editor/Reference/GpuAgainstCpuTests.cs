@@ -39,10 +39,17 @@ namespace SphFluid.Tests
             Compare(count, steps, false, tolerance);
         }
 
-        static void Compare(int count, int steps, bool octant, double tolerance)
+        [TestCase(257, 10, 5e-5)]
+        public void PositionsAgreeWhereMeshesRub(int count, int steps, double tolerance)
+        {
+            Compare(count, steps, false, tolerance, true);
+        }
+
+        static void Compare(int count, int steps, bool octant, double tolerance, bool noSlip = false)
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
             settings.OctantSearch = octant;
+            settings.Boundaries.NoSlip = noSlip;
             FluidParticle[] initial = Block(count);
             ReferenceMesh sheet = CpuScenes.Sheet();
             FluidParticle[] gpu = RunGpu(settings, initial, sheet, steps);

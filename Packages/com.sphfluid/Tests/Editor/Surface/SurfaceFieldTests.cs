@@ -20,11 +20,15 @@ namespace SphFluid.Tests
         [TestCase(SurfaceGridSize.Cells32, false)]
         [TestCase(SurfaceGridSize.Cells64, true)]
         [TestCase(SurfaceGridSize.Cells32, true, false)]
-        public void FactorsEqualTheSumOverAllParticles(SurfaceGridSize size, bool wallCompletion, bool octant = true)
+        [TestCase(SurfaceGridSize.Cells32, true, true, FluidAxes.X | FluidAxes.Z)]
+        [TestCase(SurfaceGridSize.Cells32, true, false, FluidAxes.X | FluidAxes.Y)]
+        public void FactorsEqualTheSumOverAllParticles(SurfaceGridSize size, bool wallCompletion, bool octant = true,
+            FluidAxes periodic = FluidAxes.None)
         {
             FluidParticle[] particles = ParticleSets.Random(1500, Domain, 0f, 7);
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
             settings.OctantSearch = octant;
+            settings.Boundaries.Periodic = periodic;
             using (var solver = new FluidSolver(settings, shaders, particles))
             using (var field = new SurfaceField(shaders, SurfaceGrid.OverDomain(Domain, size)) { WallCompletion = wallCompletion })
             {
@@ -35,7 +39,7 @@ namespace SphFluid.Tests
                     Vector3 position = field.Grid.Position(v.x, v.y, v.z);
                     double expected = Factor(particles, settings, position);
                     if (wallCompletion)
-                        expected /= InnerPart(position, settings.SupportRadius);
+                        expected /= InnerPart(position, settings);
                     double found = factors[field.Grid.Index(v.x, v.y, v.z)];
                     Assert.AreEqual(expected, found, 2e-4 * Math.Max(1.0, expected), $"vertex {v} at {position}");
                 }
@@ -116,18 +120,21 @@ namespace SphFluid.Tests
             double sum = 0.0;
             foreach (FluidParticle particle in particles)
             {
-                Double3 d = (Double3)position - particle.Position;
+                Double3 d = ThesisReference.Separation(new FluidParticle(position, Vector3.zero, 0), particle, settings.PeriodLength);
                 sum += settings.ParticleMass * ThesisReference.Poly6(d.Length, settings.SupportRadius);
             }
             return sum / settings.RestDensity;
         }
 
         // The poly6 kernel's part inside the domain by summing thin slices, axis by axis.
-        static double InnerPart(Vector3 position, double h)
+        static double InnerPart(Vector3 position, FluidSolverSettings settings)
         {
+            double h = settings.SupportRadius;
             double part = 1.0;
             for (int axis = 0; axis < 3; axis++)
             {
+                if (settings.PeriodLength[axis] > 0f)
+                    continue;
                 double lower = Math.Max(-1.0, (-0.5 * Domain[axis] - position[axis]) / h);
                 double upper = Math.Min(1.0, (0.5 * Domain[axis] - position[axis]) / h);
                 part *= SliceSum(lower, upper) / SliceSum(-1.0, 1.0);

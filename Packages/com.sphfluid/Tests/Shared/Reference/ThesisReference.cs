@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using UnityEngine;
 
 namespace SphFluid.Tests
 {
@@ -51,15 +52,38 @@ namespace SphFluid.Tests
             return ((Double3)a.Position - b.Position).Length;
         }
 
+        /// <summary>From b to a: the shortest of all images of b that a box periodic along some axes has around a.</summary>
+        /// <param name="a">A particle.</param>
+        /// <param name="b">Another.</param>
+        /// <param name="period">Length of the box [m]; zero along axes with walls.</param>
+        public static Double3 Separation(in FluidParticle a, in FluidParticle b, Vector3 period)
+        {
+            Double3 d = (Double3)a.Position - b.Position;
+            return new Double3(Shortest(d.X, period.x), Shortest(d.Y, period.y), Shortest(d.Z, period.z));
+        }
+
+        static double Shortest(double d, double period)
+        {
+            double best = d;
+            for (int image = -1; image <= 1; image += 2)
+            {
+                double other = d + image * period;
+                best = Math.Abs(other) < Math.Abs(best) ? other : best;
+            }
+
+            return best;
+        }
+
         /// <summary>Equation (11) for particle i.</summary>
         public static double Density(IReadOnlyList<FluidParticle> particles, int i, in FluidSolverSettings settings)
         {
+            Vector3 period = settings.PeriodLength;
             double sum = 0.0;
             for (int j = 0; j < particles.Count; j++)
             {
                 if (j != i || settings.SelfDensity)
                 {
-                    sum += settings.ParticleMass * Poly6(Distance(particles[i], particles[j]), settings.SupportRadius);
+                    sum += settings.ParticleMass * Poly6(Separation(particles[i], particles[j], period).Length, settings.SupportRadius);
                 }
             }
 
@@ -89,14 +113,15 @@ namespace SphFluid.Tests
             magnitude = 0.0;
             for (int j = 0; j < particles.Count; j++)
             {
-                double r = Distance(particles[i], particles[j]);
+                Double3 separation = Separation(particles[i], particles[j], settings.PeriodLength);
+                double r = separation.Length;
                 if (j == i || r >= h)
                 {
                     continue;
                 }
 
                 Double3 towardsI = r > 1e-6 * h
-                    ? ((Double3)particles[i].Position - particles[j].Position) / r
+                    ? separation / r
                     : new Double3(particles[i].Id < particles[j].Id ? 1.0 : -1.0, 0.0, 0.0);
                 double volume = settings.ParticleMass / density[j];
                 Double3 pressureTerm = -half * (pressure[i] + pressure[j]) * volume * SpikySlope(r, h) * towardsI;

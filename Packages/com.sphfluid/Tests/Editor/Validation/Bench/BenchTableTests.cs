@@ -14,7 +14,7 @@ namespace SphFluid.Tests
         [TestCase(new[] { 3.0, 1.0, 2.0, 10.0 }, 2.5, 1.0, 10.0)]
         public void MedianLeastAndGreatest(double[] samples, double median, double minimum, double maximum)
         {
-            BenchStatistics statistics = BenchStatistics.Of(samples);
+            SampleStatistics statistics = SampleStatistics.Of(samples);
 
             Assert.That(statistics.Median, Is.EqualTo(median));
             Assert.That(statistics.Minimum, Is.EqualTo(minimum));
@@ -22,7 +22,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void NoSampleHasNoMedian() => Assert.That(() => BenchStatistics.Of(new double[0]), Throws.ArgumentException);
+        public void NoSampleHasNoMedian() => Assert.That(() => SampleStatistics.Of(new double[0]), Throws.ArgumentException);
 
         [Test]
         public void BlocksAreSharedOutOverTheFrames()
@@ -110,9 +110,9 @@ namespace SphFluid.Tests
         [Test]
         public void ProgressTellsShareTimeAndWhat()
         {
-            Assert.That(BenchProgress.Text(0.5, TimeSpan.FromSeconds(125), "row", false), Is.EqualTo(" 50 %  2:05 left  row"));
-            Assert.That(BenchProgress.Text(0.0, null, "row", false), Is.EqualTo("  0 %  row"));
-            Assert.That(BenchProgress.Text(0.5, TimeSpan.Zero, "row", true), Does.StartWith(new string('█', 12) + new string('░', 12)));
+            Assert.That(SessionProgress.Text(0.5, TimeSpan.FromSeconds(125), "row", false), Is.EqualTo(" 50 %  2:05 left  row"));
+            Assert.That(SessionProgress.Text(0.0, null, "row", false), Is.EqualTo("  0 %  row"));
+            Assert.That(SessionProgress.Text(0.5, TimeSpan.Zero, "row", true), Does.StartWith(new string('█', 12) + new string('░', 12)));
         }
 
         // 0: SPH only, 1: with particles, else marching cubes on that grid.

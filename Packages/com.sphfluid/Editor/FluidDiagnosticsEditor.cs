@@ -1,0 +1,44 @@
+using UnityEditor;
+using UnityEngine;
+
+namespace SphFluid.Editor
+{
+    /// <summary>Inspector of the diagnostics: settings, and in play mode the findings and the last measurement.</summary>
+    [CustomEditor(typeof(FluidDiagnostics))]
+    public sealed class FluidDiagnosticsEditor : UnityEditor.Editor
+    {
+        FluidDiagnostics Diagnostics => (FluidDiagnostics)target;
+
+        /// <inheritdoc/>
+        public override bool RequiresConstantRepaint() => Application.isPlaying && Diagnostics.isActiveAndEnabled;
+
+        /// <inheritdoc/>
+        public override void OnInspectorGUI()
+        {
+            serializedObject.Update();
+            DrawPropertiesExcluding(serializedObject, "m_Script");
+            serializedObject.ApplyModifiedProperties();
+            if (!Application.isPlaying) return;
+            EditorGUILayout.Space();
+            EditorGUILayout.LabelField("Findings", EditorStyles.boldLabel);
+            if (Diagnostics.Findings.Count == 0) EditorGUILayout.LabelField(Diagnostics.MeasurementCount > 0 ? "none" : "nothing measured yet");
+            foreach (FluidFinding finding in Diagnostics.Findings)
+                EditorGUILayout.HelpBox($"{ObjectNames.NicifyVariableName(finding.Failure.ToString())}: {finding.Text} {finding.Cure}", MessageType.Warning);
+            if (Diagnostics.MeasurementCount > 0) DrawVitals(Diagnostics.Vitals);
+        }
+
+        static void DrawVitals(in FluidVitals vitals)
+        {
+            EditorGUILayout.Space();
+            EditorGUILayout.LabelField("Vitals", EditorStyles.boldLabel);
+            EditorGUILayout.LabelField("At", $"{vitals.Time:0.000} s");
+            EditorGUILayout.LabelField("Energy", $"{vitals.Energy:G4} J (kinetic {vitals.KineticEnergy:G3}, elastic {vitals.ElasticEnergy:G3})");
+            EditorGUILayout.LabelField("Fastest", $"{vitals.MaxSpeed:G3} m/s");
+            EditorGUILayout.LabelField("Density / rest density", $"{vitals.MinDensityRatio:0.00} to {vitals.MaxDensityRatio:0.00}");
+            EditorGUILayout.LabelField("Mean compression", $"{100.0 * vitals.MeanCompression:0.0} %");
+            EditorGUILayout.LabelField("Most neighbours", vitals.MaxNeighbours.ToString());
+            EditorGUILayout.LabelField("Clumped, escaped", $"{vitals.Clumped}, {vitals.Escaped}");
+            EditorGUILayout.LabelField("Not finite", vitals.NonFinite.ToString());
+        }
+    }
+}

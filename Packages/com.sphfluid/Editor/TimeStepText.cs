@@ -1,0 +1,69 @@
+using System;
+using System.Collections.Generic;
+
+namespace SphFluid.Editor
+{
+    /// <summary>The constants that the rules chose and the advice on the time step, as the inspector shows them.</summary>
+    public readonly struct TimeStepText
+    {
+        TimeStepText(List<(string, string)> lines, string advice)
+        {
+            Lines = lines;
+            Advice = advice;
+        }
+
+        /// <summary>Labels and values.</summary>
+        public IReadOnlyList<(string Label, string Value)> Lines { get; }
+
+        /// <summary>The advice as a sentence.</summary>
+        public string Advice { get; }
+
+        /// <summary>Of a simulation that would start with these constants, at the fastest speed that they are made for.</summary>
+        /// <param name="simulation">The simulation, with a profile.</param>
+        /// <param name="constants">Its constants.</param>
+        /// <returns>The text.</returns>
+        public static TimeStepText Before(FluidSimulation simulation, in FluidSolverSettings constants)
+        {
+            double step = simulation.TimeStepMode == FluidTimeStepMode.Adaptive
+                ? TimeStepAdvice.For(constants, constants.MaxSpeed).Step(simulation.Profile.TimeStepFraction)
+                : constants.TimeStep;
+            return Of(constants, constants.MaxSpeed, step);
+        }
+
+        /// <summary>Of a running simulation at its measured speed.</summary>
+        /// <param name="simulation">The simulation.</param>
+        /// <returns>The text.</returns>
+        public static TimeStepText Now(FluidSimulation simulation)
+        {
+            float speed = simulation.Solver.Counters.MaxSpeed;
+            return Of(simulation.Solver.Settings, speed < float.PositiveInfinity ? speed : float.MaxValue, simulation.TimeStep);
+        }
+
+        static TimeStepText Of(in FluidSolverSettings settings, float speed, double step)
+        {
+            TimeStepAdvice advice = TimeStepAdvice.For(settings, speed);
+            var lines = new List<(string, string)>
+            {
+                ("Speed of sound c", FormattableString.Invariant($"{settings.SoundSpeed:G4} m/s")),
+                ("Stiffness k", FormattableString.Invariant($"{settings.Stiffness:G4} m²/s²")),
+                ("Viscosity ν", FormattableString.Invariant($"{settings.Viscosity / settings.RestDensity:G3} m²/s")),
+                ("Time step", TimeStepAdvice.Milliseconds(step)),
+                ("Largest stable step", FormattableString.Invariant($"{TimeStepAdvice.Milliseconds(advice.Largest)} at {speed:G3} m/s")),
+                ("Limited by", Name(advice.Limit)),
+                ("Share in use", FormattableString.Invariant($"{100.0 * step / advice.Largest:0} %")),
+            };
+            return new TimeStepText(lines, advice.Explain(step));
+        }
+
+        static string Name(TimeStepLimit limit)
+        {
+            switch (limit)
+            {
+                case TimeStepLimit.Acoustic: return "speed of sound";
+                case TimeStepLimit.Speed: return "fastest particle";
+                case TimeStepLimit.Viscosity: return "viscosity";
+                default: return "stiffness of walls";
+            }
+        }
+    }
+}

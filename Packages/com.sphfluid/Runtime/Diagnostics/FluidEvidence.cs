@@ -1,0 +1,133 @@
+using System;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>What the detectors look at: a liquid's constants, its vitals at the start, before and now, and the guards' counts.</summary>
+    internal sealed class FluidEvidence
+    {
+        // Energy that a liquid may gain before it counts: a twentieth of what it had, and motion at a fiftieth of the speed of sound.
+        const double EnergyShare = 0.05;
+        const double QuietMach = 0.02;
+
+        FluidSolverSettings settings;
+        double lowestPotential;
+        FluidCounters countersBefore;
+        FluidCounters counters;
+        bool hasFirst;
+
+        public FluidEvidence(in FluidSolverSettings settings, FluidMethodKind kind, double realViscosity)
+        {
+            Kind = kind;
+            RealViscosity = realViscosity;
+            Take(settings);
+        }
+
+        public FluidMethodKind Kind { get; }
+        public double RealViscosity { get; }
+        public ref readonly FluidSolverSettings Settings => ref settings;
+        public TimeStepAdvice Advice { get; private set; }
+        public bool HasVitals { get; private set; }
+        public FluidVitals First { get; private set; }
+        public FluidVitals Now { get; private set; }
+
+        /// <summary>Length of the steps in use [s].</summary>
+        public double TimeStep { get; private set; }
+
+        public long NewClampHits => counters.AccelerationLimitHits - countersBefore.AccelerationLimitHits;
+        public long NewDomainClamps => counters.DomainClamps - countersBefore.DomainClamps;
+        public long NewNonFinite => counters.NonFinite - countersBefore.NonFinite;
+
+        /// <summary>κ = R/dx.</summary>
+        public double SupportRatio => settings.SupportRadius / (double)settings.Spacing;
+
+        /// <summary>ν [m²/s].</summary>
+        public double KinematicViscosity => settings.Viscosity / (double)settings.RestDensity;
+
+        /// <summary>√(gH) of the fall that the constants are made for [m/s].</summary>
+        public double WaveSpeed => settings.MaxSpeed / Math.Sqrt(2.0);
+
+        /// <summary>Müller's density by poly6, pressure by the spiky kernel: such a method needs viscosity.</summary>
+        public bool HasTwoKernels => Kind == FluidMethodKind.Thesis || Kind == FluidMethodKind.ThesisPrinted;
+
+        public double ClumpedShare => Share(Now.Clumped);
+
+        /// <summary>Whether something outside gives the liquid energy: a moving wall, or gravity around a periodic axis.</summary>
+        public bool IsDriven { get; private set; }
+
+        /// <summary>Energy over that of all liquid at rest in the lowest corner of the domain [J].</summary>
+        public double AvailableEnergy(in FluidVitals vitals) => vitals.Energy - Mass(vitals) * lowestPotential;
+
+        /// <summary>Largest energy that is no growth [J].</summary>
+        public double EnergyLimit
+        {
+            get
+            {
+                double quiet = QuietMach * settings.SoundSpeed;
+                return (1.0 + EnergyShare) * AvailableEnergy(First) + 0.5 * Mass(First) * quiet * quiet;
+            }
+        }
+
+        public bool EnergyGrows => HasVitals && !IsDriven && AvailableEnergy(Now) > EnergyLimit;
+
+        public double Share(double particles) => particles / Math.Max(1, Now.ParticleCount);
+
+        /// <summary>Takes note of the constants.</summary>
+        /// <returns>Whether they changed.</returns>
+        public bool Take(in FluidSolverSettings now)
+        {
+            if (Advice.SoundSpeed > 0.0 && Same(now, settings)) return false;
+            bool energyStays = now.Gravity == settings.Gravity && now.BodyForce.Equals(settings.BodyForce) &&
+                now.ParticleMass == settings.ParticleMass && now.SoundSpeed == settings.SoundSpeed && now.RestDensity == settings.RestDensity;
+            if (!energyStays) Rebase();
+            settings = now;
+            TimeStep = now.TimeStep;
+            Advice = TimeStepAdvice.For(now, 0.0);
+            IsDriven = HasMovingWall(now.Boundaries) || Vector3.Scale(now.Gravity, now.PeriodLength) != Vector3.zero;
+            lowestPotential = LowestPotential(now);
+            return true;
+        }
+
+        public void Note(in FluidVitals vitals, in FluidCounters counts)
+        {
+            if (HasVitals && vitals.Step > Now.Step) TimeStep = (vitals.Time - Now.Time) / (vitals.Step - Now.Step);
+            else if (!HasVitals && vitals.Step > 0) TimeStep = vitals.Time / vitals.Step;
+            if (!hasFirst) First = vitals;
+            hasFirst = true;
+            HasVitals = true;
+            Now = vitals;
+            countersBefore = counters;
+            counters = counts;
+        }
+
+        public void Rebase() => hasFirst = false;
+
+        double Mass(in FluidVitals vitals) => settings.ParticleMass * (double)(vitals.ParticleCount - vitals.NonFinite);
+
+        static bool HasMovingWall(in FluidBoundaries faces) =>
+            faces.LowX != Vector3.zero || faces.LowY != Vector3.zero || faces.LowZ != Vector3.zero ||
+            faces.HighX != Vector3.zero || faces.HighY != Vector3.zero || faces.HighZ != Vector3.zero;
+
+        // Per mass: gravity's in its lowest corner; a body force's that pushes away, in its farthest.
+        static double LowestPotential(in FluidSolverSettings settings)
+        {
+            double lowest = 0.0;
+            for (int axis = 0; axis < 3; axis++)
+            {
+                if (settings.PeriodLength[axis] > 0f) continue;
+                double half = 0.5 * settings.DomainSize[axis], far = half + Math.Abs(settings.BodyForce.Centre[axis]);
+                lowest -= Math.Abs(settings.Gravity[axis]) * half;
+                lowest += 0.5 * Math.Min(0.0, settings.BodyForce.RateSquared[axis]) * far * far;
+            }
+            return lowest;
+        }
+
+        // Field by field: ValueType.Equals would box on every measurement.
+        static bool Same(in FluidSolverSettings a, in FluidSolverSettings b) =>
+            a.DomainSize == b.DomainSize && a.Spacing == b.Spacing && a.SupportRadius == b.SupportRadius && a.RestDensity == b.RestDensity &&
+            a.ParticleMass == b.ParticleMass && a.Stiffness == b.Stiffness && a.Viscosity == b.Viscosity && a.TimeStep == b.TimeStep &&
+            a.Gravity == b.Gravity && a.MaxSpeed == b.MaxSpeed && a.SelfDensity == b.SelfDensity && a.PressureHalf == b.PressureHalf &&
+            a.PressureClamp == b.PressureClamp && a.ForceTimesMass == b.ForceTimesMass && a.Boundaries.Equals(b.Boundaries) &&
+            a.AccelerationLimitEnabled == b.AccelerationLimitEnabled && a.BodyForce.Equals(b.BodyForce);
+    }
+}

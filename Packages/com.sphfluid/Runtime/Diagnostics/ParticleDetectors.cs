@@ -1,0 +1,98 @@
+using System;
+using static System.FormattableString;
+
+namespace SphFluid
+{
+    /// <summary>Detectors of particles where they should not be.</summary>
+    internal static class ParticleDetectors
+    {
+        const double ClumpedLimit = 0.01;
+        const double WideKernel = 3.0;
+        const double EscapedLimit = 0.001;
+        const double AtWallsLimit = 0.01;
+        const double CrowdingLimit = 1.5;
+        const double CrowdedNeighbours = 3.0;
+        const double StartCompression = 0.1;
+        const long StartSteps = 20;
+        const double StartSpeed = 2.0;
+
+        public static FluidFinding? TensileClumping(FluidEvidence e)
+        {
+            if (e.Settings.PressureClamp || !(e.Now.MinDensityRatio < 1.0) || !(e.ClumpedShare > ClumpedLimit)) return null;
+            return new FluidFinding(FluidFailure.TensileClumping, e.ClumpedShare, ClumpedLimit,
+                Invariant($"{100.0 * e.ClumpedShare:0.#} % of the particles have another nearer than half a spacing: suction draws them into clumps."),
+                "Set Thesis Switches > Pressure Clamp in the profile.");
+        }
+
+        public static FluidFinding? Pairing(FluidEvidence e)
+        {
+            if (!(e.SupportRatio >= WideKernel - 1e-6) || !(e.ClumpedShare > ClumpedLimit)) return null;
+            return new FluidFinding(FluidFailure.Pairing, e.ClumpedShare, ClumpedLimit,
+                Invariant($"{100.0 * e.ClumpedShare:0.#} % of the particles have another nearer than half a spacing: a support radius of {e.SupportRatio:0.##} spacings lets them pair."),
+                "Lower the profile's Support Ratio to 2.5 or less.");
+        }
+
+        public static FluidFinding? CoincidentParticles(FluidEvidence e)
+        {
+            if (e.Now.Coincident == 0) return null;
+            return new FluidFinding(FluidFailure.CoincidentParticles, e.Now.Coincident, 0.0,
+                Invariant($"{e.Now.Coincident} particles lie in the place of another, where no pressure can part them the right way."),
+                "Give each particle a place of its own, or use Start Jitter.");
+        }
+
+        public static FluidFinding? Escaped(FluidEvidence e)
+        {
+            double share = e.Share(e.Now.Escaped + e.NewDomainClamps);
+            if (!(share > EscapedLimit)) return null;
+            return new FluidFinding(FluidFailure.Escaped, share, EscapedLimit,
+                Invariant($"{e.Now.Escaped} particles are outside the domain and {e.NewDomainClamps} were put back onto its faces since the last measurement."),
+                "Raise Expected Speed, or the profile's Wall Stiffness Ratio.");
+        }
+
+        public static FluidFinding? WallStacking(FluidEvidence e)
+        {
+            double share = e.Share(e.Now.AtWalls);
+            if (share > AtWallsLimit)
+                return new FluidFinding(FluidFailure.WallStacking, share, AtWallsLimit,
+                    Invariant($"{100.0 * share:0.#} % of the particles touch the domain's walls, nearer than a tenth of a spacing."),
+                    "Raise the profile's Wall Stiffness Ratio or Wall Distance Ratio.");
+            if (!(e.Now.WallCrowding > CrowdingLimit)) return null;
+            return new FluidFinding(FluidFailure.WallStacking, e.Now.WallCrowding, CrowdingLimit,
+                Invariant($"The layer next to the domain's walls holds {e.Now.WallCrowding:0.##} times the particles of one layer: they stack there."),
+                "Raise the profile's Viscosity Ratio, and set Thesis Switches > Pressure Clamp.");
+        }
+
+        public static FluidFinding? Overflow(FluidEvidence e)
+        {
+            double limit = CrowdedNeighbours * 4.0 / 3.0 * Math.PI * Math.Pow(e.SupportRatio, 3.0);
+            if (!(e.Now.MaxNeighbours > limit)) return null;
+            return new FluidFinding(FluidFailure.Overflow, e.Now.MaxNeighbours, limit,
+                Invariant($"A particle has {e.Now.MaxNeighbours} neighbours, over three times those of liquid at rest, and a cell holds {e.Now.MaxCellCount}: ") +
+                "nothing is lost, but steps take that much longer.",
+                "Look for liquid that starts inside other liquid; else raise the profile's Sound Speed Ratio.");
+        }
+
+        public static FluidFinding? OverlappingStart(FluidEvidence e)
+        {
+            double compression = e.Now.MaxDensityRatio - 1.0;
+            if (e.Now.Step == 0 && compression > StartCompression)
+                return new FluidFinding(FluidFailure.OverlappingStart, compression, StartCompression,
+                    Invariant($"The liquid starts compressed by {100.0 * compression:0} % somewhere: it will burst apart."),
+                    "Move liquid apart that starts inside other liquid, and use a Start Jitter of 0.1 or less.");
+            double limit = StartSpeed * Math.Max(e.Settings.MaxSpeed, e.First.MaxSpeed);
+            if (e.First.Step != 0 || e.Now.Step > StartSteps || e.TimeStep > e.Advice.Acoustic || !(e.Now.MaxSpeed > limit)) return null;
+            return new FluidFinding(FluidFailure.OverlappingStart, e.Now.MaxSpeed, limit,
+                Invariant($"After {e.Now.Step} steps a particle moves at {e.Now.MaxSpeed:G3} m/s, over twice the fastest speed expected: the liquid starts inside something."),
+                "Move the liquid volume and the colliders apart.");
+        }
+
+        public static FluidFinding? StaleGrid(FluidEvidence e)
+        {
+            long missing = e.Now.Misplaced + Math.Abs(e.Now.Listed - e.Now.ParticleCount);
+            if (missing == 0) return null;
+            return new FluidFinding(FluidFailure.StaleGrid, missing, 0.0,
+                Invariant($"The neighbour grid is not that of the present positions: {e.Now.Misplaced} particles are not in their cell, and all cells together hold {e.Now.Listed} of {e.Now.ParticleCount}."),
+                "Record the neighbour setup after every change of the particles; from a script, start a new solver instead of writing its buffers.");
+        }
+    }
+}

@@ -1,0 +1,155 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Watches the simulation on the same GameObject: measures its liquid every few frames without waiting for the GPU, and names what goes
+    /// wrong with the setting that cures it. Runs in the Editor and in development builds; in release players where <see cref="RunInPlayers"/>
+    /// says so.
+    /// </summary>
+    [AddComponentMenu("SPH Fluid/Fluid Diagnostics")]
+    [RequireComponent(typeof(FluidSimulation))]
+    [DisallowMultipleComponent]
+    [DefaultExecutionOrder(110)]
+    public sealed class FluidDiagnostics : MonoBehaviour
+    {
+        // A GPU that lags further behind is not given more to measure.
+        const int MostUnderWay = 4;
+
+        [SerializeField, Range(1, 1000), Tooltip("Frames from one measurement to the next. A measurement costs about as much as the density pass of one step.")]
+        int interval = 10;
+
+        [SerializeField, Tooltip("Run in release builds too. Off: in the Editor and in development builds only.")]
+        bool runInPlayers;
+
+        readonly FindingEpisodes episodes = new FindingEpisodes();
+        FluidSimulation simulation;
+        FluidVitalsMeter meter;
+        FluidDetectors detectors;
+        FluidSolver refused;
+        CommandBuffer commands;
+        int countdown;
+        long colliderChanges;
+
+        /// <summary>Raised on the main thread with each measurement, after <see cref="Findings"/> was brought up to date.</summary>
+        public event Action<FluidVitals> Measured;
+
+        /// <summary>Raised when a failure is found that was not there before, after it was reported.</summary>
+        public event Action<FluidFinding> Found;
+
+        /// <summary>Frames from one measurement to the next, at least 1.</summary>
+        public int Interval { get => Mathf.Max(1, interval); set => interval = value; }
+
+        /// <summary>Whether release players measure too.</summary>
+        public bool RunInPlayers { get => runInPlayers; set => runInPlayers = value; }
+
+        /// <summary>Whether this build measures.</summary>
+        public bool Runs => RunsIn(Application.isEditor, Debug.isDebugBuild, runInPlayers);
+
+        /// <summary>The last measurement; all zero before the first.</summary>
+        public FluidVitals Vitals { get; private set; }
+
+        /// <summary>Measurements of the present run of the simulation.</summary>
+        public long MeasurementCount { get; private set; }
+
+        /// <summary>What is wrong as of the last measurement; empty when all is well or nothing runs.</summary>
+        public IReadOnlyList<FluidFinding> Findings { get; private set; } = Array.Empty<FluidFinding>();
+
+        /// <summary>Energies are compared from the next measurement on: for scripts that give the liquid energy on purpose.</summary>
+        public void Rebase() => detectors?.Rebase();
+
+        internal static bool RunsIn(bool editor, bool developmentBuild, bool wanted) => editor || developmentBuild || wanted;
+
+        void LateUpdate()
+        {
+            if (simulation == null) TryGetComponent(out simulation);
+            FluidSolver solver = simulation != null && Runs ? simulation.Solver : null;
+            if (solver == null || solver == refused)
+            {
+                Forget();
+                return;
+            }
+            if (meter == null || meter.Solver != solver) Begin(solver);
+            if (meter == null || --countdown > 0 || meter.UnderWay >= MostUnderWay) return;
+            countdown = Interval;
+            Measure();
+        }
+
+        void OnDisable() => Forget();
+
+        void OnDestroy() => commands?.Dispose();
+
+        void Begin(FluidSolver solver)
+        {
+            Forget();
+            try
+            {
+                meter = new FluidVitalsMeter(simulation.Profile.Shaders, solver);
+            }
+            catch (FluidDeviceException exception)
+            {
+                refused = solver;
+                simulation.Report(new FluidMessage(FluidSeverity.Warning, FluidIssue.Diagnosis, simulation, exception.Message,
+                    "The liquid runs without diagnostics."));
+                return;
+            }
+            meter.MeasuredAt += Receive;
+            detectors = new FluidDetectors(solver.Settings, solver.Kind, simulation.Profile.KinematicViscosity);
+            colliderChanges = simulation.Collision.Changes;
+            Take(detectors.Check());
+        }
+
+        void Measure()
+        {
+            // A collider that moved since the last measurement has done work.
+            long changes = simulation.Collision.Changes;
+            commands ??= new CommandBuffer { name = "Fluid Diagnostics" };
+            commands.Clear();
+            meter.Record(commands, changes != colliderChanges);
+            Graphics.ExecuteCommandBuffer(commands);
+            colliderChanges = changes;
+        }
+
+        void Receive(FluidVitals vitals, FluidMoment moment)
+        {
+            detectors.Apply(moment.Settings);
+            if (moment.WorkDone) detectors.Rebase();
+            Vitals = vitals;
+            MeasurementCount++;
+            Take(detectors.Note(vitals, meter.Solver.Counters));
+            Measured?.Invoke(vitals);
+        }
+
+        void Take(IReadOnlyList<FluidFinding> findings)
+        {
+            Findings = findings;
+            episodes.Begin();
+            for (int i = 0; i < findings.Count; i++)
+            {
+                FluidFinding finding = findings[i];
+                if (!episodes.IsNew(finding.Failure) || !IsTold(finding.Failure)) continue;
+                simulation.Report(new FluidMessage(FluidSeverity.Warning, FluidIssue.Diagnosis, simulation, finding.Text, finding.Cure));
+                Found?.Invoke(finding);
+            }
+        }
+
+        // True of every thin liquid that the method calms: worth showing, no warning.
+        static bool IsTold(FluidFailure failure) => failure != FluidFailure.NumericalViscosity;
+
+        void Forget()
+        {
+            if (meter == null) return;
+            meter.Dispose();
+            meter = null;
+            detectors = null;
+            countdown = 0;
+            MeasurementCount = 0;
+            Vitals = default;
+            Findings = Array.Empty<FluidFinding>();
+            episodes.Clear();
+        }
+    }
+}

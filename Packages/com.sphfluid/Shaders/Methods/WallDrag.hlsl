@@ -1,0 +1,47 @@
+#ifndef SPHFLUID_WALL_DRAG
+#define SPHFLUID_WALL_DRAG
+
+// Walls that hold the liquid next to them (no slip). The stress of a particle at a distance d, mu (v - v_wall) / d, acts on
+// the mass of its layer, rho dx an area: a = -nu (v - v_wall) / (d dx), in the wall's plane, where d < dx.
+// A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_NO_SLIP".
+#include "../Neighbours/PeriodicAxes.hlsl"
+
+#if defined(FLUID_NO_SLIP)
+float _DragSpeed;    // nu / dx, m/s
+float _DragDistance; // dx, m
+float _DragStep;     // s, the step of the velocities
+float3 _WallLowX;    // m/s, velocities of the domain's faces, each within its plane
+float3 _WallLowY;
+float3 _WallLowZ;
+float3 _WallHighX;
+float3 _WallHighY;
+float3 _WallHighZ;
+
+// 1/s; a twentieth of dx is the nearest that counts.
+float3 DragRate(float3 wallDistance)
+{
+    return wallDistance < _DragDistance ? _DragSpeed / max(wallDistance, 0.05 * _DragDistance) : float3(0.0, 0.0, 0.0);
+}
+
+// The six faces; each rubs along two axes. A step takes the whole difference of the velocities at most.
+// Worked example: 0.5 dx from the lower y face, nu dt = 0.1 dx^2: rates (0, r, 0), r = 2 nu / dx^2; x and z lose 0.2 of v.
+float3 DomainDrag(float3 low, float3 high, float3 velocity)
+{
+    const float3 rateLow = WhereWalls(DragRate(low));
+    const float3 rateHigh = WhereWalls(DragRate(high));
+    const float3 rates = rateLow + rateHigh;
+    const float3 rate = rates.yzx + rates.zxy;
+    const float3 drive = rateLow.x * _WallLowX + rateHigh.x * _WallHighX + rateLow.y * _WallLowY + rateHigh.y * _WallHighY
+        + rateLow.z * _WallLowZ + rateHigh.z * _WallHighZ;
+    return (drive - rate * velocity) / max(rate * _DragStep, 1.0);
+}
+
+// A mesh at rest, by its nearest point: the unit vector and the distance from there, zero behind a closed one.
+float3 MeshDrag(float3 away, float meshDistance, float3 velocity)
+{
+    const float rate = DragRate(meshDistance.xxx).x;
+    return (away * dot(velocity, away) - velocity) * min(rate, 1.0 / _DragStep);
+}
+#endif
+
+#endif

@@ -1,0 +1,42 @@
+#ifndef SPHFLUID_PERIODIC_AXES
+#define SPHFLUID_PERIODIC_AXES
+
+// Axes of the domain box whose two faces are one: what leaves at one comes in at the other.
+// A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_PERIODIC".
+#if defined(FLUID_PERIODIC)
+float3 _PeriodLength; // m, the box along the axis; 0: the axis has walls
+float3 _PeriodRate;   // 1/m, its inverse; 0 likewise
+#endif
+
+// From the second position to the first; along periodic axes from the nearest image of the second.
+// Worked example on an axis of 1 m: from 0.4 to -0.45 it is 0.15, not -0.85.
+float3 Separation(float3 position, float3 from)
+{
+    float3 d = position - from;
+#if defined(FLUID_PERIODIC)
+    d -= _PeriodLength * round(d * _PeriodRate);
+#endif
+    return d;
+}
+
+// The position inside the box along periodic axes; the clamp takes a rounding of the faces only.
+float3 WrapPosition(float3 position)
+{
+#if defined(FLUID_PERIODIC)
+    const float3 wrapped = position - _PeriodLength * floor(position * _PeriodRate + 0.5);
+    const float3 inside = clamp(wrapped, -0.5 * _PeriodLength, 0.5 * _PeriodLength);
+    position = _PeriodLength > 0.0 ? inside : position;
+#endif
+    return position;
+}
+
+// A value an axis where that axis has walls, zero where it is periodic.
+float3 WhereWalls(float3 value)
+{
+#if defined(FLUID_PERIODIC)
+    value = _PeriodLength > 0.0 ? float3(0.0, 0.0, 0.0) : value;
+#endif
+    return value;
+}
+
+#endif

@@ -1,0 +1,90 @@
+using System.Collections.Generic;
+using NUnit.Framework;
+using SphFluid.Validation;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Small runs on the GPU: what the thesis method gives, with room for another device's rounding.</summary>
+    public sealed class ImpactRunTests
+    {
+        [Test]
+        public void TheThesisColumnFalls()
+        {
+            var damBreak = new DamBreakCase();
+            CaseParameters parameters = ImpactCaseTests.Parameters(damBreak, "thesis", 8, 0.01);
+
+            CaseResult result = WallCaseRig.Run(damBreak, parameters, SurfaceTestScene.LoadShaders(), out CaseMetric metric);
+
+            Assert.That(result.Failure, Is.Null);
+            Assert.That(result.Errors[0].Value, Is.InRange(0.02, 0.06));
+            Assert.That(WallCaseStates.Named(metric, damBreak.CompanionErrorName), Is.InRange(0.06, 0.13));
+            Assert.That(WallCaseStates.Named(metric, "height, largest error"), Is.InRange(0.07, 0.18));
+            Assert.That(WallCaseStates.Named(metric, "height beside the wall's film, largest error"), Is.InRange(0.03, 0.1));
+        }
+
+        [Test]
+        public void ThePrintedColumnHardlyFalls()
+        {
+            var damBreak = new DamBreakCase();
+            CaseParameters parameters = ImpactCaseTests.Parameters(damBreak, "thesis-printed", 6, 0.01);
+
+            CaseResult result = WallCaseRig.Run(damBreak, parameters, SurfaceTestScene.LoadShaders(), out _);
+
+            Assert.That(result.Failure, Is.Null);
+            Assert.That(result.Errors[0].Value, Is.GreaterThan(0.3));
+        }
+
+        [Test]
+        public void MarinsWaterGoesRoundTheBox()
+        {
+            var marin = new MarinCase();
+            CaseParameters parameters = ImpactCaseTests.Parameters(marin, "thesis", 5, 0.01);
+            CaseSetup setup = marin.Build(parameters);
+            var metric = new BoxWatch(marin.CreateMetric(parameters, setup), setup);
+
+            setup.Obstacles = System.Array.Empty<Vector3[]>();
+            using (var run = new CaseRun(setup, metric, SurfaceTestScene.LoadShaders()))
+            {
+                CaseResult result = run.RunToEnd();
+                Assert.That(result.Failure, Is.Null);
+                Assert.That(result.Errors[0].Value, Is.InRange(0.22, 0.39));
+            }
+            Assert.That(metric.Near, Is.GreaterThan(100));
+            Assert.That(metric.Inside, Is.LessThan(0.01 * metric.Near), "near " + metric.Near);
+        }
+
+        // Counts particles over all samples: nearer to the box than a spacing, and in it.
+        sealed class BoxWatch : CaseMetric
+        {
+            readonly CaseMetric metric;
+            readonly Bounds box, near;
+
+            public BoxWatch(CaseMetric metric, CaseSetup setup)
+            {
+                this.metric = metric;
+                box = new Bounds(setup.Obstacles[0][0], Vector3.zero);
+                foreach (Vector3 corner in setup.Obstacles[0])
+                    box.Encapsulate(corner);
+                near = new Bounds(box.center, box.size + 2f * setup.Settings.Spacing * Vector3.one);
+                box.Expand(-0.2f * setup.Settings.Spacing);
+            }
+
+            public int Near { get; private set; }
+
+            public int Inside { get; private set; }
+
+            public override void Sample(double time, FluidSnapshot state)
+            {
+                metric.Sample(time, state);
+                foreach (Vector3 position in state.LocalPositions)
+                {
+                    Near += near.Contains(position) ? 1 : 0;
+                    Inside += box.Contains(position) ? 1 : 0;
+                }
+            }
+
+            public override IReadOnlyList<CaseError> Evaluate() => metric.Evaluate();
+        }
+    }
+}

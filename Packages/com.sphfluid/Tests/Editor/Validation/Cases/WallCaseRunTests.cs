@@ -1,0 +1,92 @@
+using System;
+using NUnit.Framework;
+using SphFluid.Validation;
+
+namespace SphFluid.Tests
+{
+    /// <summary>The cases between walls on the GPU, coarse: what the thesis method is known to give.</summary>
+    public sealed class WallCaseRunTests
+    {
+        FluidShaderSet shaders;
+
+        [SetUp]
+        public void CreateShaders() => shaders = TestShaders.CreateThesisSet();
+
+        [TearDown]
+        public void DestroyShaders() => UnityEngine.Object.DestroyImmediate(shaders);
+
+        [Test]
+        public void PressureReadsTwiceWithTheHalfOfEquation13()
+        {
+            var flow = new HydrostaticCase();
+            CaseParameters parameters = At(flow, 12, 4);
+            CaseSetup setup = flow.Build(parameters);
+            CaseResult withHalf = WallCaseRig.Run(flow, parameters, setup, shaders, out CaseMetric half);
+            ThesisSwitches full = ThesisSwitches.Corrected;
+            full.PressureHalf = false;
+            full.OctantSearch = false;
+            setup.Settings = setup.Settings.With(full);
+            CaseResult without = WallCaseRig.Run(flow, parameters, setup, shaders, out CaseMetric whole);
+
+            Assert.That(withHalf.Failure, Is.Null);
+            Assert.That(without.Failure, Is.Null);
+            double read = WallCaseStates.Named(half, "slope/(ρg), as read");
+            Assert.That(read, Is.InRange(1.95, 2.7));
+            Assert.That(WallCaseStates.Named(whole, "slope/(ρg), as read"), Is.EqualTo(0.5 * read).Within(0.1));
+            Assert.That(half.Evaluate()[0].Value, Is.EqualTo(read - 1).Within(1e-9));
+            Assert.That(WallCaseStates.Named(half, "height lost beyond the equation of state's"), Is.InRange(0.03, 0.12), "about a spacing of twelve");
+        }
+
+        [Test]
+        public void ThePrintedLimitLetsTheColumnCollapse()
+        {
+            // 6.3.3 as printed limits the fluid's own acceleration to √(gH) = 3.1 m/s², less than gravity.
+            var flow = new HydrostaticCase();
+            CaseParameters parameters = flow.Base(CaseMethod.Find("thesis-printed"));
+            parameters.Resolution = 12;
+            CaseResult result = WallCaseRig.Run(flow, parameters, shaders, out _);
+
+            Assert.That(result.Failure, Does.Contain("sunk"));
+            Assert.That(result.SimulatedSeconds, Is.LessThan(5 * Math.Sqrt(1 / 9.81)));
+        }
+
+        [Test]
+        public void TheWaveSwingsAtItsPeriodAndIsDampedTooMuch()
+        {
+            var flow = new StandingWaveCase();
+            CaseResult result = WallCaseRig.Run(flow, At(flow, 10, 6), shaders, out CaseMetric metric);
+
+            Assert.That(result.Failure, Is.Null);
+            Assert.That(result.Errors[0].Value, Is.LessThan(0.1));
+            Assert.That(WallCaseStates.Named(metric, "numerical viscosity/ν"), Is.InRange(0.5, 3.0));
+        }
+
+        [Test]
+        public void PoiseuilleAndCouetteFlowsStartUp()
+        {
+            var poiseuille = new PoiseuilleCase();
+            var couette = new CouetteCase();
+
+            Assert.That(WallCaseRig.Run(poiseuille, At(poiseuille, 8, 10), shaders, out _).Errors[0].Value, Is.LessThan(0.07));
+            Assert.That(WallCaseRig.Run(couette, At(couette, 8, 10), shaders, out _).Errors[0].Value, Is.LessThan(0.03));
+        }
+
+        [Test]
+        public void TheThesisWallsLeaveCouetteLiquidAtRest()
+        {
+            var couette = new CouetteCase { NoSlip = false };
+            WallCaseRig.Run(couette, At(couette, 8, 10), shaders, out CaseMetric metric);
+
+            Assert.That(WallCaseStates.Named(metric, "profile at the end, relative L2"), Is.EqualTo(1).Within(0.02));
+        }
+
+        // Corrected, coarse.
+        static CaseParameters At(ValidationCase flow, int resolution, double soundSpeedRatio)
+        {
+            CaseParameters parameters = flow.Base(CaseMethod.Find("thesis"));
+            parameters.Resolution = resolution;
+            parameters.SoundSpeedRatio = soundSpeedRatio;
+            return parameters;
+        }
+    }
+}

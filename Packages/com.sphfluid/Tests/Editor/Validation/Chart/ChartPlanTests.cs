@@ -1,0 +1,131 @@
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using SphFluid.Validation;
+
+namespace SphFluid.Tests
+{
+    public sealed class ChartPlanTests
+    {
+        static readonly ValidationCase[] cases = { new FlatCase("one"), new FlatCase("two") };
+
+        [Test]
+        public void FullPlanSweepsOneFactorAtATime()
+        {
+            ChartPlan plan = ChartPlan.Full(cases, CaseMethod.All);
+
+            List<ChartRun> runs = plan.Runs.Where(r => r.Config.Case == cases[1] && r.Config.Method.Name == "thesis").ToList();
+            // 12 × 0.5, 0.67, 1.5, 2; κ without 2; dt without 0.5; c × 0.5 and 2.
+            Assert.That(Values(runs, ChartFactor.Spacing, c => 1.0 / c.Spacing), Is.EqualTo(new[] { 6.0, 8.0, 18.0, 24.0 }).Within(1e-5));
+            Assert.That(Values(runs, ChartFactor.Support, c => c.SupportRatio), Is.EqualTo(new[] { 1.75, 2.25, 2.5, 3.0 }));
+            Assert.That(Values(runs, ChartFactor.TimeStep, c => c.TimeStepFraction), Is.EqualTo(new[] { 0.25, 0.75 }));
+            Assert.That(Values(runs, ChartFactor.SoundSpeed, c => c.SoundSpeedRatio), Is.EqualTo(new[] { 2.5, 10.0 }));
+            Assert.That(runs.Where(r => r.Config.Factor != ChartFactor.Base).All(r => DiffersInOne(r.Config)), Is.True);
+        }
+
+        [Test]
+        public void FullPlanHasFiveSeedsAtBasesAndThreeElsewhere()
+        {
+            ChartPlan plan = ChartPlan.Full(cases, CaseMethod.All);
+
+            foreach (IGrouping<string, ChartRun> seeds in plan.Runs.GroupBy(r => r.Config.Key))
+            {
+                int expected = seeds.First().Config.Factor == ChartFactor.Base ? 5 : 3;
+                Assert.That(seeds.Select(r => r.Seed), Is.EqualTo(Enumerable.Range(1, expected)), seeds.Key);
+            }
+            int points = cases.Length * CaseMethod.All.Count;
+            Assert.That(plan.Runs, Has.Count.EqualTo(points * (5 + 12 * 3)));
+            Assert.That(plan.Runs.Take(points).All(r => r.Config.Factor == ChartFactor.Base && r.Seed == 1), Is.True);
+            Assert.That(plan.Runs.All(r => r.Config.Parameters(r.Seed).Jitter == 0.01 && r.Config.Parameters(r.Seed).Seed == r.Seed), Is.True);
+        }
+
+        [Test]
+        public void LongRunsAreLeftOutAndToldOf()
+        {
+            double limit = new ChartRun(new ChartConfig(cases[0], cases[0].Base(CaseMethod.Find("thesis")), ChartFactor.Base), 1).Cost * 4.0;
+            ChartPlan all = ChartPlan.Full(cases, CaseMethod.All), limited = ChartPlan.Full(cases, CaseMethod.All, limit);
+
+            Assert.That(limited.Runs.Count + limited.LeftOut.Count, Is.EqualTo(all.Runs.Count));
+            Assert.That(limited.LeftOut.Any(r => r.Config.Factor == ChartFactor.Spacing && r.Config.Particles == 24 * 24 * 24), Is.True);
+            Assert.That(limited.Runs.All(r => r.Cost <= limit), Is.True);
+            Assert.That(limited.DescribeLeftOut(), Is.EqualTo("spacing dx of one, two"));
+        }
+
+        [Test]
+        public void ImpossiblePointsAreToldOf()
+        {
+            var small = new FlatCase("small") { SupportLimit = 2.5 };
+            ChartPlan plan = ChartPlan.Full(new[] { small }, new[] { CaseMethod.Find("thesis") });
+
+            Assert.That(plan.Unbuildable.Select(c => c.SupportRatio), Is.EqualTo(new[] { 2.5, 3.0 }));
+            Assert.That(plan.Unbuildable[0].Problem, Does.Contain("too small"));
+            Assert.That(plan.Runs.All(r => r.Config.SupportRatio < 2.5), Is.True);
+        }
+
+        [Test]
+        public void QuickPlanHasEveryFactorAndThreeSeedsAtBases()
+        {
+            ChartPlan plan = ChartPlan.Quick(cases, CaseMethod.All, double.PositiveInfinity);
+
+            Assert.That(plan.LeftOut, Is.Empty);
+            foreach (IGrouping<string, ChartRun> runs in plan.Runs.GroupBy(r => r.Config.Case.Name + r.Config.Method.Name))
+            {
+                Assert.That(runs.Count(r => r.Config.Factor == ChartFactor.Base), Is.EqualTo(3), runs.Key);
+                Assert.That(runs.Where(r => r.Config.Factor != ChartFactor.Base).Select(r => r.Config.Factor),
+                    Is.EquivalentTo(new[] { ChartFactor.Spacing, ChartFactor.Spacing, ChartFactor.Support, ChartFactor.TimeStep, ChartFactor.SoundSpeed }));
+                Assert.That(runs.Where(r => r.Config.Factor != ChartFactor.Base).All(r => r.Seed == 1), Is.True);
+            }
+        }
+
+        [Test]
+        public void QuickPlanKeepsItsBudget()
+        {
+            ValidationCase[] mixed = { new FlatCase("cheap", 8), new FlatCase("costly", 40) };
+            double cheap = new ChartRun(new ChartConfig(mixed[0], mixed[0].Base(CaseMethod.All[0]), ChartFactor.Base), 1).Cost;
+            double budget = 60.0 * cheap;
+            ChartPlan plan = ChartPlan.Quick(mixed, CaseMethod.All, budget);
+
+            Assert.That(plan.Cost, Is.LessThanOrEqualTo(budget));
+            Assert.That(plan.LeftOut, Is.Not.Empty);
+            Assert.That(plan.DescribeLeftOut(), Does.Contain("base of costly").And.Not.Contain("cheap"));
+            // What the cheap case leaves goes to the costly one's coarser points: each panel has one at least.
+            foreach (ValidationCase c in mixed)
+                Assert.That(plan.Runs.Count(r => r.Config.Case == c), Is.GreaterThan(0), c.Name);
+        }
+
+        [Test]
+        public void QuickPlanOfAllCasesTakesLessThanTenMinutesOnTwoCores()
+        {
+            ValidationCase[] charted = ValidationCases.All.Where(c => !c.IsGate).ToArray();
+            ChartPlan plan = ChartPlan.Quick(charted, CaseMethod.All);
+
+            Assert.That(plan.Cost / ChartPlan.SoftwareRate, Is.LessThan(540.0));
+            foreach (ValidationCase c in charted)
+            {
+                foreach (CaseMethod method in CaseMethod.All)
+                    Assert.That(plan.Runs.Any(r => r.Config.Case == c && r.Config.Method == method), Is.True, $"{c.Name}, {method.Name}");
+            }
+        }
+
+        [Test]
+        public void MoreNeighboursCostMore()
+        {
+            CaseParameters wide = cases[0].Base(CaseMethod.All[0]);
+            var narrow = new ChartRun(new ChartConfig(cases[0], wide, ChartFactor.Base), 1);
+            wide.SupportRatio = 3.0;
+
+            Assert.That(new ChartRun(new ChartConfig(cases[0], wide, ChartFactor.Support), 1).Cost, Is.GreaterThan(1.5 * narrow.Cost));
+        }
+
+        static IEnumerable<double> Values(IEnumerable<ChartRun> runs, ChartFactor factor, System.Func<ChartConfig, double> value) =>
+            runs.Where(r => r.Config.Factor == factor && r.Seed == 1).Select(r => value(r.Config));
+
+        static bool DiffersInOne(ChartConfig config)
+        {
+            CaseParameters start = config.Case.Base(config.Method), point = config.Parameters(1);
+            int differences = (start.Resolution != point.Resolution ? 1 : 0) + (start.SupportRatio != point.SupportRatio ? 1 : 0) +
+                (start.TimeStepFraction != point.TimeStepFraction ? 1 : 0) + (start.SoundSpeedRatio != point.SoundSpeedRatio ? 1 : 0);
+            return differences == 1;
+        }
+    }
+}

@@ -1,0 +1,182 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using NUnit.Framework;
+using SphFluid.Validation;
+
+namespace SphFluid.Tests
+{
+    public sealed class ChartScriptTests
+    {
+        string folder;
+
+        [SetUp]
+        public void SetUp()
+        {
+            folder = Path.Combine(Path.GetTempPath(), "sphfluid-chart-" + Guid.NewGuid().ToString("N"));
+            Directory.CreateDirectory(folder);
+        }
+
+        [TearDown]
+        public void TearDown() => Directory.Delete(folder, true);
+
+        [Test]
+        public void HasAPanelACaseAndWhatTheReaderNeeds()
+        {
+            string script = Script(new FlatCase("one"), new FlatCase("two"));
+
+            Assert.That(Count(script, "set title 'A cube''s rest'"), Is.EqualTo(2));
+            Assert.That(script, Does.Contain("title 'Error against GPU time. A ''fast'' one, 2026-11-21'"));
+            Assert.That(script, Does.Contain("set logscale xy"));
+            Assert.That(script, Does.Contain("format eq \"svg\"").And.Contain("pngcairo"));
+            Assert.That(script, Does.Contain("'4 ms/frame' at 240").And.Contain("'8 ms/frame' at 480"));
+            Assert.That(script, Does.Contain("first 0.04 fc rgb").And.Contain("reference floor 4 %"));
+            Assert.That(script, Does.Contain("title 'thesis, corrected'").And.Contain("title 'thesis, as printed'"));
+            Assert.That(script, Does.Contain("xyerrorbars"));
+        }
+
+        [Test]
+        public void ASweepRunsThroughTheBase()
+        {
+            string[] lines = Script(new FlatCase("one")).Split('\n');
+            int start = Array.FindIndex(lines, l => l.StartsWith("$p0_1_Support << END", StringComparison.Ordinal));
+
+            // κ 1.75 and 2.5 with the base's 2 between them; the last column marks the sweep's own points.
+            Assert.That(lines.Skip(start + 1).Take(4), Is.EqualTo(new[]
+            {
+                "100 0.175 90 110 0.165 0.185 1", "100 0.2 90 110 0.19 0.21 0", "100 0.25 90 110 0.24 0.26 1", "END",
+            }));
+        }
+
+        [Test]
+        public void FailedRunsAreOpenMarksAtTheTop()
+        {
+            string[] lines = Script(new FlatCase("one")).Split('\n');
+
+            int start = Array.FindIndex(lines, l => l.StartsWith("$p0_0_Base_failed << END", StringComparison.Ordinal));
+            Assert.That(lines.Skip(start + 1).Take(2), Is.EqualTo(new[] { "700", "END" }));
+            string plot = lines.Single(l => l.Contains("$p0_0_Base_failed using"));
+            Assert.That(plot, Does.Contain("pt 6"));
+            double top = double.Parse(plot.Split(new[] { "1:(" }, StringSplitOptions.None)[1].Split(')')[0], System.Globalization.CultureInfo.InvariantCulture);
+            Assert.That(top, Is.GreaterThan(0.3), "above every error");
+        }
+
+        [Test]
+        public void CompanionErrorStandsBesideTheMainOneWithTheCaution()
+        {
+            string script = Script(new FlatCase("zero"), new FlatCase("one") { Companion = "drift", Warning = "The gate's delay: " + new string('x', 170) });
+
+            Assert.That(script, Does.Contain("set ylabel 'height'").And.Contain("set ylabel 'drift'"));
+            Assert.That(script, Does.Contain("'The gate''s delay:'"), "wrapped");
+            Assert.That(script, Does.Contain("set bmargin 6"));
+            string[] ranges = script.Split('\n').Where(l => l.StartsWith("set yrange", StringComparison.Ordinal)).ToArray();
+            Assert.That(ranges, Has.Length.EqualTo(3));
+            Assert.That(ranges[1], Is.EqualTo(ranges[2]), "equal ranges compare");
+            Assert.That(ranges[0], Is.Not.EqualTo(ranges[1]));
+        }
+
+        [Test]
+        public void ACasesPictureHasItsCurvesAndTheReference()
+        {
+            var flat = new FlatCase("one");
+            CurveFile.Write(CurveFile.PathOf(folder, "one", "thesis"), "dx 0.1 m", FlatCase.Result(1.0, 0.1).Series);
+            string script = string.Join("\n", new CurveScript(flat, folder).Lines());
+
+            Assert.That(script, Does.Contain("set output 'case-one.png'"));
+            Assert.That(script, Does.Contain("title 'rest'").And.Contain("title 'thesis, corrected: height'"));
+            Assert.That(script, Does.Contain("set ylabel 'h/H'").And.Contain("'dx 0.1 m'"));
+            Assert.That(script, Does.Contain("\n0.02 0.998\n"));
+            Assert.That(new CurveScript(new FlatCase("two"), folder).IsEmpty, Is.True);
+        }
+
+        [Test]
+        public void GnuplotDrawsTheScripts()
+        {
+            if (Gnuplot.Draw(Write("empty.gp", "")) != null)
+                Assert.Ignore("gnuplot is not installed.");
+            CurveFile.Write(CurveFile.PathOf(folder, "one", "thesis"), "dx 0.1 m", FlatCase.Result(1.0, 0.1).Series);
+            ValidationCase[] cases = { new FlatCase("one") { Companion = "drift", Warning = "A caution." }, new FlatCase("two") };
+
+            Assert.That(Gnuplot.Draw(Write("accuracy.gp", Script(cases))), Is.Null);
+            Assert.That(Gnuplot.Draw(Write("case-one.gp", string.Join("\n", new CurveScript(cases[0], folder).Lines()))), Is.Null);
+
+            foreach (string file in new[] { "accuracy.png", "case-one.png" })
+                Assert.That(File.ReadAllBytes(Path.Combine(folder, file)).Take(4), Is.EqualTo(new byte[] { 0x89, (byte)'P', (byte)'N', (byte)'G' }), file);
+            Assert.That(File.ReadAllText(Path.Combine(folder, "accuracy.svg")), Does.Contain("</svg>").And.Contain("reference floor"));
+        }
+
+        [Test]
+        public void AMissingGnuplotIsToldInOneLine()
+        {
+            string script = Write("accuracy.gp", "plot x");
+            string told = Gnuplot.Draw(script, "no-such-gnuplot");
+
+            Assert.That(told, Does.Contain("apt-get install gnuplot-nox").And.Contain("gnuplot accuracy.gp").And.Not.Contain("\n"));
+            Assert.That(File.Exists(script), Is.True);
+        }
+
+        [Test]
+        public void ABrokenScriptIsTold()
+        {
+            if (Gnuplot.Draw(Write("empty.gp", "")) != null)
+                Assert.Ignore("gnuplot is not installed.");
+            Assert.That(Gnuplot.Draw(Write("broken.gp", "plott x")), Does.Contain("broken.gp").And.Contain("invalid command"));
+        }
+
+        [TestCase(0.011, 0.9, new[] { 0.01, 0.1, 1.0 })]
+        [TestCase(0.1, 0.2, new[] { 0.1, 0.2 })]
+        [TestCase(0.03, 0.7, new[] { 0.05, 0.1, 0.2, 0.5 })]
+        public void AxesHaveTheirOwnTics(double low, double high, double[] tics)
+        {
+            ChartAxis axis = ChartAxis.Of(new[] { low, high });
+
+            Assert.That(axis.Low, Is.LessThan(low));
+            Assert.That(axis.High, Is.GreaterThan(high));
+            Assert.That(axis.Tics(), Is.EqualTo(tics));
+        }
+
+        [TestCase(0.02, "2 %", "0.02")]
+        [TestCase(0.001, "0.1 %", "0.001")]
+        [TestCase(20000, "2E+06 %", "20k")]
+        [TestCase(500, "5E+04 %", "500")]
+        [TestCase(2e6, "2E+08 %", "2M")]
+        public void LabelsAreShort(double value, string percent, string plain)
+        {
+            Assert.That(ChartAxis.Percent(value), Is.EqualTo(percent));
+            Assert.That(ChartAxis.Short(value), Is.EqualTo(plain));
+        }
+
+        // Base and two κ of the corrected method, and a base of the printed one that fails. Errors are κ/10, 0.01 apart.
+        static string Script(params ValidationCase[] cases)
+        {
+            var table = new ChartTable("A 'fast' one");
+            foreach (ValidationCase validationCase in cases)
+            {
+                foreach (double kappa in new[] { 2.0, 2.5, 1.75 })
+                {
+                    CaseParameters parameters = validationCase.Base(CaseMethod.Find("thesis"));
+                    parameters.SupportRatio = kappa;
+                    for (int seed = 1; seed <= 3; seed++)
+                    {
+                        table.Add(new ChartRun(new ChartConfig(validationCase, parameters, ChartFactor.Support), seed),
+                            FlatCase.Result(100 + (seed - 2) * 10, 0.1 * kappa + 0.01 * (seed - 2)), "2026-11-21");
+                    }
+                }
+                table.Add(new ChartRun(new ChartConfig(validationCase, validationCase.Base(CaseMethod.Find("thesis-printed")), ChartFactor.Base), 1),
+                    FlatCase.Result(700, 0.0, "energy grew"), "2026-11-21");
+            }
+            List<IReadOnlyList<ChartPanel>> groups = cases.Select(c => ChartPanel.Of(c, table.Rows)).ToList();
+            return string.Join("\n", new ChartScript(groups, table.Device, "2026-11-21").Lines());
+        }
+
+        string Write(string name, string text)
+        {
+            string file = Path.Combine(folder, name);
+            File.WriteAllText(file, text);
+            return file;
+        }
+
+        static int Count(string text, string part) => text.Split(new[] { part }, StringSplitOptions.None).Length - 1;
+    }
+}

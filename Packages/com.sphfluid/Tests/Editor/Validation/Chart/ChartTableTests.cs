@@ -1,0 +1,131 @@
+using System;
+using System.IO;
+using System.Linq;
+using NUnit.Framework;
+using SphFluid.Validation;
+
+namespace SphFluid.Tests
+{
+    public sealed class ChartTableTests
+    {
+        const string Device = "A \"fast\" one, with 2 cores";
+
+        static readonly FlatCase flat = new FlatCase("flat");
+        string folder;
+
+        [SetUp]
+        public void SetUp() => folder = Path.Combine(Path.GetTempPath(), "sphfluid-chart-" + Guid.NewGuid().ToString("N"));
+
+        [TearDown]
+        public void TearDown()
+        {
+            if (Directory.Exists(folder))
+                Directory.Delete(folder, true);
+        }
+
+        [Test]
+        public void HasTheColumnsThatOthersRead()
+        {
+            Assert.That(string.Join(",", ChartRow.Columns), Is.EqualTo("case,method,dx,kappa,dt_fraction,c_or_iterations,particles,seed," +
+                "gpu_ms_per_sim_s,cpu_ms_per_sim_s,error,error_name,failed,reason,device,date,steps"));
+        }
+
+        [Test]
+        public void EveryErrorOfARunHasALineTheMainOneFirst()
+        {
+            ChartTable table = Written(FlatCase.Result(1234.5, 0.125));
+            string[] lines = File.ReadAllLines(Path.Combine(folder, "accuracy.csv"));
+
+            Assert.That(table.Rows, Has.Count.EqualTo(2));
+            Assert.That(lines, Has.Length.EqualTo(3));
+            Assert.That(lines[1], Is.EqualTo("flat,thesis,0.0833333,2,0.5,5,1728,3,1234.5,617.25,0.125,height,0,,\"A \"\"fast\"\" one, with 2 cores\",2026-11-21,120"));
+            Assert.That(lines[2], Does.Contain(",-0.0125,drift,0,"));
+        }
+
+        [Test]
+        public void AFailedRunHasALineWithItsReason()
+        {
+            Written(FlatCase.Result(double.NaN, 0.0, "3 of 1728 values are not finite, at 0.2 s"));
+
+            Assert.That(File.ReadAllLines(Path.Combine(folder, "accuracy.csv")).Last(),
+                Is.EqualTo("flat,thesis,0.0833333,2,0.5,5,1728,3,,,,height,1,\"3 of 1728 values are not finite, at 0.2 s\",\"A \"\"fast\"\" one, with 2 cores\",2026-11-21,120"));
+        }
+
+        [Test]
+        public void AnErrorThatCouldNotBeMeasuredIsAFailure()
+        {
+            ChartRow row = Written(FlatCase.Result(10.0, double.NaN)).Rows[0];
+
+            Assert.That(row.Failed, Is.True);
+            Assert.That(row.Reason, Does.Contain("height could not be measured"));
+        }
+
+        [Test]
+        public void ReadsWhatItWrote()
+        {
+            ChartTable written = Written(FlatCase.Result(1234.5, 0.125));
+            ChartTable read = ChartTable.Load(folder, Device);
+
+            Assert.That(read.Rows.Select(r => r.ToLine()), Is.EqualTo(written.Rows.Select(r => r.ToLine())));
+            Assert.That(read.Contains(Run(3)), Is.True);
+            Assert.That(read.Contains(Run(4)), Is.False, "another seed");
+            CaseParameters other = flat.Base(CaseMethod.Find("thesis"));
+            other.SupportRatio = 2.25;
+            Assert.That(read.Contains(new ChartRun(new ChartConfig(flat, other, ChartFactor.Support), 3)), Is.False, "another κ");
+        }
+
+        [Test]
+        public void ARunOfAnotherNumberOfParticlesIsDoneAgainAndReplaced()
+        {
+            ChartTable table = Written(FlatCase.Result(1234.5, 0.125));
+            string file = Path.Combine(folder, "accuracy.csv");
+            File.WriteAllText(file, File.ReadAllText(file).Replace(",1728,", ",1727,"));
+            table = ChartTable.Load(folder, Device);
+
+            Assert.That(table.Contains(Run(3)), Is.False);
+            table.Add(Run(3), FlatCase.Result(1.0, 0.1), "2026-11-22");
+            Assert.That(table.Rows.Select(r => r.Particles), Is.EqualTo(new[] { 1728, 1728 }));
+        }
+
+        [Test]
+        public void RefusesAnotherDevicesTable()
+        {
+            Written(FlatCase.Result(1.0, 0.1));
+
+            var exception = Assert.Throws<CommandLineException>(() => ChartTable.Load(folder, "another"));
+            Assert.That(exception.Message, Does.Contain("another").And.Contain(Device).And.Contain("--out"));
+        }
+
+        [Test]
+        public void RefusesOtherColumnsAndBrokenLines()
+        {
+            Written(FlatCase.Result(1.0, 0.1));
+            string file = Path.Combine(folder, "accuracy.csv");
+            string text = File.ReadAllText(file);
+            File.WriteAllText(file, text + "flat,thesis,0.1\n");
+            Assert.That(() => ChartTable.Load(folder, Device), Throws.TypeOf<CommandLineException>().With.Message.Contains("line 4"));
+
+            File.WriteAllText(file, text.Replace("kappa", "k"));
+            Assert.That(() => ChartTable.Load(folder, Device), Throws.TypeOf<CommandLineException>().With.Message.Contains("columns"));
+        }
+
+        [TestCase("a,b", new[] { "a", "b" })]
+        [TestCase("a,\"b, \"\"c\"\"\",", new[] { "a", "b, \"c\"", "" })]
+        [TestCase("", new[] { "" })]
+        public void CellsAreSplitAsTheyWereJoined(string line, string[] cells)
+        {
+            Assert.That(CsvText.Split(line), Is.EqualTo(cells));
+            Assert.That(CsvText.Join(cells), Is.EqualTo(line));
+        }
+
+        ChartTable Written(CaseResult result)
+        {
+            var table = new ChartTable(Device);
+            table.Add(Run(3), result, "2026-11-21");
+            table.Write(folder);
+            return table;
+        }
+
+        static ChartRun Run(int seed) => new ChartRun(new ChartConfig(flat, flat.Base(CaseMethod.Find("thesis")), ChartFactor.Base), seed);
+    }
+}

@@ -1,0 +1,100 @@
+using System;
+using System.Collections.Generic;
+using SphFluid.Validation;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>A case that is never run: its set-up only has a size. A unit cube of Resolution³ particles for one second.</summary>
+    sealed class FlatCase : ValidationCase
+    {
+        readonly string name;
+        readonly int resolution;
+
+        public FlatCase(string name, int resolution = 12)
+        {
+            this.name = name;
+            this.resolution = resolution;
+        }
+
+        public override string Name => name;
+
+        public override string Title => "A cube's rest";
+
+        public override string Source => "made up";
+
+        public override string ErrorName => "height";
+
+        public override double Floor => 0.04;
+
+        public override bool IsGate => Gate;
+
+        public override string Caution => Warning;
+
+        public override string CompanionErrorName => Companion;
+
+        public override (string X, string Y) AxisTitles => ("t [s]", "h/H");
+
+        public bool Gate { get; set; }
+
+        public string Warning { get; set; } = "";
+
+        public string Companion { get; set; }
+
+        /// <summary>κ from which the case cannot be set up.</summary>
+        public double SupportLimit { get; set; } = 10.0;
+
+        public override CaseParameters Base(CaseMethod method) => new CaseParameters
+        {
+            Method = method,
+            Resolution = resolution,
+            SupportRatio = 2.0,
+            TimeStepFraction = 0.5,
+            SoundSpeedRatio = 5.0,
+        };
+
+        // dt = fraction · dx / c.
+        public override CaseSetup Build(in CaseParameters parameters)
+        {
+            if (parameters.SupportRatio >= SupportLimit)
+                throw new ArgumentException("the cube is too small for κ");
+            float spacing = 1f / parameters.Resolution;
+            FluidSolverSettings settings = default;
+            settings.Spacing = spacing;
+            settings.TimeStep = (float)(parameters.TimeStepFraction * spacing / parameters.SoundSpeedRatio);
+            return new CaseSetup
+            {
+                Method = parameters.Method,
+                Settings = settings,
+                Particles = new FluidParticle[parameters.Resolution * parameters.Resolution * parameters.Resolution],
+                Duration = 1.0,
+                SampleInterval = 0.1,
+            };
+        }
+
+        public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) => throw new NotSupportedException();
+
+        /// <summary>A result without a run.</summary>
+        public static CaseResult Result(double gpu, double error, string failure = null)
+        {
+            var curve = new CaseSeries("height");
+            var reference = new CaseSeries("rest", true);
+            for (int i = 0; i < 50; i++)
+            {
+                curve.Add(0.02 * i, 1.0 - error * i / 50.0);
+                reference.Add(0.02 * i, 1.0);
+            }
+            return new CaseResult
+            {
+                Errors = failure != null ? Array.Empty<CaseError>() : new[] { new CaseError("height", error), new CaseError("drift", -0.1 * error) },
+                Series = new List<CaseSeries> { curve, reference },
+                Failure = failure,
+                Particles = 1728,
+                Steps = 120,
+                SimulatedSeconds = 1.0,
+                GpuMsPerSecond = gpu,
+                CpuMsPerSecond = 0.5 * gpu,
+            };
+        }
+    }
+}

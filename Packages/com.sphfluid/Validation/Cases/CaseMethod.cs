@@ -1,0 +1,44 @@
+using System;
+using System.Collections.Generic;
+
+namespace SphFluid.Validation
+{
+    /// <summary>A method under its name on the command line and in tables.</summary>
+    public sealed class CaseMethod
+    {
+        CaseMethod(string name, string title, FluidMethodKind kind)
+        {
+            Name = name;
+            Title = title;
+            Kind = kind;
+        }
+
+        /// <summary>Name, for instance "thesis".</summary>
+        public string Name { get; }
+
+        /// <summary>Name in legends.</summary>
+        public string Title { get; }
+
+        /// <summary>What the solver is given.</summary>
+        public FluidMethodKind Kind { get; }
+
+        /// <summary>All methods, the best last.</summary>
+        public static IReadOnlyList<CaseMethod> All { get; } = new[]
+        {
+            new CaseMethod("thesis-printed", "thesis, as printed", FluidMethodKind.ThesisPrinted),
+            new CaseMethod("thesis", "thesis, corrected", FluidMethodKind.Thesis),
+        };
+
+        /// <summary>The method of a name.</summary>
+        /// <exception cref="ArgumentException">There is none.</exception>
+        public static CaseMethod Find(string name)
+        {
+            foreach (CaseMethod method in All)
+            {
+                if (method.Name == name)
+                    return method;
+            }
+            throw new ArgumentException($"There is no method '{name}'.", nameof(name));
+        }
+    }
+}

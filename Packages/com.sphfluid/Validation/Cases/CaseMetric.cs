@@ -1,0 +1,22 @@
+using System.Collections.Generic;
+
+namespace SphFluid.Validation
+{
+    /// <summary>Watches one run of a case and tells its error. It sees snapshots only, so that it can be tested on exact solutions.</summary>
+    public abstract class CaseMetric
+    {
+        /// <summary>Why the run can be stopped before its end; null while it goes on well.</summary>
+        public string Failure { get; protected set; }
+
+        /// <summary>Looks at the state; called at time zero, then once each <see cref="CaseSetup.SampleInterval"/>.</summary>
+        /// <param name="time">Time since the start [s].</param>
+        /// <param name="state">The particles.</param>
+        public abstract void Sample(double time, FluidSnapshot state);
+
+        /// <summary>The errors at the end, the case's main one first.</summary>
+        public abstract IReadOnlyList<CaseError> Evaluate();
+
+        /// <summary>Measured and reference curves for a picture; empty when the case has none.</summary>
+        public virtual IReadOnlyList<CaseSeries> Series() => System.Array.Empty<CaseSeries>();
+    }
+}

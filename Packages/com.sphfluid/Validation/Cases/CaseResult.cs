@@ -1,0 +1,38 @@
+using System.Collections.Generic;
+
+namespace SphFluid.Validation
+{
+    /// <summary>What one run of a case gave.</summary>
+    public sealed class CaseResult
+    {
+        /// <summary>Errors, the main one first; empty for a run that failed before its end.</summary>
+        public IReadOnlyList<CaseError> Errors = System.Array.Empty<CaseError>();
+
+        /// <summary>Curves for a picture.</summary>
+        public IReadOnlyList<CaseSeries> Series = System.Array.Empty<CaseSeries>();
+
+        /// <summary>Why it failed; null when it did not.</summary>
+        public string Failure;
+
+        /// <summary>Number of particles.</summary>
+        public int Particles;
+
+        /// <summary>Steps done.</summary>
+        public long Steps;
+
+        /// <summary>What the solver counted.</summary>
+        public FluidCounters Counters;
+
+        /// <summary>Simulated time [s]; less than the case's length when it failed.</summary>
+        public double SimulatedSeconds;
+
+        /// <summary>GPU time of the steps per simulated second [ms/s]; not a number when it was not measured.</summary>
+        public double GpuMsPerSecond = double.NaN;
+
+        /// <summary>CPU time of recording and submitting the steps per simulated second [ms/s].</summary>
+        public double CpuMsPerSecond = double.NaN;
+
+        /// <summary>Whether it failed.</summary>
+        public bool Failed => Failure != null;
+    }
+}

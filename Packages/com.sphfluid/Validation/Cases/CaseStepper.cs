@@ -1,0 +1,84 @@
+using System;
+using System.Diagnostics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid.Validation
+{
+    /// <summary>
+    /// Does a run's steps in submissions of bounded length and takes their GPU and CPU times. What the metric's samples cost is not in
+    /// them; the neighbour setup that a sample needs is, as the next step finds it done: n steps have n of them.
+    /// </summary>
+    sealed class CaseStepper : IDisposable
+    {
+        // One submission: bounded so that no driver takes it for a hang, and a run can be stopped.
+        const double SubmissionSeconds = 0.25;
+        const int MostStepsAtOnce = 512;
+
+        static readonly ProfilerMarker marker = ComputeKernel.CreateMarker(BenchBlocks.Frame);
+
+        readonly FluidSolver solver;
+        readonly GpuClock clock;
+        readonly CommandBuffer cmd = new CommandBuffer { name = "Validation Case" };
+        readonly Stopwatch recording = new Stopwatch();
+        int atOnce = 1, submissions;
+        long steps;
+
+        /// <param name="solver">The solver, with fresh neighbours.</param>
+        /// <param name="timed">Whether GPU times are taken.</param>
+        public CaseStepper(FluidSolver solver, bool timed)
+        {
+            this.solver = solver;
+            clock = timed ? new GpuClock() : null;
+        }
+
+        /// <summary>GPU time of a step [ms]; not a number when there is none.</summary>
+        public double GpuMilliseconds => clock == null || steps == 0 ? double.NaN : clock.Times(1).Total / steps;
+
+        /// <summary>CPU time of recording and submitting a step [ms].</summary>
+        public double CpuMilliseconds => steps == 0 ? double.NaN : recording.Elapsed.TotalMilliseconds / steps;
+
+        /// <summary>Does some steps and waits for the GPU.</summary>
+        /// <param name="wanted">Most steps to do.</param>
+        /// <returns>What the solver counted up to now.</returns>
+        public FluidCounters Step(long wanted)
+        {
+            int count = (int)Math.Min(wanted, atOnce);
+            var submission = Stopwatch.StartNew();
+            recording.Start();
+            cmd.Clear();
+            cmd.BeginSample(marker);
+            solver.RecordSteps(cmd, count);
+            solver.RecordNeighbourSetup(cmd);
+            cmd.EndSample(marker);
+            Graphics.ExecuteCommandBuffer(cmd);
+            recording.Stop();
+            FluidCounters counters = solver.ReadCountersNow();
+            submissions++;
+            steps += count;
+            double fits = SubmissionSeconds * count / Math.Max(1e-6, submission.Elapsed.TotalSeconds);
+            // A first step also builds pipelines: its time tells little.
+            atOnce = (int)Math.Max(1.0, Math.Min(Math.Min(MostStepsAtOnce, 4.0 * atOnce), fits));
+            return counters;
+        }
+
+        /// <summary>Whether all GPU times are in; called once a frame of the engine until they are.</summary>
+        public bool Collect() => clock == null || clock.Collect(submissions);
+
+        /// <summary>Forgets the times so far: those of a first step are no example of the others.</summary>
+        public void Restart()
+        {
+            clock?.Restart();
+            recording.Reset();
+            submissions = 0;
+            steps = 0;
+        }
+
+        public void Dispose()
+        {
+            clock?.Dispose();
+            cmd.Dispose();
+        }
+    }
+}

@@ -1,0 +1,94 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid.Validation
+{
+    /// <summary>
+    /// A column of water at rest, 1 m deep, 8 particles wide. It stands on the floor of the domain and is periodic across, which
+    /// leaves the law of pressure over depth alone. Between four walls instead, 28 of a layer's 64 particles would lie at a wall,
+    /// and the column would show the walls: the method has no particles in them, so that density is missing there.
+    /// </summary>
+    public sealed class HydrostaticCase : ValidationCase
+    {
+        const double Depth = 1.0;
+        const double Gravity = 9.81;
+        const double Settles = 15.0; // of Lasts, times √(H/g)
+        const double Lasts = 20.0;
+        const double SamplesPerTime = 10.0;
+
+        /// <summary>True: four walls instead of periodic sides.</summary>
+        public bool Walls { get; set; }
+
+        /// <inheritdoc/>
+        public override string Name => "hydrostatic";
+
+        /// <inheritdoc/>
+        public override string Title => "Column at rest";
+
+        /// <inheritdoc/>
+        public override string Source => "p = ρ g d; height m ln(1 + 1/m) H of p = c² (ρ − ρ0), c² = m g H";
+
+        /// <inheritdoc/>
+        public override string ErrorName => HydrostaticMetric.ErrorName;
+
+        /// <inheritdoc/>
+        public override (string X, string Y) AxisTitles => ("depth/H", "p/(ρ g H)");
+
+        /// <inheritdoc/>
+        public override CaseParameters Base(CaseMethod method) => new CaseParameters
+        {
+            Method = method,
+            Resolution = 20,
+            SupportRatio = 2.0,
+            TimeStepFraction = 0.75,
+            SoundSpeedRatio = 6.0,
+            Seed = 1,
+            Jitter = 0.01,
+        };
+
+        /// <inheritdoc/>
+        public override CaseSetup Build(in CaseParameters parameters)
+        {
+            WallCaseSetup.Require(parameters, Name, 10);
+            double dx = Depth / parameters.Resolution;
+            int width = Width(parameters);
+            double time = Math.Sqrt(Depth / Gravity);
+            var domain = new Vector3((float)(width * dx), (float)(Depth + 4.0 * dx), (float)(width * dx));
+            var boundaries = new FluidBoundaries { Periodic = Walls ? FluidAxes.None : FluidAxes.X | FluidAxes.Z };
+            FluidSolverSettings settings = CaseSettings.For(parameters, domain, dx, Math.Sqrt(Gravity * Depth),
+                new Vector3(0f, -(float)Gravity, 0f), null, boundaries);
+            return new CaseSetup
+            {
+                Method = parameters.Method,
+                Settings = settings,
+                Particles = Column(parameters, domain, width, dx),
+                Duration = Lasts * time,
+                SampleInterval = time / SamplesPerTime,
+            };
+        }
+
+        /// <inheritdoc/>
+        public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup)
+        {
+            int width = Width(parameters);
+            return new HydrostaticMetric(setup.Settings, Depth, width * width, Settles * Math.Sqrt(Depth / Gravity));
+        }
+
+        static int Width(in CaseParameters parameters) => Math.Max(8, WallCaseSetup.PeriodicCount(parameters));
+
+        // Compressed as the equation of state has it at rest, so that there is little to settle.
+        static FluidParticle[] Column(in CaseParameters parameters, Vector3 domain, int width, double dx)
+        {
+            double m = parameters.SoundSpeedRatio * parameters.SoundSpeedRatio;
+            List<Vector3> positions = CaseLattice.Box(new Vector3Int(width, parameters.Resolution, width), dx,
+                new Vector3(-0.5f * domain.x, 0f, -0.5f * domain.z));
+            for (int i = 0; i < positions.Count; i++)
+            {
+                Vector3 p = positions[i];
+                positions[i] = new Vector3(p.x, (float)WallCaseSetup.Settled(p.y, Depth, m) - 0.5f * domain.y, p.z);
+            }
+            return WallCaseSetup.AtRest(positions, parameters, dx, domain);
+        }
+    }
+}

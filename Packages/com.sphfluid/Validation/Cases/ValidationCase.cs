@@ -1,0 +1,47 @@
+namespace SphFluid.Validation
+{
+    /// <summary>A flow whose right answer is known: its set-up, its reference and the error against it.</summary>
+    public abstract class ValidationCase
+    {
+        /// <summary>Name on the command line and in tables: lower case, words joined by hyphens.</summary>
+        public abstract string Name { get; }
+
+        /// <summary>Title of its panel.</summary>
+        public abstract string Title { get; }
+
+        /// <summary>Where the reference comes from.</summary>
+        public abstract string Source { get; }
+
+        /// <summary>Name of the main error, the first that its metric tells.</summary>
+        public abstract string ErrorName { get; }
+
+        /// <summary>Errors below this are below what the reference itself is good for.</summary>
+        public virtual double Floor => 0.0;
+
+        /// <summary>True for cases that are either right or wrong: they are tested, and not part of the chart.</summary>
+        public virtual bool IsGate => false;
+
+        /// <summary>Largest error of a gate; not a number for others.</summary>
+        public virtual double Limit => double.NaN;
+
+        /// <summary>Abscissa and ordinate of the picture of its curves.</summary>
+        public virtual (string X, string Y) AxisTitles => ("t [s]", "");
+
+        /// <summary>What a reader of the chart must know before he compares errors, printed below the panel; empty for nothing.</summary>
+        public virtual string Caution => "";
+
+        /// <summary>Name of an error that the chart shows beside the main one, in a panel of its own; null for none.</summary>
+        public virtual string CompanionErrorName => null;
+
+        /// <summary>The point about which the chart sweeps.</summary>
+        /// <param name="method">The method.</param>
+        public abstract CaseParameters Base(CaseMethod method);
+
+        /// <summary>Prepares a run.</summary>
+        /// <exception cref="System.ArgumentException">The parameters cannot be run.</exception>
+        public abstract CaseSetup Build(in CaseParameters parameters);
+
+        /// <summary>A fresh metric for a run.</summary>
+        public abstract CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup);
+    }
+}

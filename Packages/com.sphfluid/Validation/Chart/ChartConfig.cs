@@ -1,0 +1,102 @@
+using System;
+using System.Globalization;
+
+namespace SphFluid.Validation
+{
+    /// <summary>A point of the chart: a case, a method and its constants, whatever the seed.</summary>
+    public sealed class ChartConfig
+    {
+        // Standard deviation of the start's jitter over dx.
+        const double Jitter = 0.01;
+
+        CaseParameters parameters;
+        bool built;
+        double spacing = double.NaN;
+        int particles;
+        double steps;
+        string problem;
+
+        /// <summary>A point.</summary>
+        /// <param name="validationCase">The case.</param>
+        /// <param name="parameters">Its parameters; seed and jitter are set for each run.</param>
+        /// <param name="factor">What differs from the base.</param>
+        public ChartConfig(ValidationCase validationCase, in CaseParameters parameters, ChartFactor factor)
+        {
+            Case = validationCase;
+            this.parameters = parameters;
+            this.parameters.Jitter = Jitter;
+            Factor = factor;
+        }
+
+        /// <summary>The case.</summary>
+        public ValidationCase Case { get; }
+
+        /// <summary>What differs from the base.</summary>
+        public ChartFactor Factor { get; }
+
+        /// <summary>The method.</summary>
+        public CaseMethod Method => parameters.Method;
+
+        /// <summary>κ = R/dx.</summary>
+        public double SupportRatio => parameters.SupportRatio;
+
+        /// <summary>Time step over the method's stable one.</summary>
+        public double TimeStepFraction => parameters.TimeStepFraction;
+
+        /// <summary>Speed of sound over the case's own speed.</summary>
+        public double SoundSpeedRatio => parameters.SoundSpeedRatio;
+
+        /// <summary>Particle spacing dx [m]; not a number when the case cannot be set up.</summary>
+        public double Spacing => Built().spacing;
+
+        /// <summary>Number of particles.</summary>
+        public int Particles => Built().particles;
+
+        /// <summary>Steps of a whole run.</summary>
+        public double Steps => Built().steps;
+
+        /// <summary>Why the case cannot be set up at this point; null when it can.</summary>
+        public string Problem => Built().problem;
+
+        /// <summary>The name of the point in files: equal for equal constants.</summary>
+        public string Key => KeyOf(Case.Name, Method.Name, Spacing, SupportRatio, TimeStepFraction, SoundSpeedRatio);
+
+        /// <summary>The parameters of a run.</summary>
+        /// <param name="seed">Its seed.</param>
+        public CaseParameters Parameters(int seed)
+        {
+            CaseParameters result = parameters;
+            result.Seed = seed;
+            return result;
+        }
+
+        /// <summary>The constants, for instance "dx 0.125 m, κ 2, dt 0.75, c 7.5".</summary>
+        public string Constants => string.Format(CultureInfo.InvariantCulture, "dx {0:G3} m, κ {1:G4}, dt {2:G3}, c {3:G3}",
+            Spacing, SupportRatio, TimeStepFraction, SoundSpeedRatio);
+
+        /// <summary>For progress lines, for instance "ellipsoid, thesis, dx 0.125 m, κ 2, dt 0.75, c 7.5".</summary>
+        public override string ToString() => $"{Case.Name}, {Method.Name}, {Constants}";
+
+        internal static string KeyOf(string caseName, string method, double spacing, double supportRatio, double timeStepFraction, double soundSpeedRatio) =>
+            string.Join("|", caseName, method, CsvText.Text(spacing), CsvText.Text(supportRatio), CsvText.Text(timeStepFraction), CsvText.Text(soundSpeedRatio));
+
+        ChartConfig Built()
+        {
+            if (built)
+                return this;
+            built = true;
+            try
+            {
+                CaseSetup setup = Case.Build(Parameters(1));
+                spacing = setup.Settings.Spacing;
+                particles = setup.Particles.Length;
+                steps = Math.Ceiling(setup.Duration / setup.Settings.TimeStep);
+            }
+            catch (ArgumentException exception)
+            {
+                problem = exception.Message;
+            }
+            return this;
+        }
+    }
+}

@@ -1,0 +1,64 @@
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+
+namespace SphFluid.Validation
+{
+    /// <summary>Writes what follows from the table: the Pareto fronts, the scripts, and by gnuplot the pictures.</summary>
+    sealed class ChartDrawing
+    {
+        readonly string folder;
+        readonly ChartTable table;
+        readonly IReadOnlyList<ValidationCase> cases;
+        readonly SessionProgress progress;
+
+        public ChartDrawing(string folder, ChartTable table, IReadOnlyList<ValidationCase> selected, SessionProgress progress)
+        {
+            this.folder = folder;
+            this.table = table;
+            this.progress = progress;
+            // Cases that an earlier chart in the folder measured are drawn too.
+            cases = ValidationCases.All.Union(selected).Where(c => table.Rows.Any(r => r.Case == c.Name)).ToList();
+        }
+
+        public void Write()
+        {
+            List<IReadOnlyList<ChartPanel>> groups = cases.Select(c => ChartPanel.Of(c, table.Rows)).Where(g => g.Count > 0).ToList();
+            if (groups.Count == 0)
+                return;
+            List<IReadOnlyList<ChartPoint>> fronts = groups.Select(g => ParetoFront.Of(g[0].Points)).ToList();
+            ParetoFront.Write(folder, fronts.SelectMany(f => f));
+            SayFronts(groups, fronts);
+            string date = table.Rows.Max(r => r.Date);
+            CsvText.WriteWhole(Path.Combine(folder, ChartScript.FileName), new ChartScript(groups, table.Device, date).Lines());
+            string trouble = Gnuplot.Draw(Path.Combine(folder, ChartScript.FileName));
+            foreach (ValidationCase validationCase in cases)
+            {
+                var script = new CurveScript(validationCase, folder);
+                if (script.IsEmpty)
+                    continue;
+                CsvText.WriteWhole(Path.Combine(folder, script.FileName), script.Lines());
+                trouble = trouble ?? Gnuplot.Draw(Path.Combine(folder, script.FileName));
+            }
+            progress.Say(trouble ?? $"{Path.Combine(folder, "accuracy.png")}, accuracy.svg, {ChartTable.FileName}, {ParetoFront.FileName} and case-*.png are written.");
+        }
+
+        void SayFronts(List<IReadOnlyList<ChartPanel>> groups, List<IReadOnlyList<ChartPoint>> fronts)
+        {
+            progress.Say($"Points that no other one beats in time and error:");
+            progress.Say($"{"case",-18}{"method",-16}{"dx",10}{"kappa",7}{"dt",6}{"c",7}{"particles",11}{"GPU ms/s",12}{"error",10}");
+            for (int i = 0; i < groups.Count; i++)
+            {
+                foreach (ChartPoint p in fronts[i])
+                {
+                    progress.Say(string.Format(CultureInfo.InvariantCulture, "{0,-18}{1,-16}{2,10:G3}{3,7:G3}{4,6:G3}{5,7:G3}{6,11}{7,12:N0}{8,10:G3}  {9}",
+                        p.Case, p.Method, p.Spacing, p.SupportRatio, p.TimeStepFraction, p.SoundSpeedRatio, p.Particles, p.Cost.Value.Median,
+                        p.Error.Value.Median, p.ErrorName));
+                }
+                if (fronts[i].Count == 0)
+                    progress.Say($"{groups[i][0].Case.Name,-18}every point has a failed run");
+            }
+        }
+    }
+}

@@ -1,0 +1,43 @@
+using System;
+
+namespace SphFluid.Validation
+{
+    /// <summary>A run of the chart: a point and a seed.</summary>
+    public sealed class ChartRun
+    {
+        // Work that a step has whatever the number of particles, in particles.
+        const double StepOverhead = 1500.0;
+
+        // Part of a step's work that grows with the number of neighbours, at κ = 2.
+        const double NeighbourShare = 0.6;
+
+        /// <summary>A run.</summary>
+        /// <param name="config">The point.</param>
+        /// <param name="seed">Seed of the start's jitter.</param>
+        public ChartRun(ChartConfig config, int seed)
+        {
+            Config = config;
+            Seed = seed;
+        }
+
+        /// <summary>The point.</summary>
+        public ChartConfig Config { get; }
+
+        /// <summary>Seed of the start's jitter.</summary>
+        public int Seed { get; }
+
+        /// <summary>Expected work: particles × steps, weighted so that κ = 2 counts once and κ = 3 about 2.4 times.</summary>
+        public double Cost
+        {
+            get
+            {
+                double ratio = Config.SupportRatio / 2.0;
+                double weight = 1.0 - NeighbourShare + NeighbourShare * ratio * ratio * ratio;
+                return Config.Problem != null ? 0.0 : Config.Steps * (Config.Particles * weight + StepOverhead);
+            }
+        }
+
+        /// <summary>For progress lines.</summary>
+        public override string ToString() => $"{Config}, seed {Seed}";
+    }
+}

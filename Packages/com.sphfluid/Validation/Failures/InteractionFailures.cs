@@ -1,0 +1,53 @@
+using System;
+using UnityEngine;
+
+namespace SphFluid.Validation
+{
+    /// <summary>What pressure does wrong between particles: suction, wide kernels, two kernels.</summary>
+    static class InteractionFailures
+    {
+        /// <summary>Stretched by 5 % in a periodic box, P/ρc² = −0.05: suction draws the lattice into clumps.</summary>
+        public static FailureExperiment TensileClumping()
+        {
+            FailureRun cured = FailureBlocks.PeriodicBox(new Vector3Int(8, 8, 8), 2f, 1e-3);
+            cured.Settings.ParticleMass *= 0.95f;
+            cured.Steps = 200;
+            FluidSolverSettings suction = cured.Settings;
+            suction.PressureClamp = false;
+            return new FailureExperiment("tensile-clumping", FluidFailure.TensileClumping, cured.With(suction), cured,
+                "share of particles with a neighbour nearer than dx/2", Clumped);
+        }
+
+        /// <summary>
+        /// κ = 4, each particle of a lattice twice, a tenth of a spacing apart: are pairs stable? Cured: a lattice without.
+        /// </summary>
+        public static FailureExperiment Pairing()
+        {
+            FailureRun At(float ratio)
+            {
+                FailureRun run = FailureBlocks.Column(new Vector3Int(6, 10, 6), 9.81f, 25.0, FluidAxes.None, ratio);
+                run.Steps = 400;
+                return run;
+            }
+            return new FailureExperiment("pairing", FluidFailure.Pairing, At(4f), At(2f), "share of particles with a neighbour nearer than dx/2 at the end", Clumped);
+        }
+
+        /// <summary>A lattice with a jitter of 1e-4 dx boils without viscosity: research's box, t = 200 R/c, c = √k.</summary>
+        public static FailureExperiment KernelMismatch()
+        {
+            FailureRun failing = FailureBlocks.PeriodicBox(new Vector3Int(8, 8, 8), 2f, 1e-4);
+            failing.Settings.PressureClamp = false;
+            FailureBlocks.SetKinematic(ref failing.Settings, 0.0);
+            FailureBlocks.SetCourant(ref failing.Settings, 0.4 * TimeStepAdvice.AcousticBorder);
+            failing.Steps = (int)Math.Round(200.0 / (0.4 * TimeStepAdvice.AcousticBorder));
+            FluidSolverSettings viscous = failing.Settings;
+            FailureBlocks.SetKinematic(ref viscous, 0.02 * Math.Sqrt(viscous.Stiffness) * viscous.SupportRadius);
+            return new FailureExperiment("kernel-mismatch", FluidFailure.KernelMismatch, failing, failing.With(viscous),
+                "v_rms/√k at t = 200 R/√k", r => RmsSpeed(r) / Math.Sqrt(r.Settings.Stiffness));
+        }
+
+        static double Clumped(FailureResult result) => result.EndVitals.Clumped / (double)result.Run.Start.Length;
+
+        static double RmsSpeed(FailureResult result) => result.EndVitals.RmsSpeed(result.Settings.ParticleMass);
+    }
+}

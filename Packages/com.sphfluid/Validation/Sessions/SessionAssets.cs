@@ -1,0 +1,33 @@
+using System;
+using System.Linq;
+using System.Reflection;
+
+namespace SphFluid.Validation
+{
+    /// <summary>The package's shaders for code that no scene has given any.</summary>
+    static class SessionAssets
+    {
+        const string ShaderSet = "Packages/com.sphfluid/Runtime/Assets/DefaultFluidShaderSet.asset";
+
+        /// <summary>The shader set of a simulation that is loaded; without one, in the Editor, the package's own.</summary>
+        /// <exception cref="FluidDeviceException">There is none.</exception>
+        public static FluidShaderSet FindShaders()
+        {
+            FluidShaderSet shaders = FluidSimulation.Active.Where(s => s.Profile != null).Select(s => s.Profile.Shaders).FirstOrDefault(s => s != null) ?? FromDatabase();
+            if (shaders == null)
+            {
+                throw new FluidDeviceException("No shaders were found: in a built player load a scene with a fluid simulation before, " +
+                    $"in the Editor look whether '{ShaderSet}' is there.");
+            }
+            return shaders;
+        }
+
+        // By reflection: this assembly is also part of built players, which have no UnityEditor.
+        static FluidShaderSet FromDatabase()
+        {
+            Type database = Type.GetType("UnityEditor.AssetDatabase, UnityEditor");
+            MethodInfo load = database?.GetMethod("LoadAssetAtPath", new[] { typeof(string), typeof(Type) });
+            return (FluidShaderSet)load?.Invoke(null, new object[] { ShaderSet, typeof(FluidShaderSet) });
+        }
+    }
+}

@@ -1,0 +1,46 @@
+using System;
+using System.IO;
+using UnityEngine;
+
+namespace SphFluid.Validation
+{
+    /// <summary>Runs a measurement in play mode, a step a frame, and ends the program with it.</summary>
+    [AddComponentMenu("")]
+    sealed class SessionDriver : MonoBehaviour
+    {
+        const int FailureExitCode = 1;
+
+        IValidationSession session;
+
+        public static void Begin(IValidationSession session)
+        {
+            var holder = new GameObject(session.GetType().Name) { hideFlags = HideFlags.HideAndDontSave };
+            holder.AddComponent<SessionDriver>().session = session;
+        }
+
+        void Update()
+        {
+            try
+            {
+                if (!session.Step())
+                    Application.Quit(0);
+            }
+            catch (Exception exception) when (IsExpected(exception))
+            {
+                Console.Error.WriteLine(exception.Message);
+                Application.Quit(FailureExitCode);
+            }
+            catch
+            {
+                Application.Quit(FailureExitCode);
+                throw;
+            }
+        }
+
+        void OnDestroy() => session?.Dispose();
+
+        /// <summary>What a device or a disk can do to a measurement; the message tells the user all.</summary>
+        public static bool IsExpected(Exception exception) =>
+            exception is FluidDeviceException || exception is IOException || exception is UnauthorizedAccessException;
+    }
+}

@@ -1,0 +1,90 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace SphFluid.Validation
+{
+    /// <summary>What <c>stability</c> measures and where it writes.</summary>
+    public sealed class StabilityArguments
+    {
+        static readonly string[] flags = { "--quick", "--map", "--method", "--out", "--slice" };
+
+        readonly List<StabilityMap> maps = new List<StabilityMap>();
+        readonly List<CaseMethod> methods = new List<CaseMethod>();
+
+        /// <summary>Whether only the cells of the short plan are run.</summary>
+        public bool Quick { get; private set; }
+
+        /// <summary>The maps.</summary>
+        public IReadOnlyList<StabilityMap> Maps => maps;
+
+        /// <summary>The methods; "thesis" alone where the short plan is not told.</summary>
+        public IReadOnlyList<CaseMethod> Methods => methods;
+
+        /// <summary>Whether the borders are bisected: in every session that draws all maps.</summary>
+        public bool Limits { get; private set; }
+
+        /// <summary>Folder of the files.</summary>
+        public string OutputFolder { get; private set; } = "Build/stability";
+
+        /// <summary>Time after which it stops between two runs; null for all in one go.</summary>
+        public TimeSpan? Slice { get; private set; }
+
+        /// <summary>
+        /// Reads the whole command line of the process: the flags behind a lone <c>--</c>; without one, flags of others are passed over.
+        /// </summary>
+        /// <exception cref="CommandLineException">A flag behind <c>--</c> is unknown, or a value is missing or wrong.</exception>
+        public static StabilityArguments Parse(IReadOnlyList<string> commandLine)
+        {
+            var result = new StabilityArguments();
+            int separator = CommandLineWords.Separator(commandLine);
+            for (int i = separator + 1; i < commandLine.Count; i++)
+            {
+                string word = commandLine[i];
+                int equals = word.StartsWith("--", StringComparison.Ordinal) ? word.IndexOf('=') : -1;
+                string flag = equals > 0 ? word.Substring(0, equals) : word;
+                string value = equals > 0 ? word.Substring(equals + 1) : null;
+                if (Array.IndexOf(flags, flag) >= 0)
+                    result.Read(flag, value, commandLine, ref i);
+                else if (separator >= 0)
+                    throw new CommandLineException($"{word} is not a flag of stability. Its flags are {string.Join(", ", flags)}.");
+            }
+            result.FillIn();
+            return result;
+        }
+
+        void Read(string flag, string value, IReadOnlyList<string> commandLine, ref int index)
+        {
+            switch (flag)
+            {
+                case "--quick":
+                    Quick = value == null ? true : throw new CommandLineException($"{flag} takes no value.");
+                    break;
+                case "--out":
+                    OutputFolder = value ?? CommandLineWords.Value(commandLine, ref index);
+                    break;
+                case "--slice":
+                    Slice = CommandLineWords.Minutes(flag, value ?? CommandLineWords.Value(commandLine, ref index));
+                    break;
+                default:
+                    foreach (string name in value == null ? CommandLineWords.Values(commandLine, ref index) : CommandLineWords.List(flag, value))
+                    {
+                        if (flag == "--map")
+                            CommandLineWords.Choose(maps, flag, name, StabilityMaps.All, m => m.Name);
+                        else
+                            CommandLineWords.Choose(methods, flag, name, CaseMethod.All, m => m.Name);
+                    }
+                    break;
+            }
+        }
+
+        void FillIn()
+        {
+            Limits = maps.Count == 0;
+            if (maps.Count == 0)
+                maps.AddRange(StabilityMaps.All);
+            if (methods.Count == 0)
+                methods.AddRange(Quick ? new[] { CaseMethod.Find("thesis") } : CaseMethod.All);
+        }
+    }
+}

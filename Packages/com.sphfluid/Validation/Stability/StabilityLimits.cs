@@ -1,0 +1,106 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using UnityEngine;
+
+namespace SphFluid.Validation
+{
+    /// <summary>
+    /// The borders of linear theory: a cubic lattice that fills a periodic box without clamp of the pressure, 1e-4 dx beside its places
+    /// and with speeds of 1e-4 c_eff; and particles that rest on the domain's floor.
+    /// </summary>
+    static class StabilityLimits
+    {
+        const double Sound = 10.0;
+        const double Disturbance = 1e-4;
+        const int Seed = 1;
+
+        // Beyond the border by ε a wave grows by 2√(2ε) a step: by 0.28 at 1 %. What unequal kernels feed in at any step is slower by far.
+        const int AcousticSteps = 80;
+        const double AcousticGrowth = 100.0;
+
+        // Beyond its border by ε viscosity multiplies by 1 + 2ε a step; one of some hundred modes has to outgrow all that decay.
+        const int ViscousSteps = 500;
+        const double ViscousGrowth = 2.0;
+
+        const int WallSteps = 600;
+        const double WallGrowth = 10.0;
+
+        public static IReadOnlyList<StabilityLimit> All { get; } = Acoustic(2.0, 2.5, 3.0, 4.0).Concat(Viscous(1.7, 2.0, 3.0, 4.0)).Concat(Walls(0.0, 0.5, 1.0)).ToArray();
+
+        public static IReadOnlyList<StabilityLimit> Quick { get; } = Acoustic(2.0, 3.0, 4.0).Concat(Viscous(1.7, 2.0, 3.0)).Concat(Walls(0.0, 1.0)).ToArray();
+
+        // Research and derivation: Documentation~/stability.md. Müller's force and viscosity on a cubic lattice.
+        static IEnumerable<StabilityLimit> Acoustic(params double[] kappas) => kappas.Select(kappa =>
+            new StabilityLimit("dt·c/R", kappa, 1.35, 1.40, AcousticGrowth, (value, method) =>
+            {
+                double radius = kappa * StabilityConstants.Spacing;
+                return Box(method, kappa, value * radius / Sound, 0.001 * Sound * radius, AcousticSteps);
+            }));
+
+        static IEnumerable<StabilityLimit> Viscous(params double[] kappas) => kappas.Select(kappa =>
+            new StabilityLimit("ν·dt/R²", kappa, 0.115, 0.131, ViscousGrowth, (value, method) =>
+            {
+                double radius = kappa * StabilityConstants.Spacing, step = 0.01 * radius / Sound;
+                return Box(method, kappa, step, value * radius * radius / step, ViscousSteps);
+            }));
+
+        // x² + 4 ζ x = 4 with x = √k_w dt and c_w = 2 ζ √k_w.
+        static IEnumerable<StabilityLimit> Walls(params double[] ratios) => ratios.Select(ratio =>
+        {
+            double border = 2.0 * (Math.Sqrt(ratio * ratio + 1.0) - ratio);
+            return new StabilityLimit(FormattableString.Invariant($"√k_w·dt, damping ratio {ratio}"), StabilityConstants.SupportRatio, border, border, WallGrowth,
+                (value, method) => Wall(method, value, ratio));
+        });
+
+        static CaseSetup Box(CaseMethod method, double kappa, double timeStep, double viscosity, int steps)
+        {
+            var run = new StabilityRun { Method = method, Seed = Seed };
+            CaseSetup setup = StabilityScenes.Box(run, kappa, Sound, timeStep, viscosity, 0.0).Setup;
+            // An even number of particles a side: waves of two spacings, the first to go, fit.
+            int side = (int)Math.Round(setup.Settings.DomainSize.x / StabilityConstants.Spacing);
+            side += side & 1;
+            Vector3 domain = Vector3.one * (float)(side * StabilityConstants.Spacing);
+            setup.Settings.DomainSize = domain;
+            List<Vector3> positions = CaseLattice.Box(new Vector3Int(side, side, side), StabilityConstants.Spacing, -0.5f * domain);
+            CaseLattice.Jitter(positions, Disturbance * StabilityConstants.Spacing, Seed, 0.4999f * domain);
+            return Finish(setup, positions, Disturbance * Sound / Math.Sqrt(2.0), timeStep, steps);
+        }
+
+        // Each alone on the floor, near the depth in the wall at which it carries them.
+        static CaseSetup Wall(CaseMethod method, double value, double dampingRatio)
+        {
+            const int side = 4;
+            const double rate = 100.0, depth = 0.2;
+            double apart = 2.5 * StabilityConstants.Spacing, width = side * apart;
+            var domain = new Vector3((float)width, 1f, (float)width);
+            double distance = 0.5 * StabilityConstants.Spacing, gravity = rate * rate * depth * distance, step = value / rate;
+            FluidSolverSettings settings = new StabilityConstants
+            {
+                Method = method, DomainSize = domain, Support = StabilityConstants.SupportRatio, Sound = 0.1, Viscosity = 0.0,
+                TimeStep = step, Speed = 1.0, Gravity = new Vector3(0f, -(float)gravity, 0f),
+            }.Settings();
+            settings.WallStiffness = (float)(rate * rate);
+            settings.WallDamping = (float)(2.0 * dampingRatio * rate);
+            settings.WallDistance = (float)distance;
+            var positions = new List<Vector3>();
+            for (int i = 0; i < side * side; i++)
+            {
+                positions.Add(new Vector3((float)((i % side + 0.5) * apart - 0.5 * width), (float)((1.0 - depth) * distance - 0.5),
+                    (float)((i / side + 0.5) * apart - 0.5 * width)));
+            }
+            var setup = new CaseSetup { Method = StabilityConstants.Runner, Settings = settings };
+            return Finish(setup, positions, Disturbance * rate * distance, step, WallSteps, Vector3.up);
+        }
+
+        static CaseSetup Finish(CaseSetup setup, List<Vector3> positions, double speed, double timeStep, int steps, Vector3? only = null)
+        {
+            var random = new System.Random(Seed);
+            float Part() => (float)(speed * (2.0 * random.NextDouble() - 1.0));
+            setup.Particles = CaseLattice.Particles(positions, p => Vector3.Scale(new Vector3(Part(), Part(), Part()), only ?? Vector3.one));
+            setup.Duration = steps * timeStep;
+            setup.SampleInterval = setup.Duration / 8.0;
+            return setup;
+        }
+    }
+}

@@ -1,0 +1,78 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace SphFluid.Validation
+{
+    /// <summary>Which cells are run, in their order, and which borders are bisected: maps without clamps, borders, maps with clamps.</summary>
+    public sealed class StabilityPlan
+    {
+        const int FullSeeds = 3;
+
+        // Columns and rows.
+        static readonly Dictionary<string, (int X, int Y)> quickCells = new Dictionary<string, (int X, int Y)>
+        {
+            ["M1"] = (9, 5), ["M2"] = (9, 8), ["M3"] = (9, 7), ["M4"] = (9, 5), ["M5"] = (9, 7),
+        };
+
+        static readonly Dictionary<string, (int X, int Y)> fullCells = new Dictionary<string, (int X, int Y)>
+        {
+            ["M1"] = (17, 9), ["M2"] = (17, 15), ["M3"] = (17, 13), ["M4"] = (17, 8), ["M5"] = (17, 13),
+        };
+
+        readonly List<StabilityRun> runs = new List<StabilityRun>();
+        readonly List<StabilityRun> clamped = new List<StabilityRun>();
+        readonly List<(StabilityLimit Limit, CaseMethod Method)> limits = new List<(StabilityLimit, CaseMethod)>();
+
+        /// <summary>Runs of the principal maps.</summary>
+        public IReadOnlyList<StabilityRun> Runs => runs;
+
+        /// <summary>Runs of the maps with clamps.</summary>
+        public IReadOnlyList<StabilityRun> Clamped => clamped;
+
+        /// <summary>Borders to bisect.</summary>
+        public IReadOnlyList<(StabilityLimit Limit, CaseMethod Method)> Limits => limits;
+
+        /// <summary>The cells of a command.</summary>
+        /// <param name="arguments">Maps, methods, and whether it is the short plan.</param>
+        /// <param name="software">Whether the device is a CPU: runs are then cut shorter.</param>
+        public static StabilityPlan Of(StabilityArguments arguments, bool software)
+        {
+            var plan = new StabilityPlan();
+            double mostSteps = arguments.Quick ? QuickSteps : software ? SoftwareSteps : FullSteps;
+            int seeds = arguments.Quick ? 1 : FullSeeds;
+            foreach (bool clamps in new[] { false, true })
+            {
+                for (int seed = 1; seed <= seeds; seed++)
+                {
+                    foreach (StabilityMap map in arguments.Maps)
+                    {
+                        (int x, int y) = (arguments.Quick ? quickCells : fullCells)[map.Name];
+                        foreach (CaseMethod method in arguments.Methods)
+                            (clamps ? plan.clamped : plan.runs).AddRange(Cells(map, method, x, y, seed, clamps, mostSteps));
+                    }
+                }
+            }
+            if (arguments.Quick)
+                plan.clamped.RemoveAll(r => !quickClamped.Contains(r.Map.Name));
+            if (arguments.Limits)
+            {
+                IReadOnlyList<StabilityLimit> known = arguments.Quick ? StabilityLimits.Quick : StabilityLimits.All;
+                plan.limits.AddRange(from method in arguments.Methods from limit in known select (limit, method));
+            }
+            return plan;
+        }
+
+        /// <summary>Most steps of a run of the short plan.</summary>
+        public const double QuickSteps = 1000.0;
+
+        // On a device that is a CPU, and on others.
+        const double SoftwareSteps = 4000.0, FullSteps = 100000.0;
+
+        static readonly HashSet<string> quickClamped = new HashSet<string> { "M1", "M3" };
+
+        static IEnumerable<StabilityRun> Cells(StabilityMap map, CaseMethod method, int columns, int rows, int seed, bool clamps, double mostSteps) =>
+            from y in map.Y.Values(rows)
+            from x in map.X.Values(columns)
+            select new StabilityRun { Map = map, Method = method, X = x, Y = y, Seed = seed, Clamps = clamps, MostSteps = mostSteps };
+    }
+}
