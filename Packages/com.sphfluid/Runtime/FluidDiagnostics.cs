@@ -19,7 +19,7 @@ namespace SphFluid
         // A GPU that lags further behind is not given more to measure.
         const int MostUnderWay = 4;
 
-        [SerializeField, Range(1, 1000), Tooltip("Frames from one measurement to the next. A measurement costs about as much as the density pass of one step.")]
+        [SerializeField, Range(1, 1000), Tooltip("Frames from one measurement to the next. A measurement costs about as much as one step.")]
         int interval = 10;
 
         [SerializeField, Tooltip("Run in release builds too. Off: in the Editor and in development builds only.")]

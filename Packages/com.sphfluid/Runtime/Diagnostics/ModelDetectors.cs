@@ -11,7 +11,9 @@ namespace SphFluid
         const double CalmViscosity = 0.01;
         const double Rounding = 1e-3;
         const double BoilingLimit = 0.05;
-        const double BoilingDisorder = 0.5;
+
+        // A splash reaches 0.65 for a moment; liquid that boils is at 1 and stays there.
+        const double BoilingDisorder = 0.75;
         const double DeficientDensity = 0.9;
         const double DepthLimit = 0.1;
 

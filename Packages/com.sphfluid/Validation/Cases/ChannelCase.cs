@@ -5,9 +5,9 @@ namespace SphFluid.Validation
 {
     /// <summary>
     /// Start-up of a flow along x between two plane walls one metre apart, ν = 0.01 m²/s, periodic along x and z, without
-    /// gravity across. It takes the solver's walls without slip: the thesis's own walls only push, so liquid slips along
-    /// them. Fastest speed 0.1 m/s, Re = 10: laminar, and particles travel far past each other, which they would not at the
-    /// Re = 0.0125 of the customary set-up.
+    /// gravity across. It takes the solver's walls without slip: the thesis's own walls only push, so that a Couette flow
+    /// never starts (wrong by 100 %) and a Poiseuille flow falls freely. Fastest speed 0.1 m/s, Re = 10: laminar, and
+    /// particles travel far past each other, which they would not at the Re = 0.0125 of the customary set-up.
     /// </summary>
     public abstract class ChannelCase : ValidationCase
     {

@@ -7,7 +7,8 @@ namespace SphFluid.Validation
     /// <summary>
     /// A column of water at rest, 1 m deep, 8 particles wide. It stands on the floor of the domain and is periodic across, which
     /// leaves the law of pressure over depth alone. Between four walls instead, 28 of a layer's 64 particles would lie at a wall,
-    /// and the column would show the walls: the method has no particles in them, so that density is missing there.
+    /// and the column would show the walls: the thesis method has no particles in them, so that density is missing there and
+    /// the column sinks by a fifth.
     /// </summary>
     public sealed class HydrostaticCase : ValidationCase
     {

@@ -7,6 +7,8 @@ namespace SphFluid.Validation
     /// <summary>What <c>chart</c> measures and where it writes.</summary>
     public sealed class ChartArguments
     {
+        const double QuickMinutes = 9.0;
+
         static readonly string[] flags = { "--quick", "--case", "--method", "--out", "--slice" };
 
         readonly List<ValidationCase> cases = new List<ValidationCase>();
@@ -24,7 +26,7 @@ namespace SphFluid.Validation
         /// <summary>Folder of the files.</summary>
         public string OutputFolder { get; private set; } = "Build/chart";
 
-        /// <summary>Time after which it stops between two runs; null for all in one go.</summary>
+        /// <summary>Time after which it stops between two runs; null for all in one go. A quick chart stops after nine minutes, however busy the machine.</summary>
         public TimeSpan? Slice { get; private set; }
 
         /// <summary>
@@ -93,6 +95,8 @@ namespace SphFluid.Validation
                 cases.AddRange(charted);
             if (methods.Count == 0)
                 methods.AddRange(CaseMethod.All);
+            if (Quick && !Slice.HasValue)
+                Slice = TimeSpan.FromMinutes(QuickMinutes);
         }
     }
 }

@@ -10,7 +10,8 @@ namespace SphFluid.Validation
     {
         const double LeastSpan = 4.0;
         const double Margin = 1.35;
-        const double LongestWithHalves = 60.0;
+        const double LongestWithThrees = 12.0;
+        const double LongestWithHalves = 300.0;
 
         ChartAxis(double low, double high)
         {
@@ -37,8 +38,8 @@ namespace SphFluid.Validation
             return new ChartAxis(low / missing, high * missing * room);
         }
 
-        /// <summary>The labelled values: 1, 2, 5, 10, ... on a short axis, powers of ten on a long one.</summary>
-        public IReadOnlyList<double> Tics() => Multiples(High / Low <= LongestWithHalves ? "125" : "1");
+        /// <summary>The labelled values: 1, 2, 3, 5, 10, ... on a short axis, without the 3 on a longer one, powers of ten on a long one.</summary>
+        public IReadOnlyList<double> Tics() => Multiples(High / Low <= LongestWithThrees ? "1235" : High / Low <= LongestWithHalves ? "125" : "1");
 
         /// <summary>The value as a part of a hundred: 0.02 is "2 %".</summary>
         public static string Percent(double value) => (100.0 * value).ToString("G3", CultureInfo.InvariantCulture) + " %";

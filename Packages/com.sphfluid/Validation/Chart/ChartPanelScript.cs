@@ -37,17 +37,21 @@ namespace SphFluid.Validation
         /// <summary>The caution below the panel, line by line.</summary>
         public string[] Notes { get; }
 
-        /// <summary>A block of data for each method and factor: cost, error, their least and greatest; and one of the failed points.</summary>
+        /// <summary>
+        /// A block of data for each method and factor: cost, error, their least and greatest, whether it is the factor's own point, a
+        /// label; and one of the failed points.
+        /// </summary>
         public IEnumerable<string> Data()
         {
             foreach ((int method, ChartFactor factor) in Series())
             {
                 yield return $"{Name(method, factor)} << END";
-                foreach (ChartPoint p in panel.Sweep(CaseMethod.All[method], factor))
+                IReadOnlyList<ChartPoint> sweep = panel.Sweep(CaseMethod.All[method], factor);
+                foreach (ChartPoint p in sweep)
                 {
                     SampleStatistics c = p.Cost.Value, e = p.Error.Value;
                     yield return string.Join(" ", new[] { c.Median, Shown(e.Median), c.Minimum, c.Maximum, Shown(e.Minimum), Shown(e.Maximum) }
-                        .Select(Gnuplot.Number).Append(factor == panel.FactorOf(p) ? "1" : "0"));
+                        .Select(Gnuplot.Number).Append(factor == panel.FactorOf(p) ? "1" : "0").Append(Label(p, factor, sweep)));
                 }
                 yield return "END";
             }
@@ -67,7 +71,7 @@ namespace SphFluid.Validation
             yield return x.Script("x", ChartAxis.Short);
             yield return y.Script("y", panel.IsFraction ? ChartAxis.Percent : (Func<double, string>)Gnuplot.Number);
             yield return $"set title {Gnuplot.Quote(panel.Case.Title)} font ',13' offset 0,-0.4";
-            yield return $"set ylabel {Gnuplot.Quote(panel.ErrorName)} offset 0.5,0";
+            yield return $"set ylabel {Gnuplot.Quote(panel.ErrorName)}";
             foreach (string line in Marks())
                 yield return line;
             var layers = new List<string>();
@@ -82,6 +86,8 @@ namespace SphFluid.Validation
                 layers.Add($"{Name(method, factor)} using ($7 == 1 ? $1 : NaN):2:3:4:5:6 with xyerrorbars pt {ChartStyle.Symbol(factor)} " +
                     $"ps {ChartStyle.Size(factor)} lw 1 lc {ChartStyle.Colour(method)}");
             }
+            foreach ((int method, ChartFactor factor) in Series().Where(s => s.Factor == ChartFactor.Support))
+                layers.Add($"{Name(method, factor)} using 1:2:8 with labels left offset 0.7,-0.5 font ',8' tc {ChartStyle.Colour(method)}");
             double top = y.Low * Math.Pow(y.High / y.Low, FailureHeight);
             foreach ((int method, ChartFactor factor) in Failures())
             {
@@ -91,13 +97,20 @@ namespace SphFluid.Validation
             yield return "plot " + string.Join(", \\\n    ", layers);
         }
 
+        // A wider support costs more a step and allows longer ones: which end of its line is which is not to be guessed.
+        static string Label(ChartPoint point, ChartFactor factor, IReadOnlyList<ChartPoint> sweep)
+        {
+            bool end = factor == ChartFactor.Support && (point == sweep[0] || point == sweep[sweep.Count - 1]);
+            return end ? "\"" + Gnuplot.Number(point.SupportRatio) + "\"" : "\"\"";
+        }
+
         IEnumerable<string> Marks()
         {
             if (panel.Case.Floor > 0.0)
             {
                 string floor = Gnuplot.Number(panel.Case.Floor);
                 yield return $"set object 1 rectangle from graph 0, graph 0 to graph 1, first {floor} fc rgb '#E6E6E6' fs solid 1.0 noborder behind";
-                yield return $"set label 1 {Gnuplot.Quote("reference floor " + ChartAxis.Percent(panel.Case.Floor))} at graph 0.985, first {floor} right offset 0,-0.7 " +
+                yield return $"set label 1 {Gnuplot.Quote("reference floor " + ChartAxis.Percent(Math.Round(panel.Case.Floor, 4)))} at graph 0.985, first {floor} right offset 0,-0.7 " +
                     "font ',9' tc rgb '#707070'";
             }
             for (int i = 0; i < realTime.Length; i++)

@@ -74,7 +74,7 @@ namespace SphFluid.Validation
 
         static readonly string[] Settings =
         {
-            "set logscale xy", "set tmargin 2.5", "set rmargin 2.5", "set lmargin 9", "set border 31 lc rgb '#404040'", "unset key", "set tics nomirror",
+            "set logscale xy", "set tmargin 2.5", "set rmargin 2.5", "set lmargin 10", "set border 31 lc rgb '#404040'", "unset key", "set tics nomirror",
             "set grid xtics ytics lt 1 lc rgb '#E8E8E8' lw 0.7", "set errorbars 0.4", "set xlabel 'GPU ms per simulated second' offset 0,0.4",
         };
 

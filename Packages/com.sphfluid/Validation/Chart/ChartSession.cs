@@ -85,7 +85,7 @@ namespace SphFluid.Validation
                 if (i > 0 && arguments.Slice.HasValue && clock.Elapsed + (rate.TimeFor(run.Cost) ?? TimeSpan.Zero) > arguments.Slice.Value)
                 {
                     Draw();
-                    progress.Say($"The slice ends with {plan.Runs.Count - pending.Count + i} of {plan.Runs.Count} runs done{TimeLeft(left, ", about ")}. " +
+                    progress.Say($"Time is up with {plan.Runs.Count - pending.Count + i} of {plan.Runs.Count} runs done{TimeLeft(left, ", about ")}. " +
                         "The same command goes on from there.");
                     yield break;
                 }

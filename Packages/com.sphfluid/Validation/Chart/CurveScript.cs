@@ -4,14 +4,19 @@ using System.Linq;
 
 namespace SphFluid.Validation
 {
-    /// <summary>The gnuplot script of a case's picture, with its data: the curves of its base against the reference.</summary>
+    /// <summary>
+    /// The gnuplot script of a case's picture, with its data: the curves of its base against the reference. Three references or more,
+    /// with as many curves of each method, have a panel each; else all curves share one.
+    /// </summary>
     public sealed class CurveScript
     {
-        const int MostPointsAsMarks = 40;
-        const int LegendLine = 22;
+        const int FewestPointsAsMarks = 5, MostPointsAsMarks = 40;
+        const int FewestPanels = 3;
+        const string Page = "noenhanced font 'DejaVu Sans,11' background 'white'";
 
         readonly ValidationCase validationCase;
-        readonly List<(int Method, string Run, IReadOnlyList<CaseSeries> Curves)> runs = new List<(int, string, IReadOnlyList<CaseSeries>)>();
+        readonly List<(int Method, string Run, List<CaseSeries> Curves)> runs = new List<(int, string, List<CaseSeries>)>();
+        readonly List<CaseSeries> references = new List<CaseSeries>();
 
         /// <summary>The picture of the curves that a folder has.</summary>
         /// <param name="validationCase">The case.</param>
@@ -22,8 +27,11 @@ namespace SphFluid.Validation
             for (int m = 0; m < CaseMethod.All.Count; m++)
             {
                 IReadOnlyList<CaseSeries> curves = CurveFile.Read(CurveFile.PathOf(folder, validationCase.Name, CaseMethod.All[m].Name), out string run);
-                if (curves.Count > 0)
-                    runs.Add((m, run, curves));
+                // The references of all methods are the same.
+                references.AddRange(curves.Where(c => c.IsReference && !references.Any(r => r.Name == c.Name)));
+                List<CaseSeries> measured = curves.Where(c => !c.IsReference).ToList();
+                if (measured.Count > 0)
+                    runs.Add((m, run, measured));
             }
         }
 
@@ -36,55 +44,91 @@ namespace SphFluid.Validation
         /// <summary>The script's lines.</summary>
         public IEnumerable<string> Lines()
         {
-            var layers = new List<string>();
-            yield return $"# Draws case-{validationCase.Name}.png: gnuplot {FileName}";
-            // The references of all methods are the same.
-            List<CaseSeries> references = runs.SelectMany(r => r.Curves).Where(c => c.IsReference).GroupBy(c => c.Name).Select(g => g.First()).ToList();
+            var lines = new List<string> { $"# Draws case-{validationCase.Name}.png: gnuplot {FileName}" };
             for (int i = 0; i < references.Count; i++)
+                lines.AddRange(Block(ReferenceName(i), references[i]));
+            foreach ((int method, string _, List<CaseSeries> curves) in runs)
             {
-                foreach (string line in Block($"$reference{i}", references[i]))
-                    yield return line;
-                string style = references[i].X.Count <= MostPointsAsMarks ? $"points pt {Mark(i)} ps 1.1 lw 1.5" : $"lines lw 2 dt {i + 1}";
-                layers.Add($"$reference{i} using 1:2 with {style} lc rgb 'black' title {Gnuplot.Quote(references[i].Name)}");
-            }
-            bool sameConstants = runs.All(r => r.Run == runs[0].Run);
-            foreach ((int method, string run, IReadOnlyList<CaseSeries> curves) in runs)
-            {
-                string constants = sameConstants ? "" : $" ({run})";
-                List<CaseSeries> measured = curves.Where(c => !c.IsReference).ToList();
-                for (int i = 0; i < measured.Count; i++)
-                {
-                    string name = $"$method{method}_{i}";
-                    foreach (string line in Block(name, measured[i]))
-                        yield return line;
-                    layers.Add($"{name} using 1:2 with lines lw 2 dt {i + 1} lc {ChartStyle.Colour(method)} " +
-                        $"title {Gnuplot.Quote($"{CaseMethod.All[method].Title}: {measured[i].Name}{constants}")}");
-                }
+                for (int i = 0; i < curves.Count; i++)
+                    lines.AddRange(Block(CurveName(method, i), curves[i]));
             }
             (string x, string y) = validationCase.AxisTitles;
-            int height = 500 + LegendLine * ((layers.Count + 1) / 2);
-            yield return $"set terminal pngcairo noenhanced size 900,{height} font 'DejaVu Sans,11' background 'white'";
-            yield return $"set output 'case-{validationCase.Name}.png'";
-            yield return $"set title {Gnuplot.Quote(validationCase.Title)} font ',13'";
-            yield return $"set xlabel {Gnuplot.Quote(x)}";
-            yield return $"set ylabel {Gnuplot.Quote(y)}";
-            yield return "set grid lt 1 lc rgb '#E8E8E8' lw 0.7";
-            yield return "set border lc rgb '#404040'";
-            yield return "set key outside below Left reverse maxcols 2";
-            if (sameConstants)
-                yield return $"set label {Gnuplot.Quote(runs[0].Run)} at graph 0.99, graph 0.04 right font ',9' tc rgb '#707070'";
-            foreach (string line in Range(references))
-                yield return line;
-            yield return "plot " + string.Join(", \\\n    ", layers);
+            var axes = new List<string>
+            {
+                $"set xlabel {Gnuplot.Quote(x)}", $"set ylabel {Gnuplot.Quote(y)}", "set grid lt 1 lc rgb '#E8E8E8' lw 0.7", "set border 31 lc rgb '#404040'",
+            };
+            axes.AddRange(Range());
+            bool divided = references.Count >= FewestPanels && runs.All(r => r.Curves.Count == references.Count);
+            lines.AddRange(divided ? Divided(axes) : Single(axes));
+            return lines;
         }
 
+        IEnumerable<string> Single(List<string> axes)
+        {
+            List<string> layers = Enumerable.Range(0, references.Count).Select(i => Reference(i, references[i].Name)).ToList();
+            foreach ((int method, string run, List<CaseSeries> curves) in runs)
+                layers.AddRange(curves.Select((curve, i) => Curve(method, i, i, $"{CaseMethod.All[method].Title}: {curve.Name}")));
+            yield return $"set terminal pngcairo size 900,{520 + 22 * ((layers.Count + 1) / 2)} {Page}";
+            yield return Output;
+            foreach (string line in axes)
+                yield return line;
+            yield return $"set title {Heading} font ',12'";
+            yield return "set key outside below Left reverse maxcols 2";
+            yield return Plot(layers);
+        }
+
+        IEnumerable<string> Divided(List<string> axes)
+        {
+            int rows = (references.Count + 1) / 2;
+            int height = 90 + 360 * rows;
+            yield return $"set terminal pngcairo size 1100,{height} {Page}";
+            yield return Output;
+            yield return $"set multiplot layout {rows},2 title {Heading}.\"\\n \" font ',12'";
+            foreach (string line in axes)
+                yield return line;
+            for (int i = 0; i < references.Count; i++)
+            {
+                // Above the panels, once for all.
+                yield return i == 0 ? $"set key at screen 0.5, screen {Gnuplot.Number(1.0 - 55.0 / height)} center horizontal" : "unset key";
+                yield return $"set title {Gnuplot.Quote(references[i].Name)} font ',11'";
+                yield return Plot(new[] { Reference(i, "reference", 0) }.Concat(runs.Select(r => Curve(r.Method, i, 0, CaseMethod.All[r.Method].Title))));
+            }
+            yield return "unset multiplot";
+        }
+
+        string Output => $"set output 'case-{validationCase.Name}.png'";
+
+        // The constants below the title; each method's where they differ.
+        string Heading
+        {
+            get
+            {
+                bool same = runs.All(r => r.Run == runs[0].Run);
+                string constants = same ? runs[0].Run : string.Join("; ", runs.Select(r => $"{CaseMethod.All[r.Method].Title}: {r.Run}"));
+                return Gnuplot.Quote(validationCase.Title) + ".\"\\n\"." + Gnuplot.Quote(constants);
+            }
+        }
+
+        string Reference(int index, string title, int style = -1)
+        {
+            int look = style < 0 ? index : style;
+            int points = references[index].X.Count;
+            string drawn = points >= FewestPointsAsMarks && points <= MostPointsAsMarks ? $"points pt {Mark(look)} ps 1.1 lw 1.5" : $"lines lw 2 dt {look + 1}";
+            return $"{ReferenceName(index)} using 1:2 with {drawn} lc rgb 'black' title {Gnuplot.Quote(title)}";
+        }
+
+        static string Curve(int method, int index, int style, string title) =>
+            $"{CurveName(method, index)} using 1:2 with lines lw 2 dt {style + 1} lc {ChartStyle.Colour(method)} title {Gnuplot.Quote(title)}";
+
+        static string Plot(IEnumerable<string> layers) => "plot " + string.Join(", \\\n    ", layers);
+
         // A run that flies apart leaves the picture: the reference stays readable.
-        IEnumerable<string> Range(List<CaseSeries> references)
+        IEnumerable<string> Range()
         {
             List<double> expected = references.SelectMany(r => r.Y).Where(IsFinite).ToList();
             if (expected.Count == 0)
                 yield break;
-            List<double> all = runs.SelectMany(r => r.Curves).SelectMany(c => c.Y).Where(IsFinite).ToList();
+            List<double> all = runs.SelectMany(r => r.Curves).SelectMany(c => c.Y).Where(IsFinite).Concat(expected).ToList();
             double span = expected.Max() - expected.Min();
             double low = Math.Max(all.Min(), expected.Min() - span), high = Math.Min(all.Max(), expected.Max() + span);
             double margin = 0.05 * (high - low);
@@ -101,6 +145,10 @@ namespace SphFluid.Validation
                 yield return $"{Gnuplot.Number(curve.X[i])} {Gnuplot.Number(curve.Y[i])}";
             yield return "END";
         }
+
+        static string ReferenceName(int index) => $"$reference{index}";
+
+        static string CurveName(int method, int index) => $"$method{method}_{index}";
 
         // Open circle, square, triangle, ...
         static int Mark(int index) => new[] { 6, 4, 8, 10, 12 }[index % 5];

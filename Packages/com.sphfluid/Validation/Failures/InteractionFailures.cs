@@ -23,13 +23,19 @@ namespace SphFluid.Validation
         /// </summary>
         public static FailureExperiment Pairing()
         {
-            FailureRun At(float ratio)
-            {
-                FailureRun run = FailureBlocks.Column(new Vector3Int(6, 10, 6), 9.81f, 25.0, FluidAxes.None, ratio);
-                run.Steps = 400;
-                return run;
-            }
-            return new FailureExperiment("pairing", FluidFailure.Pairing, At(4f), At(2f), "share of particles with a neighbour nearer than dx/2 at the end", Clumped);
+            // Two particles of half the mass a place: the same density.
+            float dx = FailureBlocks.Spacing, place = dx * Mathf.Pow(2f, 1f / 3f);
+            var counts = new Vector3Int(10, 10, 10);
+            Vector3 domain = place * (Vector3)counts;
+            FluidSolverSettings settings = FailureBlocks.Settings(domain, 4f, FluidAxes.All);
+            settings.ParticleMass *= 1.02f;
+            FluidParticle[] first = FailureBlocks.Lattice(counts, place, -0.5f * domain, 0.0, 0.5f * domain);
+            FluidParticle[] second = System.Array.ConvertAll(first, p => new FluidParticle(p.Position + 0.2f * dx * new Vector3(0.36f, 0.48f, 0.8f), Vector3.zero, 0));
+            var paired = new FailureRun { Settings = settings, Start = FailureBlocks.Join(first, second), Steps = 200 };
+            FailureRun lattice = FailureBlocks.PeriodicBox(12 * Vector3Int.one, 4f, 0.1);
+            lattice.Settings.ParticleMass *= 1.02f;
+            lattice.Steps = 200;
+            return new FailureExperiment("pairing", FluidFailure.Pairing, paired, lattice, "share of particles with a neighbour nearer than dx/2 at the end", Clumped);
         }
 
         /// <summary>A lattice with a jitter of 1e-4 dx boils without viscosity: research's box, t = 200 R/c, c = √k.</summary>

@@ -117,7 +117,7 @@ namespace SphFluid.Validation
             else if (now.MaxSpeed > SpeedRatio * criteria.ReferenceSpeed)
                 Fail(StabilityCause.Speed, FormattableString.Invariant($"a particle has {now.MaxSpeed / criteria.ReferenceSpeed:G3} v_ref"));
             else if (now.Total - first.Total > EnergyGrowth * start)
-                Fail(StabilityCause.Energy, FormattableString.Invariant($"the energy grew by {(now.Total - first.Total) / start:P1} of the start's"));
+                Fail(StabilityCause.Energy, FormattableString.Invariant($"the energy grew by {(now.Total - first.Total) / start:P1} of {(start > first.Total ? "½ M v_ref²" : "the start's")}"));
             else if (escaped > EscapedShare)
                 Fail(StabilityCause.Escape, FormattableString.Invariant($"{escaped:P2} of the particles are beyond a wall by dx/2"));
             else if (now.MeanCompression - first.MeanCompression > Compression)

@@ -20,5 +20,8 @@ namespace SphFluid.Validation
 
         /// <summary>Steps done.</summary>
         public long Steps;
+
+        /// <summary>Whether the run ended before the map's length: it says less.</summary>
+        public bool IsCut => Reason.Contains(StabilityScenario.CutText);
     }
 }

@@ -15,6 +15,9 @@ namespace SphFluid.Validation
         /// <summary>Whether the run ends before the map's length.</summary>
         public bool IsCut => Setup.Duration < WantedDuration * (1.0 - 1e-6);
 
+        /// <summary>What a cut run's judgement says at its end.</summary>
+        public const string CutText = "ended by its budget";
+
         /// <summary>Cuts the run to a number of steps; it is looked at fifty times, and the last quarter counts as its end.</summary>
         /// <param name="mostSteps">Most steps.</param>
         public StabilityScenario Cut(double mostSteps)

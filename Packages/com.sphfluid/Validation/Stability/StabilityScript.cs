@@ -49,13 +49,8 @@ namespace SphFluid.Validation
             }
             for (int b = 0; b < map.Borders.Count; b++)
             {
-                yield return $"$border{b} << END";
-                for (int i = 0; i <= 60; i++)
-                {
-                    double y = At(map.Y, i / 60.0 * 1.2 - 0.1);
-                    yield return Gnuplot.Number(map.Borders[b].X(y)) + " " + Gnuplot.Number(y);
-                }
-                yield return "END";
+                foreach (string line in Line(b))
+                    yield return line;
             }
             string size = $"size {methods.Count * PanelWidth},{PanelHeight + LegendHeight}";
             yield return "do for [format in \"svg png\"] {";
@@ -78,6 +73,19 @@ namespace SphFluid.Validation
             yield return "}";
         }
 
+        IEnumerable<string> Line(int index)
+        {
+            StabilityBorder border = map.Borders[index];
+            yield return $"$border{index} << END";
+            for (int i = 0; i <= 60; i++)
+            {
+                double place = i / 60.0 * 1.2 - 0.1;
+                double y = border.X == null ? border.Level : At(map.Y, place);
+                yield return Gnuplot.Number(border.X == null ? At(map.X, place) : border.X(y)) + " " + Gnuplot.Number(y);
+            }
+            yield return "END";
+        }
+
         IEnumerable<string> Frame()
         {
             foreach ((string name, StabilityAxis axis, int count) in new[] { ("x", map.X, Columns(r => r.X)), ("y", map.Y, Columns(r => r.Y)) })
@@ -90,9 +98,11 @@ namespace SphFluid.Validation
                 yield return axis.IsLogarithmic ? $"set {name}tics ({Tics(axis)})" : $"set {name}tics format '%g'";
             }
             yield return "set border 31 lc rgb '#404040'; set tics nomirror out; set bmargin 11; set tmargin 4; set lmargin 9; set rmargin 3";
-            yield return "set key at graph 0.5, graph -0.14 center top horizontal Left reverse samplen 2 spacing 1.15 maxcols 3 width 1 font ',10'";
+            yield return "set key at graph 0.5, graph -0.19 center top horizontal Left reverse samplen 2 spacing 1.15 maxcols 2 width 2 font ',10'";
             string letters = string.Join("   ", StabilityCauses.All.Where(c => rows.Any(r => r.Outcome.Cause == c)).Select(c => $"{StabilityCauses.Letter(c)} {StabilityCauses.Title(c)}"));
-            yield return $"set label 1 {Gnuplot.Quote(letters)} at graph 0.5, graph -0.34 center font ',10'";
+            if (rows.Any(r => r.Outcome.IsCut))
+                letters += "   * ended by its budget";
+            yield return $"set label 1 {Gnuplot.Quote(letters.Trim())} at graph 0.5, graph -0.16 center font ',10'";
         }
 
         IEnumerable<string> Layers(CaseMethod method)
@@ -116,7 +126,7 @@ namespace SphFluid.Validation
             {
                 StabilityRow worst = cell.OrderByDescending(r => r.Outcome.Verdict).ThenBy(r => r.Seed).First();
                 double x = map.X.Place(worst.X), y = map.Y.Place(worst.Y);
-                string letter = StabilityCauses.Letter(worst.Outcome.Cause);
+                string letter = StabilityCauses.Letter(worst.Outcome.Cause) + (cell.Any(r => r.Outcome.IsCut) ? "*" : "");
                 yield return string.Join(" ", new[] { worst.X, worst.Y, At(map.X, x - halfX), At(map.X, x + halfX), At(map.Y, y - halfY), At(map.Y, y + halfY) }
                     .Select(Gnuplot.Number)) + $" {(int)worst.Outcome.Verdict} \"{letter}\"";
             }

@@ -29,6 +29,7 @@ namespace SphFluid.Validation
         readonly ChartRate rate;
         readonly SessionWork work;
         bool disposed;
+        long steps;
 
         /// <summary>Prepares a session; nothing is run yet.</summary>
         /// <param name="arguments">What to measure.</param>
@@ -109,8 +110,6 @@ namespace SphFluid.Validation
                 jobs.Count, steps, SessionProgress.Duration(clock.Elapsed)));
         }
 
-        long steps;
-
         Job Cell(StabilityRun run) => new Job(run.ToString(), run.Cost, () => files.Contains(run), () => RunCell(run));
 
         Job Border(StabilityLimit limit, CaseMethod method)
@@ -129,7 +128,7 @@ namespace SphFluid.Validation
             yield return runner(scene.Setup, judge, r => result = r);
             steps += result.Steps;
             string cut = scene.IsCut
-                ? FormattableString.Invariant($"ended by its budget of {result.Steps} steps at {scene.Setup.Duration / scene.WantedDuration:P0} of {scene.WantedDuration:G3} s") : "";
+                ? FormattableString.Invariant($"{StabilityScenario.CutText} of {result.Steps} steps at {scene.Setup.Duration / scene.WantedDuration:P0} of {scene.WantedDuration:G3} s") : "";
             StabilityOutcome outcome = judge.Conclude(result, cut);
             files.Add(StabilityRow.Of(run, outcome, files.Device, Today));
             if (run.X.Equals(run.Map.X.High))
@@ -142,7 +141,8 @@ namespace SphFluid.Validation
             while (!search.IsDone)
             {
                 CaseResult result = null;
-                yield return runner(limit.Build(search.Next, method), new GrowthMetric(limit.Growth), r => result = r);
+                CaseSetup setup = limit.Build(search.Next, method);
+                yield return runner(setup, new GrowthMetric(limit.Growth, setup.Settings.PeriodLength), r => result = r);
                 steps += result.Steps;
                 search.Add(!result.Failed);
             }

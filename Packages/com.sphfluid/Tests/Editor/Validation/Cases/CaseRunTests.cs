@@ -50,16 +50,34 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void SamplesCostTheSolverNothing()
+        public void WhatIsTimedIsTheWorkOfTheStepsAndAllOfIt()
         {
-            long Dispatches(double interval)
+            CaseSetup setup = CaseStates.Block(1, 1);
+            long before = 0;
+            long Dispatches()
             {
-                long before = ComputeKernel.DispatchesRecorded;
-                Run(CaseStates.Block(0.05, interval), out _);
-                return ComputeKernel.DispatchesRecorded - before;
+                long count = ComputeKernel.DispatchesRecorded - before;
+                before += count;
+                return count;
             }
 
-            Assert.That(Dispatches(1e-6), Is.EqualTo(Dispatches(1)));
+            using (var solver = new FluidSolver(setup.Settings, shaders, setup.Particles))
+            using (var stepper = new CaseStepper(solver, false))
+            {
+                FluidSnapshot.Read(solver);
+                Dispatches();
+                stepper.Step(1);
+                long step = Dispatches();
+                FluidSnapshot.Read(solver);
+                Assert.That(Dispatches(), Is.Zero, "a sample finds the neighbours of the last step");
+                stepper.Step(1);
+                Assert.That(Dispatches(), Is.EqualTo(step), "a step after a sample does no less");
+                long steps = solver.StepCount;
+                stepper.Step(1000);
+                Assert.That(Dispatches(), Is.EqualTo((solver.StepCount - steps) * step));
+                Assert.That(solver.StepCount - steps, Is.InRange(1, 64), "submissions grow by four at most");
+                Assert.That(step, Is.EqualTo(10 + 8), "10 sorts and the 8 other blocks");
+            }
         }
 
         [Test]

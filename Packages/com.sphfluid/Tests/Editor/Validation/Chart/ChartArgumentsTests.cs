@@ -43,6 +43,13 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void AQuickChartEndsInTime()
+        {
+            Assert.That(Parse("player", "--", "--quick").Slice, Is.EqualTo(TimeSpan.FromMinutes(9)));
+            Assert.That(Parse("player", "--", "--quick", "--slice", "20").Slice, Is.EqualTo(TimeSpan.FromMinutes(20)));
+        }
+
+        [Test]
         public void PassesOverFlagsOfOthersWithoutASeparator()
         {
             Assert.That(Parse("Unity", "--case", "two", "-batchmode", "-executeMethod", "A.B").Cases.Single().Name, Is.EqualTo("two"));

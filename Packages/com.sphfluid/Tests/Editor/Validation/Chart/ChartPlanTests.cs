@@ -43,7 +43,8 @@ namespace SphFluid.Tests
         public void LongRunsAreLeftOutAndToldOf()
         {
             double limit = new ChartRun(new ChartConfig(cases[0], cases[0].Base(CaseMethod.Find("thesis")), ChartFactor.Base), 1).Cost * 4.0;
-            ChartPlan all = ChartPlan.Full(cases, CaseMethod.All), limited = ChartPlan.Full(cases, CaseMethod.All, limit);
+            CaseMethod[] method = { CaseMethod.Find("thesis") };
+            ChartPlan all = ChartPlan.Full(cases, method), limited = ChartPlan.Full(cases, method, limit);
 
             Assert.That(limited.Runs.Count + limited.LeftOut.Count, Is.EqualTo(all.Runs.Count));
             Assert.That(limited.LeftOut.Any(r => r.Config.Factor == ChartFactor.Spacing && r.Config.Particles == 24 * 24 * 24), Is.True);

@@ -42,10 +42,10 @@ namespace SphFluid.Tests
             string[] lines = Script(new FlatCase("one")).Split('\n');
             int start = Array.FindIndex(lines, l => l.StartsWith("$p0_1_Support << END", StringComparison.Ordinal));
 
-            // κ 1.75 and 2.5 with the base's 2 between them; the last column marks the sweep's own points.
+            // κ 1.75 and 2.5 with the base's 2 between them; the last columns mark the sweep's own points and its ends.
             Assert.That(lines.Skip(start + 1).Take(4), Is.EqualTo(new[]
             {
-                "100 0.175 90 110 0.165 0.185 1", "100 0.2 90 110 0.19 0.21 0", "100 0.25 90 110 0.24 0.26 1", "END",
+                "100 0.175 90 110 0.165 0.185 1 \"1.75\"", "100 0.2 90 110 0.19 0.21 0 \"\"", "100 0.25 90 110 0.24 0.26 1 \"2.5\"", "END",
             }));
         }
 
@@ -85,9 +85,21 @@ namespace SphFluid.Tests
 
             Assert.That(script, Does.Contain("set output 'case-one.png'"));
             Assert.That(script, Does.Contain("title 'rest'").And.Contain("title 'thesis, corrected: height'"));
-            Assert.That(script, Does.Contain("set ylabel 'h/H'").And.Contain("'dx 0.1 m'"));
+            Assert.That(script, Does.Contain("set ylabel 'h/H'").And.Contain("'A cube''s rest'.\"\\n\".'dx 0.1 m'"));
             Assert.That(script, Does.Contain("\n0.02 0.998\n"));
             Assert.That(new CurveScript(new FlatCase("two"), folder).IsEmpty, Is.True);
+        }
+
+        [Test]
+        public void ManyReferencesHaveAPanelEach()
+        {
+            List<CaseSeries> curves = Enumerable.Range(0, 3).SelectMany(i => FlatCase.Result(1.0, 0.1).Series.Select(c => Renamed(c, c.Name + " " + i))).ToList();
+            CurveFile.Write(CurveFile.PathOf(folder, "one", "thesis"), "dx 0.1 m", curves);
+            string script = string.Join("\n", new CurveScript(new FlatCase("one"), folder).Lines());
+
+            Assert.That(script, Does.Contain("set multiplot layout 2,2"));
+            Assert.That(Count(script, "\nplot "), Is.EqualTo(3));
+            Assert.That(script, Does.Contain("set title 'rest 2'"));
         }
 
         [Test]
@@ -124,8 +136,9 @@ namespace SphFluid.Tests
             Assert.That(Gnuplot.Draw(Write("broken.gp", "plott x")), Does.Contain("broken.gp").And.Contain("invalid command"));
         }
 
-        [TestCase(0.011, 0.9, new[] { 0.01, 0.1, 1.0 })]
+        [TestCase(0.0011, 0.9, new[] { 0.001, 0.01, 0.1, 1.0 })]
         [TestCase(0.1, 0.2, new[] { 0.1, 0.2 })]
+        [TestCase(0.11, 0.7, new[] { 0.1, 0.2, 0.3, 0.5 })]
         [TestCase(0.03, 0.7, new[] { 0.05, 0.1, 0.2, 0.5 })]
         public void AxesHaveTheirOwnTics(double low, double high, double[] tics)
         {
@@ -168,6 +181,14 @@ namespace SphFluid.Tests
             }
             List<IReadOnlyList<ChartPanel>> groups = cases.Select(c => ChartPanel.Of(c, table.Rows)).ToList();
             return string.Join("\n", new ChartScript(groups, table.Device, "2026-11-21").Lines());
+        }
+
+        static CaseSeries Renamed(CaseSeries curve, string name)
+        {
+            var renamed = new CaseSeries(name, curve.IsReference);
+            for (int i = 0; i < curve.X.Count; i++)
+                renamed.Add(curve.X[i], curve.Y[i]);
+            return renamed;
         }
 
         string Write(string name, string text)

@@ -1,0 +1,197 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Each detector fires on made-up vitals that show its failure, and on no others.</summary>
+    public sealed class FluidDetectorsTests
+    {
+        const int Sick = 25;
+
+        static readonly (FluidFailure Failure, string Name, Action<VitalsSeries> Make)[] Cases =
+        {
+            (FluidFailure.NonFinite, "vitals", s => s.At(Sick, v => { v.NonFinite = 1; return v; })),
+            (FluidFailure.NonFinite, "guard", s => s.Count(Sick, new FluidCounters { NonFinite = 3 })),
+            (FluidFailure.EnergyGrowth, "pumped", s => s.At(Sick, v => { v.PotentialEnergy += 1.06 * s.Available(s.Vitals[0]); return v; })),
+            (FluidFailure.Escaped, "outside", s => s.At(Sick, v => { v.Escaped = 9; return v; })),
+            (FluidFailure.Escaped, "put back", s => s.Count(Sick, new FluidCounters { DomainClamps = 9 })),
+            (FluidFailure.TensileClumping, "suction", s => s.With(x => { x.PressureClamp = false; return x; })
+                .From(0, v => { v.Clumped = 0; v.MinDensityRatio = 0.95; return v; }).At(Sick, v => { v.Clumped = 81; return v; })),
+            (FluidFailure.Pairing, "wide kernel", s => s.With(x => { x.SupportRadius = 3f * x.Spacing; x.Viscosity *= 1.5f; return x; })
+                .From(0, v => { v.Clumped = 0; return v; }).At(Sick, v => { v.Clumped = 81; return v; })),
+            (FluidFailure.CoincidentParticles, "at the start", s => s.At(0, v => { v.Coincident = 2; return v; })),
+            (FluidFailure.CoincidentParticles, "merged", s => s.At(Sick, v => { v.Coincident = 401; return v; })),
+            (FluidFailure.KernelMismatch, "little viscosity", s => s.With(x => { x.Viscosity *= 0.99f; return x; })),
+            (FluidFailure.KernelMismatch, "boils", s => s.At(Sick, v => { v.Checkerboard = 1.0; v.KineticEnergy = 0.5 * s.Settings.ParticleMass * v.ParticleCount * 0.04; return v; })),
+            (FluidFailure.DensityDeficiency, "suction at surfaces", s => s.With(x => { x.PressureClamp = false; return x; })
+                .From(0, v => { v.Clumped = 0; return v; })),
+            (FluidFailure.SelfTermMissing, "switched off", s => s.With(x => { x.SelfDensity = false; return x; })),
+            (FluidFailure.SelfTermMissing, "light lattice", s => s.At(0, v => { v.MaxDensityRatio = 0.81; return v; })),
+            (FluidFailure.TimeStepTooLong, "settings", s => s.Step(1.4f)),
+            (FluidFailure.TimeStepTooLong, "in use", s => s.From(0, v => { v.Time *= 1.9; v.MaxSpeed *= 0.5; return v; })),
+            (FluidFailure.ViscosityTooStiff, "settings", s => s.Viscosity(0.12)),
+            (FluidFailure.NumericalViscosity, "water", s => s.RealViscosity = 1e-6),
+            (FluidFailure.DeepTankLoss, "mean compression", s => s.At(Sick, v => { v.MeanCompression = 0.051; return v; })),
+            (FluidFailure.DeepTankLoss, "soft", s => s.With(x => { x.Stiffness *= 0.09f; return x; })),
+            (FluidFailure.Tunnelling, "fast", s => s.At(Sick, v => { v.MaxSpeed = 0.41 * s.Settings.Spacing / s.Settings.TimeStep; return v; })),
+            (FluidFailure.WallStacking, "touching", s => s.At(Sick, v => { v.AtWalls = 81; return v; })),
+            (FluidFailure.WallStacking, "crowded", s => s.At(Sick, v => { v.WallCrowding = 2.3; return v; })),
+            (FluidFailure.ClampActs, "guard", s => s.Count(Sick, new FluidCounters { AccelerationLimitHits = 1 })),
+            (FluidFailure.Overflow, "neighbours", s => s.At(Sick, v => { v.MaxNeighbours = 101; return v; })),
+            (FluidFailure.OverlappingStart, "compressed", s => s.At(0, v => { v.MaxDensityRatio = 1.11; return v; })),
+            (FluidFailure.OverlappingStart, "bursts", s => s.Step(0.4f).At(1, v => { v.Step = 10; v.Time /= 5; v.MaxSpeed = 2.01 * s.Settings.MaxSpeed; return v; })),
+            (FluidFailure.StaleGrid, "misplaced", s => s.At(Sick, v => { v.Misplaced = 1; return v; })),
+            (FluidFailure.StaleGrid, "listed twice", s => s.At(Sick, v => { v.Listed++; return v; })),
+        };
+
+        static IEnumerable<TestCaseData> CaseData => Cases.Select((c, i) => new TestCaseData(i).SetName($"{c.Failure}: {c.Name}"));
+
+        [TestCaseSource(nameof(CaseData))]
+        public void FailureIsNamedAndNoOther(int index)
+        {
+            VitalsSeries series = VitalsSeries.Healthy();
+            Cases[index].Make(series);
+            List<FluidFinding> findings = series.Run().SelectMany(found => found).ToList();
+            Assert.That(findings.Select(f => f.Failure).Distinct(), Is.EqualTo(new[] { Cases[index].Failure }));
+            foreach (FluidFinding finding in findings)
+            {
+                Assert.That(finding.Text, Does.EndWith(".").And.Match("[0-9]"), "a sentence with a figure");
+                Assert.That(finding.Cure, Does.EndWith("."));
+                if (finding.Failure != FluidFailure.KernelMismatch && finding.Failure != FluidFailure.SelfTermMissing && finding.Failure != FluidFailure.DensityDeficiency)
+                    Assert.That(finding.Value, Is.GreaterThan(finding.Limit));
+            }
+        }
+
+        [Test]
+        public void HealthyLiquidHasNoFindings()
+        {
+            VitalsSeries series = VitalsSeries.Healthy();
+            Assert.That(series.Detectors().Check(), Is.Empty);
+            Assert.That(series.Run().SelectMany(found => found).Select(f => f.Text), Is.Empty);
+        }
+
+        // AsymmetricPairs is found by brute force only.
+        [Test]
+        public void EveryFailureHasACase()
+        {
+            var all = ((FluidFailure[])Enum.GetValues(typeof(FluidFailure))).Where(f => f != FluidFailure.AsymmetricPairs);
+            Assert.That(Cases.Select(c => c.Failure).Distinct(), Is.EquivalentTo(all));
+        }
+
+        [Test]
+        public void FindingsEndWithTheirCause()
+        {
+            VitalsSeries series = VitalsSeries.Healthy().Count(Sick, new FluidCounters { AccelerationLimitHits = 5 });
+            List<IReadOnlyList<FluidFinding>> found = series.Run();
+            Assert.That(found[Sick - 1], Is.Empty);
+            Assert.That(found[Sick].Single().Value, Is.EqualTo(5.0));
+            Assert.That(found[Sick + 1], Is.Empty, "no new hits");
+        }
+
+        [Test]
+        public void EnergyThatComesNearTheBorderOfStabilityNamesTheStep()
+        {
+            VitalsSeries series = VitalsSeries.Healthy().Step(0.9f);
+            series.At(Sick, v => { v.PotentialEnergy += 1.06 * series.Available(series.Vitals[0]); return v; });
+            Assert.That(series.Run()[Sick].Select(f => f.Failure), Is.EquivalentTo(new[] { FluidFailure.EnergyGrowth, FluidFailure.TimeStepTooLong }));
+        }
+
+        [TestCase(1.04, false)]
+        [TestCase(1.06, true)]
+        public void EnergyMayGrowByATwentieth(double factor, bool named)
+        {
+            VitalsSeries series = VitalsSeries.Healthy();
+            double first = series.Available(series.Vitals[0]);
+            series.At(Sick, v => { v.PotentialEnergy += factor * first - series.Available(v); return v; });
+            double quiet = 0.02 * series.Settings.SoundSpeed;
+            series.At(Sick, v => { v.PotentialEnergy += 0.5 * series.Settings.ParticleMass * v.ParticleCount * quiet * quiet; return v; });
+            Assert.That(series.Run()[Sick].Count, Is.EqualTo(named ? 1 : 0));
+        }
+
+        [Test]
+        public void WorkFromOutsideIsNoGrowth()
+        {
+            VitalsSeries Pumped()
+            {
+                VitalsSeries series = VitalsSeries.Healthy();
+                double first = series.Available(series.Vitals[0]);
+                return series.From(Sick, v => { v.PotentialEnergy += 1.1 * first; return v; });
+            }
+            Assert.That(Pumped().Run()[Sick].Select(f => f.Failure), Is.EqualTo(new[] { FluidFailure.EnergyGrowth }));
+
+            VitalsSeries belt = Pumped().With(x => { x.Boundaries.NoSlip = true; x.Boundaries.LowY = new Vector3(1f, 0f, 0f); return x; });
+            Assert.That(belt.Run().SelectMany(f => f), Is.Empty, "a moving wall does work");
+
+            VitalsSeries channel = Pumped().With(x => { x.Boundaries.Periodic = FluidAxes.X; x.Gravity = new Vector3(1f, -9.81f, 0f); return x; });
+            Assert.That(channel.Run().SelectMany(f => f).Where(f => f.Failure == FluidFailure.EnergyGrowth), Is.Empty, "gravity around a periodic axis does work");
+
+            VitalsSeries lifted = Pumped();
+            FluidDetectors detectors = lifted.Detectors();
+            for (int i = 0; i < lifted.Vitals.Count; i++)
+            {
+                if (i == Sick) detectors.Rebase();
+                Assert.That(detectors.Note(lifted.Vitals[i], default), Is.Empty, "a moved collider did work");
+            }
+        }
+
+        [Test]
+        public void ChangedConstantsAreLookedAtAnew()
+        {
+            VitalsSeries series = VitalsSeries.Healthy();
+            FluidDetectors detectors = series.Detectors();
+            Assert.That(detectors.Note(series.Vitals[0], default), Is.Empty);
+            detectors.Apply(series.Step(1.4f).Settings);
+            Assert.That(detectors.Check().Select(f => f.Failure), Is.EqualTo(new[] { FluidFailure.TimeStepTooLong }));
+            detectors.Apply(series.Step(1f / 1.4f).Settings);
+            Assert.That(detectors.Check(), Is.Empty);
+        }
+
+        [Test]
+        public void TextsAreTheSameInEveryLanguage()
+        {
+            System.Globalization.CultureInfo before = System.Globalization.CultureInfo.CurrentCulture;
+            try
+            {
+                System.Globalization.CultureInfo.CurrentCulture = new System.Globalization.CultureInfo("") { NumberFormat = { NumberDecimalSeparator = "@" } };
+                foreach (var entry in Cases)
+                {
+                    VitalsSeries series = VitalsSeries.Healthy();
+                    entry.Make(series);
+                    Assert.That(series.Run().SelectMany(f => f).Where(f => f.Text.Contains('@') || f.Cure.Contains('@')), Is.Empty);
+                }
+            }
+            finally
+            {
+                System.Globalization.CultureInfo.CurrentCulture = before;
+            }
+        }
+    }
+
+    /// <summary>Words of the cases.</summary>
+    static class VitalsSeriesWords
+    {
+        /// <summary>Energy over that of liquid in the lowest layer of the domain of 1 m [J].</summary>
+        public static double Available(this VitalsSeries series, FluidVitals vitals) =>
+            vitals.Energy + series.Settings.ParticleMass * (double)vitals.ParticleCount * 9.81 * 0.5;
+
+        /// <summary>The time step as a part of 1.35 R/√k.</summary>
+        public static VitalsSeries Step(this VitalsSeries series, float part)
+        {
+            float before = series.Settings.TimeStep;
+            series.Settings.TimeStep = part * 1.35f * series.Settings.SupportRadius / Mathf.Sqrt(series.Settings.Stiffness);
+            double ratio = series.Settings.TimeStep / (double)before;
+            return series.From(0, v => { v.Time *= ratio; v.MaxSpeed /= ratio; return v; });
+        }
+
+        /// <summary>ν dt/R².</summary>
+        public static VitalsSeries Viscosity(this VitalsSeries series, double ratio)
+        {
+            FluidSolverSettings s = series.Settings;
+            series.Settings.Viscosity = (float)(ratio * s.SupportRadius * s.SupportRadius / s.TimeStep * s.RestDensity);
+            return series;
+        }
+    }
+}
