@@ -8,6 +8,8 @@ namespace SphFluid
         // Disorder moves the border of the lattice: a liquid whose energy grows this near to it has too long a step.
         const double NearBorder = 0.8;
 
+        const double Rounding = 1e-3;
+
         const string FixedStep = "With Time Step Mode Fixed shorten Fixed Time Step; else lower the profile's Time Step Fraction";
 
         public static FluidFinding? NonFinite(FluidEvidence e)
@@ -53,7 +55,7 @@ namespace SphFluid
         public static FluidFinding? Tunnelling(FluidEvidence e)
         {
             double way = e.Now.MaxSpeed * e.TimeStep / e.Settings.Spacing;
-            if (!(way > TimeStepAdvice.SpeedLimit)) return null;
+            if (!(way > TimeStepAdvice.SpeedLimit * (1.0 + Rounding))) return null;
             return new FluidFinding(FluidFailure.Tunnelling, way, TimeStepAdvice.SpeedLimit,
                 Invariant($"The fastest particle, at {e.Now.MaxSpeed:G3} m/s, moves {way:0.00} spacings a step: it can cross a thin wall before the wall pushes."),
                 "Raise Expected Speed to the fastest speed, or shorten the time step; make thin colliders thicker than a spacing.");

@@ -27,15 +27,18 @@ namespace SphFluid.Validation
 
         /// <summary>An axis that shows some values with a margin.</summary>
         /// <param name="values">Values; those that are not finite and positive are not shown.</param>
-        /// <param name="room">Factor of free room above the greatest.</param>
-        public static ChartAxis Of(IEnumerable<double> values, double room = 1.0)
+        /// <param name="below">Free room below the least, over the length that the values need.</param>
+        /// <param name="above">Free room above the greatest, likewise.</param>
+        public static ChartAxis Of(IEnumerable<double> values, double below = 0.0, double above = 0.0)
         {
             List<double> shown = values.Where(v => v > 0.0 && !double.IsInfinity(v)).ToList();
             if (shown.Count == 0)
                 shown.AddRange(new[] { 0.01, 1.0 });
             double low = shown.Min() / Margin, high = shown.Max() * Margin;
             double missing = Math.Sqrt(Math.Max(1.0, LeastSpan / (high / low)));
-            return new ChartAxis(low / missing, high * missing * room);
+            low /= missing;
+            high *= missing;
+            return new ChartAxis(low / Math.Pow(high / low, below), high * Math.Pow(high / low, above));
         }
 
         /// <summary>The labelled values: 1, 2, 3, 5, 10, ... on a short axis, without the 3 on a longer one, powers of ten on a long one.</summary>

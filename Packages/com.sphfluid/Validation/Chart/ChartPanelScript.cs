@@ -9,7 +9,7 @@ namespace SphFluid.Validation
     sealed class ChartPanelScript
     {
         const int CautionWidth = 88;
-        const double RoomForFailures = 2.0;
+        const double RoomForFailures = 0.12, RoomForLabels = 0.15; // parts of the axis
         const double FailureHeight = 0.96; // part of the panel's height
         const double Smallest = 1e-7;
 
@@ -31,7 +31,7 @@ namespace SphFluid.Validation
             bool failures = group.Any(p => p.Points.Any(q => q.Failures > 0));
             y = ChartAxis.Of(group.SelectMany(p => p.Points).Where(p => p.Error.HasValue)
                 .SelectMany(p => new[] { Shown(p.Error.Value.Minimum), Shown(p.Error.Value.Maximum) }).Append(0.7 * panel.Case.Floor),
-                failures ? RoomForFailures : 1.0);
+                RoomForLabels, failures ? RoomForFailures : 0.0);
         }
 
         /// <summary>The caution below the panel, line by line.</summary>
@@ -87,7 +87,7 @@ namespace SphFluid.Validation
                     $"ps {ChartStyle.Size(factor)} lw 1 lc {ChartStyle.Colour(method)}");
             }
             foreach ((int method, ChartFactor factor) in Series().Where(s => s.Factor == ChartFactor.Support))
-                layers.Add($"{Name(method, factor)} using 1:2:8 with labels left offset 0.7,-0.5 font ',8' tc {ChartStyle.Colour(method)}");
+                layers.Add($"{Name(method, factor)} using 1:2:8 with labels left offset 0.6,0.6 font ',8' tc {ChartStyle.Colour(method)}");
             double top = y.Low * Math.Pow(y.High / y.Low, FailureHeight);
             foreach ((int method, ChartFactor factor) in Failures())
             {
@@ -98,10 +98,10 @@ namespace SphFluid.Validation
         }
 
         // A wider support costs more a step and allows longer ones: which end of its line is which is not to be guessed.
-        static string Label(ChartPoint point, ChartFactor factor, IReadOnlyList<ChartPoint> sweep)
+        string Label(ChartPoint point, ChartFactor factor, IReadOnlyList<ChartPoint> sweep)
         {
             bool end = factor == ChartFactor.Support && (point == sweep[0] || point == sweep[sweep.Count - 1]);
-            return end ? "\"" + Gnuplot.Number(point.SupportRatio) + "\"" : "\"\"";
+            return end && factor == panel.FactorOf(point) ? "\"" + Gnuplot.Number(point.SupportRatio) + "\"" : "\"\"";
         }
 
         IEnumerable<string> Marks()

@@ -55,7 +55,7 @@ namespace SphFluid.Validation
             (string x, string y) = validationCase.AxisTitles;
             var axes = new List<string>
             {
-                $"set xlabel {Gnuplot.Quote(x)}", $"set ylabel {Gnuplot.Quote(y)}", "set grid lt 1 lc rgb '#E8E8E8' lw 0.7", "set border 31 lc rgb '#404040'",
+                "set autoscale xfix", $"set xlabel {Gnuplot.Quote(x)}", $"set ylabel {Gnuplot.Quote(y)}", "set grid lt 1 lc rgb '#E8E8E8' lw 0.7", "set border 31 lc rgb '#404040'",
             };
             axes.AddRange(Range());
             bool divided = references.Count >= FewestPanels && runs.All(r => r.Curves.Count == references.Count);
@@ -74,22 +74,23 @@ namespace SphFluid.Validation
                 yield return line;
             yield return $"set title {Heading} font ',12'";
             yield return "set key outside below Left reverse maxcols 2";
+            yield return "set bmargin " + (5 + (layers.Count + 1) / 2);
             yield return Plot(layers);
         }
 
         IEnumerable<string> Divided(List<string> axes)
         {
             int rows = (references.Count + 1) / 2;
-            int height = 90 + 360 * rows;
+            int height = 110 + 360 * rows;
             yield return $"set terminal pngcairo size 1100,{height} {Page}";
             yield return Output;
-            yield return $"set multiplot layout {rows},2 title {Heading}.\"\\n \" font ',12'";
+            yield return $"set multiplot layout {rows},2 title {Heading}.\"\\n \\n \" font ',12'";
             foreach (string line in axes)
                 yield return line;
             for (int i = 0; i < references.Count; i++)
             {
                 // Above the panels, once for all.
-                yield return i == 0 ? $"set key at screen 0.5, screen {Gnuplot.Number(1.0 - 55.0 / height)} center horizontal" : "unset key";
+                yield return i == 0 ? $"set key at screen 0.5, screen {Gnuplot.Number(1.0 - 66.0 / height)} center horizontal maxrows 1" : "unset key";
                 yield return $"set title {Gnuplot.Quote(references[i].Name)} font ',11'";
                 yield return Plot(new[] { Reference(i, "reference", 0) }.Concat(runs.Select(r => Curve(r.Method, i, 0, CaseMethod.All[r.Method].Title))));
             }

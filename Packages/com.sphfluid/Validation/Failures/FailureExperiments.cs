@@ -13,5 +13,18 @@ namespace SphFluid.Validation
             StepFailures.NumericalViscosity(), DensityFailures.DeepTank(), WallFailures.Tunnelling(), WallFailures.Stacking(),
             GuardFailures.Clamp(), GuardFailures.Overflow(), DensityFailures.Overlap(), NeighbourFailures.AsymmetricPairs(), NeighbourFailures.StaleGrid(),
         };
+
+        /// <summary>The experiment of a name.</summary>
+        /// <param name="name">Its name, for instance "self-term".</param>
+        /// <exception cref="System.ArgumentException">There is none.</exception>
+        public static FailureExperiment Find(string name)
+        {
+            foreach (FailureExperiment experiment in All())
+            {
+                if (experiment.Name == name)
+                    return experiment;
+            }
+            throw new System.ArgumentException($"There is no failure experiment '{name}'.", nameof(name));
+        }
     }
 }

@@ -14,7 +14,7 @@ namespace SphFluid.Validation
             FailureRun failing = Drop(0f, 2f * 2f * FailureBlocks.Spacing / (Step * Step)); // the first kick counts half
             failing.Steps = 1;
             failing.Samples = 1;
-            return new FailureExperiment("tunnelling", FluidFailure.Tunnelling, failing, Drop(0.4f, 0f), "share of particles behind the sheet", Behind);
+            return new FailureExperiment("tunnelling", FluidFailure.Tunnelling, failing, Drop(0.3f, 0f), "share of particles behind the sheet", Behind);
         }
 
         /// <summary>Single particles above the sheet, thrown at it.</summary>
@@ -30,7 +30,8 @@ namespace SphFluid.Validation
             for (int i = 0; i < start.Length; i++)
             {
                 // Lone, every 0.4 m: on the diagonals over edges, in the middle over the vertex, over faces else.
-                float height = dx * (0.55f + 0.6f * (i * 0.618f % 1f));
+                // One step away at least: the first kick, a half, would stop only half of what it meets.
+                float height = dx * (way + 0.55f + 0.6f * (i * 0.618f % 1f));
                 var position = new Vector3(0.4f * (i % 7 - 3), height, 0.4f * (i / 7 - 3));
                 start[i] = new FluidParticle(position, new Vector3(0f, -way * dx / Step, 0f), (uint)i);
             }

@@ -103,12 +103,20 @@ namespace SphFluid.Tests
             var run = new StabilityRun { Map = StabilityMaps.All[1], Method = CaseMethod.Find("thesis"), X = viscosity, Y = 0.3, Seed = 1, MostSteps = 150 };
             StabilityScenario scene = run.Build();
             var judge = new StabilityJudge(scene.Criteria);
-            using (var real = new CaseRun(scene.Setup, judge, TestAssets.Shaders))
+            FluidShaderSet shaders = TestShaders.CreateThesisSet();
+            try
             {
-                StabilityOutcome outcome = judge.Conclude(real.RunToEnd());
+                using (var real = new CaseRun(scene.Setup, judge, shaders))
+                {
+                    StabilityOutcome outcome = judge.Conclude(real.RunToEnd());
 
-                Assert.That(outcome.Verdict, Is.EqualTo(verdict), outcome.Reason);
-                Assert.That(double.IsNaN(outcome.TimeToFailure), Is.EqualTo(verdict == StabilityVerdict.Stable));
+                    Assert.That(outcome.Verdict, Is.EqualTo(verdict), outcome.Reason);
+                    Assert.That(double.IsNaN(outcome.TimeToFailure), Is.EqualTo(verdict == StabilityVerdict.Stable));
+                }
+            }
+            finally
+            {
+                UnityEngine.Object.DestroyImmediate(shaders);
             }
         }
 

@@ -1,0 +1,101 @@
+using NUnit.Framework;
+using SphFluid.Validation;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Failures against the figures that theory gives: lattice sums, limits of steps, heights of columns.</summary>
+    public sealed class FailureFigureTests
+    {
+        FluidShaderSet shaders;
+
+        [SetUp]
+        public void CreateShaders() => shaders = FailureShaders.Create();
+
+        [TearDown]
+        public void DestroyShaders() => Object.DestroyImmediate(shaders);
+
+        [TestCase(2f, 0.81, 0.65)]
+        [TestCase(3f, 0.71, 0.50)]
+        [TestCase(4f, 0.65, 0.43)]
+        public void FacesAndEdgesOfALatticeFindTooLittleDensity(float ratio, double face, double edge)
+        {
+            DensityFailures.Layer(DensityFailures.Deficiency(ratio).Run(true, shaders), out double atFace, out double atEdge);
+            Assert.That(atFace, Is.EqualTo(face).Within(0.01), "in the middle of a face");
+            Assert.That(atEdge, Is.EqualTo(edge).Within(0.01), "at an edge");
+        }
+
+        [TestCase(2f, 0.81)]
+        [TestCase(1.69f, 0.64)]
+        public void WithoutItselfALatticeFindsTooLittleDensity(float ratio, double density)
+        {
+            FailureResult result = DensityFailures.SelfTerm(ratio).Run(false, shaders);
+            Assert.That(result.Figure, Is.EqualTo(density).Within(0.01));
+            Assert.That(result.Names(FluidFailure.SelfTermMissing), Is.True, result.Named);
+        }
+
+        [Test]
+        public void TheBorderOfTheTimeStepIsWhereTheLatticeDiverges()
+        {
+            FailureExperiment around = StepFailures.TimeStep(1.42, 1.33);
+            Assert.That(around.Run(false, shaders).Figure, Is.GreaterThan(0.2), "dt √k/R = 1.42");
+            Assert.That(around.Run(true, shaders).Figure, Is.LessThan(0.05), "1.33");
+        }
+
+        [Test]
+        public void TheBorderOfViscosityIsWhereTheLatticeDiverges()
+        {
+            FailureExperiment around = StepFailures.Viscosity(0.133, 0.12);
+            FailureResult beyond = around.Run(false, shaders);
+            Assert.That(beyond.Figure, Is.GreaterThan(10.0), "ν dt/R² = 0.133");
+            Assert.That(beyond.EndVitals.Checkerboard, Is.GreaterThan(1.2), "neighbours move against each other");
+            Assert.That(around.Run(true, shaders).Figure, Is.LessThan(1.0), "0.12");
+        }
+
+        [Test]
+        public void TheViscosityOfTheRuleGoesWithTheSpacing()
+        {
+            double[] byRule = new double[3], ofLiquid = new double[3];
+            int[] cells = { 6, 8, 12 };
+            for (int i = 0; i < cells.Length; i++)
+            {
+                FailureExperiment experiment = StepFailures.NumericalViscosity(cells[i]);
+                byRule[i] = StepFailures.DecayViscosity(experiment.Run(false, shaders));
+                ofLiquid[i] = StepFailures.DecayViscosity(experiment.Run(true, shaders));
+            }
+            Assert.That(byRule[0] / byRule[2], Is.EqualTo(2.0).Within(0.4), "twice the spacing, twice the viscosity");
+            Assert.That(byRule[1] / byRule[2], Is.EqualTo(1.5).Within(0.2));
+            Assert.That(ofLiquid[0] / ofLiquid[2], Is.EqualTo(1.0).Within(0.2), "a liquid's own stays");
+        }
+
+        [Test]
+        public void ADeepColumnStandsAsTheEquationOfStateHasIt()
+        {
+            FailureExperiment experiment = DensityFailures.DeepTank();
+            double soft = experiment.Run(false, shaders).Figure, stiff = experiment.Run(true, shaders).Figure;
+            double expected = DensityFailures.TheoreticalHeight(5.0), expectedStiff = DensityFailures.TheoreticalHeight(25.0);
+            Assert.That(expected, Is.EqualTo(0.912).Within(0.001));
+            Assert.That(soft / stiff, Is.EqualTo(expected / expectedStiff).Within(0.01), "both lose the same at floor and surface");
+            Assert.That(soft, Is.EqualTo(expected).Within(0.025), "less half a spacing of 24 for floor and surface");
+        }
+
+        [Test]
+        public void PairsInTheBulkPartAtAnySupportRadius()
+        {
+            FailureRun run = InteractionFailures.PairsInTheBulk();
+            FailureResult result = new FailureExperiment("pairs", FluidFailure.Pairing, run, run, "", r => r.EndVitals.Clumped).Run(false, shaders);
+            Assert.That(result.Vitals[0].Clumped, Is.EqualTo(run.Start.Length), "all at the start");
+            Assert.That(result.Names(FluidFailure.Pairing), Is.True, result.Named);
+            Assert.That(result.Figure, Is.Zero, "at the end");
+        }
+
+        [Test]
+        public void ThrownParticlesStayBeforeASheetHoweverFast([Values(0.1f, 0.4f, 1f, 2f)] float way, [Values(0f, 9.81f)] float gravity)
+        {
+            FailureRun run = WallFailures.Drop(way, gravity);
+            FailureResult result = new FailureExperiment("thrown", FluidFailure.Tunnelling, run, run, "", WallFailures.Behind).Run(false, shaders);
+            Assert.That(result.Figure, Is.Zero, "share behind the sheet");
+            Assert.That(result.Names(FluidFailure.Tunnelling), Is.EqualTo(way > 0.5f), result.Named);
+        }
+    }
+}
