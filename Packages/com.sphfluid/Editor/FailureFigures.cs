@@ -1,6 +1,6 @@
 using System;
-using System.Diagnostics;
 using System.Globalization;
+using System.IO;
 using System.Linq;
 using SphFluid.Validation;
 using UnityEditor;
@@ -8,40 +8,66 @@ using UnityEngine;
 
 namespace SphFluid.Editor
 {
-    /// <summary>Figures and findings of <see cref="FailureExperiments"/> on the console, for Documentation~/failure-modes.md.</summary>
+    /// <summary>
+    /// Figures and findings of <see cref="FailureExperiments"/> on the console, and pictures failure-NAME.png, failing on the left and
+    /// cured on the right, for Documentation~/failure-modes.md.
+    /// </summary>
     public static class FailureFigures
     {
         const string AuditShader = "Packages/com.sphfluid/Validation/Measure/NeighbourAudit.compute";
+        const int PanelHeight = 280;
 
         /// <summary>
-        /// Entry point for <c>-batchmode -executeMethod SphFluid.Editor.FailureFigures.Write</c>; <c>--only NAME</c> runs one experiment.
+        /// Entry point for <c>-batchmode -executeMethod SphFluid.Editor.FailureFigures.Write</c>; <c>--only NAME</c> runs one experiment,
+        /// <c>--out DIR</c> writes pictures.
         /// </summary>
         public static void Write()
         {
             string[] words = Environment.GetCommandLineArgs();
-            int index = Array.IndexOf(words, "--only");
-            string only = index >= 0 && index + 1 < words.Length ? words[index + 1] : null;
+            string only = Flag(words, "--only"), folder = Flag(words, "--out");
             var audit = AssetDatabase.LoadAssetAtPath<ComputeShader>(AuditShader);
+            if (folder != null)
+                Directory.CreateDirectory(folder);
             Console.WriteLine(SystemInfo.graphicsDeviceName);
             foreach (FailureExperiment experiment in FailureExperiments.All().Where(e => only == null || e.Name == only))
             {
-                Write(experiment, false, audit);
-                Write(experiment, true, audit);
+                FailureResult failing = Run(experiment, false, audit), cured = Run(experiment, true, audit);
+                if (folder != null)
+                    File.WriteAllBytes(Path.Combine(folder, $"failure-{experiment.Name}.png"), Draw(failing, cured));
             }
         }
 
-        static void Write(FailureExperiment experiment, bool cured, ComputeShader audit)
+        static FailureResult Run(FailureExperiment experiment, bool cured, ComputeShader audit)
         {
-            var watch = Stopwatch.StartNew();
             FailureResult result = experiment.Run(cured, PackageAssets.Shaders, audit);
-            Console.WriteLine(string.Format(CultureInfo.InvariantCulture, "{0} {1}: {2:G4} {3} [{4}] {5} particles, {6} steps, {7:0.0} s", experiment.Name,
+            Console.WriteLine(string.Format(CultureInfo.InvariantCulture, "{0} {1}: {2:G4} {3}; {4}; {5} particles, {6} steps", experiment.Name,
                 cured ? "cured" : experiment.Survived ? "stress" : "failing", result.Figure, experiment.Figure, result.Named, result.Run.Start.Length,
-                result.Run.Steps, watch.Elapsed.TotalSeconds));
-            if (Environment.GetCommandLineArgs().Contains("--series"))
-                foreach (FluidVitals v in result.Vitals)
-                    Console.WriteLine(FormattableString.Invariant($"  t {v.Time:0.000} Ek {v.KineticEnergy:G4} Ep {v.PotentialEnergy:G5} Ee {v.ElasticEnergy:G4} vrms {v.RmsSpeed(result.Settings.ParticleMass):G3} chk {v.Checkerboard:0.00} comp {v.MeanCompression:0.000} max {v.MaxDensityRatio:0.00} min {v.MinDensityRatio:0.00} clump {v.Clumped} walls {v.AtWalls} crowd {v.WallCrowding:0.00} vmax {v.MaxSpeed:G3}"));
+                result.Run.Steps));
             foreach (FluidFinding finding in result.Findings)
                 Console.WriteLine($"    {finding.Failure}: {finding.Text} {finding.Cure}");
+            return result;
+        }
+
+        // Blue to red: density from 0.7 to 1.3 of the rest density.
+        static byte[] Draw(FailureResult failing, FailureResult cured)
+        {
+            Vector3 box = failing.Settings.DomainSize;
+            var picture = new ParticlePicture(2, Mathf.RoundToInt(PanelHeight * box.x / box.y), PanelHeight);
+            int panel = 0;
+            foreach (FailureResult result in new[] { failing, cured })
+            {
+                FluidSnapshot end = result.End;
+                FluidParticle[] particles = Enumerable.Range(0, end.Count).Select(i => new FluidParticle(end.LocalPositions[i], Vector3.zero, (uint)i)).ToArray();
+                float[] value = end.Densities.Select(d => (d / result.Settings.RestDensity - 0.7f) / 0.6f).ToArray();
+                picture.Draw(panel++, particles, value, box, false, 0.4f * result.Settings.Spacing);
+            }
+            return picture.ToPng();
+        }
+
+        static string Flag(string[] words, string flag)
+        {
+            int index = Array.IndexOf(words, flag);
+            return index >= 0 && index + 1 < words.Length ? words[index + 1] : null;
         }
     }
 }
