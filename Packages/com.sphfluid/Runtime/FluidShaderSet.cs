@@ -38,6 +38,25 @@ namespace SphFluid
         [SerializeField, Tooltip("Kernel CalculateNewPosition: leapfrog.")]
         ComputeShader calculateNewPosition;
 
+        [Header("Standard method")]
+        [SerializeField, Tooltip("Kernels ClearCells and LoadParticles: takes particles that came from outside.")]
+        ComputeShader countCells;
+
+        [SerializeField, Tooltip("Kernels ScanReduce and ScanApply: the first particle of each cell.")]
+        ComputeShader scanCells;
+
+        [SerializeField, Tooltip("Kernels Scatter, ScatterOrder and Reorder: particles in the order of their cells.")]
+        ComputeShader scatterParticles;
+
+        [SerializeField, Tooltip("Kernel StandardDensity: density and pressure.")]
+        ComputeShader standardDensity;
+
+        [SerializeField, Tooltip("Kernel MoveParticles: forces, motion, walls, cell counts.")]
+        ComputeShader moveParticles;
+
+        [SerializeField, Tooltip("Kernels PublishParticles and PublishCells: the liquid as drawing reads it.")]
+        ComputeShader publishParticles;
+
         [Header("Surface")]
         [SerializeField, Tooltip("Kernels ResetMCGrid and SetMCGridDensityFactors: the density grid of the surface.")]
         ComputeShader surfaceField;
@@ -83,6 +102,24 @@ namespace SphFluid
         /// <summary>Kernel CalculateNewPosition: leapfrog.</summary>
         public ComputeShader CalculateNewPosition { get => calculateNewPosition; set => calculateNewPosition = value; }
 
+        /// <summary>Kernels ClearCells and LoadParticles: takes particles that came from outside.</summary>
+        public ComputeShader CountCells { get => countCells; set => countCells = value; }
+
+        /// <summary>Kernels ScanReduce and ScanApply: the first particle of each cell.</summary>
+        public ComputeShader ScanCells { get => scanCells; set => scanCells = value; }
+
+        /// <summary>Kernels Scatter, ScatterOrder and Reorder: particles in the order of their cells.</summary>
+        public ComputeShader ScatterParticles { get => scatterParticles; set => scatterParticles = value; }
+
+        /// <summary>Kernel StandardDensity: density and pressure.</summary>
+        public ComputeShader StandardDensity { get => standardDensity; set => standardDensity = value; }
+
+        /// <summary>Kernel MoveParticles: forces, motion, walls, cell counts.</summary>
+        public ComputeShader MoveParticles { get => moveParticles; set => moveParticles = value; }
+
+        /// <summary>Kernels PublishParticles and PublishCells: the liquid as drawing reads it.</summary>
+        public ComputeShader PublishParticles { get => publishParticles; set => publishParticles = value; }
+
         /// <summary>Kernels ResetMCGrid and SetMCGridDensityFactors: the density grid of the surface.</summary>
         public ComputeShader SurfaceField { get => surfaceField; set => surfaceField = value; }
 
@@ -112,6 +149,12 @@ namespace SphFluid
             Check(calculateForce, nameof(calculateForce), missing);
             Check(calculateAcceleration, nameof(calculateAcceleration), missing);
             Check(calculateNewPosition, nameof(calculateNewPosition), missing);
+            Check(countCells, nameof(countCells), missing);
+            Check(scanCells, nameof(scanCells), missing);
+            Check(scatterParticles, nameof(scatterParticles), missing);
+            Check(standardDensity, nameof(standardDensity), missing);
+            Check(moveParticles, nameof(moveParticles), missing);
+            Check(publishParticles, nameof(publishParticles), missing);
             return missing;
         }
 

@@ -27,6 +27,20 @@ namespace SphFluid
             return new GraphicsBuffer(target, count > 0 ? (int)count : 1, stride) { name = name };
         }
 
+        /// <summary>Bytes of buffers together.</summary>
+        /// <param name="buffers">The buffers.</param>
+        /// <returns>Bytes.</returns>
+        public static long Size(params GraphicsBuffer[] buffers)
+        {
+            long bytes = 0;
+            foreach (GraphicsBuffer buffer in buffers)
+            {
+                bytes += (long)buffer.count * buffer.stride;
+            }
+
+            return bytes;
+        }
+
         /// <summary>Disposes a buffer and forgets it.</summary>
         /// <param name="buffer">The buffer, or null.</param>
         public static void Dispose(ref GraphicsBuffer buffer)

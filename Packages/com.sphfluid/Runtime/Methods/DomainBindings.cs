@@ -42,13 +42,28 @@ namespace SphFluid
                 kernel.SetFloat(cmd, FluidShaderIds.DragSpeed, settings.Viscosity / (settings.RestDensity * settings.Spacing));
                 kernel.SetFloat(cmd, FluidShaderIds.DragDistance, settings.Spacing);
                 kernel.SetFloat(cmd, FluidShaderIds.DragStep, step.Kick);
-                kernel.SetVector(cmd, FluidShaderIds.WallLowX, walls.LowX);
-                kernel.SetVector(cmd, FluidShaderIds.WallLowY, walls.LowY);
-                kernel.SetVector(cmd, FluidShaderIds.WallLowZ, walls.LowZ);
-                kernel.SetVector(cmd, FluidShaderIds.WallHighX, walls.HighX);
-                kernel.SetVector(cmd, FluidShaderIds.WallHighY, walls.HighY);
-                kernel.SetVector(cmd, FluidShaderIds.WallHighZ, walls.HighZ);
+                SetWallVelocities(cmd, kernel, walls);
             }
+        }
+
+        /// <summary>The walls' velocities alone, for a kernel that has a drag of its own.</summary>
+        public static void SetNoSlip(CommandBuffer cmd, ComputeKernel kernel, in FluidBoundaries walls)
+        {
+            kernel.SetKeyword(cmd, NoSlipKeyword, walls.NoSlip);
+            if (walls.NoSlip)
+            {
+                SetWallVelocities(cmd, kernel, walls);
+            }
+        }
+
+        static void SetWallVelocities(CommandBuffer cmd, ComputeKernel kernel, in FluidBoundaries walls)
+        {
+            kernel.SetVector(cmd, FluidShaderIds.WallLowX, walls.LowX);
+            kernel.SetVector(cmd, FluidShaderIds.WallLowY, walls.LowY);
+            kernel.SetVector(cmd, FluidShaderIds.WallLowZ, walls.LowZ);
+            kernel.SetVector(cmd, FluidShaderIds.WallHighX, walls.HighX);
+            kernel.SetVector(cmd, FluidShaderIds.WallHighY, walls.HighY);
+            kernel.SetVector(cmd, FluidShaderIds.WallHighZ, walls.HighZ);
         }
     }
 }

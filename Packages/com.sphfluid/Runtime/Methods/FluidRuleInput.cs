@@ -5,6 +5,9 @@ namespace SphFluid
     /// <summary>What <see cref="FluidRules"/> derive a solver's constants from. Start from <see cref="Water"/>.</summary>
     public struct FluidRuleInput
     {
+        /// <summary>The method that the constants are for.</summary>
+        public FluidMethodKind Method;
+
         /// <summary>Size of the domain box [m].</summary>
         public Vector3 DomainSize;
 

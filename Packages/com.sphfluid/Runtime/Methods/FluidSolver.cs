@@ -16,7 +16,9 @@ namespace SphFluid
         readonly FluidState state;
         readonly CounterReadback counters;
         float previousStep;
+        bool loaded;
         bool neighboursFresh;
+        bool published;
         bool disposed;
 
         /// <summary>Uploads the particles and prepares the method.</summary>
@@ -33,7 +35,7 @@ namespace SphFluid
             FluidParticle[] particles = CheckParticles(settings, initial);
             method = CreateMethod(kind, shaders);
             Kind = kind;
-            state = new FluidState(AsSwitched(settings), particles.Length);
+            state = new FluidState(AsSwitched(settings), particles.Length, kind);
             state.SetTriangles(null, null, 0);
             state.Buffers.Particles.SetData(particles);
             counters = new CounterReadback(state.Buffers.Counters, settings.RestDensity);
@@ -76,7 +78,7 @@ namespace SphFluid
         public FluidCounters Counters => counters.Counters;
 
         /// <summary>Bytes of GPU memory that the solver holds.</summary>
-        public long GpuBytes => state.Buffers.Bytes;
+        public long GpuBytes => state.Bytes;
 
         internal FluidState State => state;
 
@@ -145,7 +147,7 @@ namespace SphFluid
             counters.RecordReset(cmd);
             for (int i = 0; i < steps; i++)
             {
-                RecordNeighbourSetup(cmd);
+                RecordSetup(cmd);
                 method.RecordMotion(cmd, state, new FluidStep(timeStep, StepCount == 0 ? timeStep : previousStep, StepCount == 0));
                 previousStep = timeStep;
                 neighboursFresh = false;
@@ -164,11 +166,29 @@ namespace SphFluid
         public void RecordNeighbourSetup(CommandBuffer cmd)
         {
             ThrowIfDisposed();
-            if (!neighboursFresh)
+            RecordSetup(cmd);
+            if (!published)
             {
-                method.RecordNeighbourSetup(cmd, state);
-                neighboursFresh = true;
+                method.RecordPublish(cmd, state);
+                published = true;
             }
+        }
+
+        /// <summary>Puts other particles in the place of the present ones. What the GPU still has to do with those is done first.</summary>
+        /// <param name="particles">As many as there are, inside the domain.</param>
+        /// <exception cref="ArgumentException">Their number differs, or one lies outside the domain.</exception>
+        public void SetParticles(IReadOnlyList<FluidParticle> particles)
+        {
+            ThrowIfDisposed();
+            if (particles == null || particles.Count != ParticleCount)
+            {
+                throw new ArgumentException($"The solver holds {ParticleCount} particles, and {particles?.Count ?? 0} are given. Start a new solver for another number.",
+                    nameof(particles));
+            }
+
+            state.Buffers.Particles.SetData(CheckParticles(state.Settings, particles));
+            loaded = false;
+            neighboursFresh = false;
         }
 
         /// <summary>Records the globals and the keyword of a kernel that includes Shaders/Neighbours/ThesisNeighbours.hlsl.</summary>
@@ -199,6 +219,22 @@ namespace SphFluid
             }
         }
 
+        void RecordSetup(CommandBuffer cmd)
+        {
+            if (!loaded)
+            {
+                method.RecordLoad(cmd, state);
+                loaded = true;
+            }
+
+            if (!neighboursFresh)
+            {
+                method.RecordNeighbourSetup(cmd, state);
+                neighboursFresh = true;
+                published = false;
+            }
+        }
+
         FluidSolverSettings AsSwitched(in FluidSolverSettings settings)
         {
             if (Kind != FluidMethodKind.ThesisPrinted)
@@ -223,6 +259,8 @@ namespace SphFluid
                 case FluidMethodKind.Thesis:
                 case FluidMethodKind.ThesisPrinted:
                     return new ThesisMethod(shaders);
+                case FluidMethodKind.Standard:
+                    return new StandardMethod(shaders);
                 default:
                     throw new ArgumentException($"There is no fluid method {kind}.", nameof(kind));
             }

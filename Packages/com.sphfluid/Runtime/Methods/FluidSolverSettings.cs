@@ -75,6 +75,12 @@ namespace SphFluid
         /// <summary>True: the first step gives half a kick, so that velocities live between the steps, equation (21).</summary>
         public bool HalfKick;
 
+        /// <summary>
+        /// Standard method. True: particles of a cell are ordered by their ids, so that equal runs are equal to the last bit, for one dispatch
+        /// more a step. False: by thread timing.
+        /// </summary>
+        public bool StableOrder;
+
         /// <summary>What the faces of the domain do.</summary>
         public FluidBoundaries Boundaries;
 
@@ -102,7 +108,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">An input is out of range.</exception>
         public static FluidSolverSettings FromRules(in FluidRuleInput input)
         {
-            return FluidRules.Derive(input);
+            return input.Method == FluidMethodKind.Standard ? StandardRules.Derive(input) : FluidRules.Derive(input);
         }
 
         /// <summary>

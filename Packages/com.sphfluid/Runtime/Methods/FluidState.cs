@@ -6,11 +6,28 @@ namespace SphFluid
     /// <summary>What the passes of a method work on: settings, grid, buffers, the scene's triangles.</summary>
     public sealed class FluidState : IDisposable
     {
-        internal FluidState(in FluidSolverSettings settings, int particleCount)
+        internal FluidState(in FluidSolverSettings settings, int particleCount, FluidMethodKind kind = FluidMethodKind.Thesis)
         {
             Settings = settings;
             Grid = FluidGrid.For(settings);
             Buffers = new FluidBuffers(particleCount, Grid.CellCount);
+            try
+            {
+                if (kind == FluidMethodKind.Standard)
+                {
+                    Cells = new CellRows(Grid);
+                    Standard = new StandardBuffers(particleCount, Cells.CellCount);
+                }
+                else
+                {
+                    Thesis = new ThesisBuffers(particleCount);
+                }
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
         }
 
         /// <summary>The physics, SI.</summary>
@@ -21,6 +38,18 @@ namespace SphFluid
 
         /// <summary>The buffers.</summary>
         public FluidBuffers Buffers { get; }
+
+        /// <summary>The thesis method's own buffers; null with another method.</summary>
+        public ThesisBuffers Thesis { get; }
+
+        /// <summary>The Standard method's cells; those of <see cref="Grid"/> and a border.</summary>
+        internal CellRows Cells { get; }
+
+        /// <summary>The Standard method's own buffers; null with another method.</summary>
+        internal StandardBuffers Standard { get; }
+
+        /// <summary>Bytes of all buffers; the triangles belong to their maker.</summary>
+        public long Bytes => Buffers.Bytes + (Thesis?.Bytes ?? 0) + (Standard?.Bytes ?? 0);
 
         /// <summary>Number of particles.</summary>
         public int ParticleCount => Buffers.ParticleCount;
@@ -46,6 +75,8 @@ namespace SphFluid
         public void Dispose()
         {
             Buffers.Dispose();
+            Thesis?.Dispose();
+            Standard?.Dispose();
         }
     }
 }

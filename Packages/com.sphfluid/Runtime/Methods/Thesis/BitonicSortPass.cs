@@ -42,7 +42,7 @@ namespace SphFluid
 
         public void Record(CommandBuffer cmd, FluidState state)
         {
-            Record(cmd, state.Buffers.Grid, state.Buffers.GridTranspose, state.Buffers.PaddedCount);
+            Record(cmd, state.Thesis.Grid, state.Thesis.GridTranspose, state.Thesis.PaddedCount);
         }
 
         /// <param name="cmd">Command buffer.</param>

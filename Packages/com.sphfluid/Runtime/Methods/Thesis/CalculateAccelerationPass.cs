@@ -39,8 +39,8 @@ namespace SphFluid
             kernel.SetBuffer(cmd, FluidShaderIds.Colliders, state.Colliders);
             kernel.SetBuffer(cmd, FluidShaderIds.Particles, state.Buffers.Particles);
             kernel.SetBuffer(cmd, FluidShaderIds.Density, state.Buffers.Density);
-            kernel.SetBuffer(cmd, FluidShaderIds.Force, state.Buffers.Force);
-            kernel.SetBuffer(cmd, FluidShaderIds.Acceleration, state.Buffers.Acceleration);
+            kernel.SetBuffer(cmd, FluidShaderIds.Force, state.Thesis.Force);
+            kernel.SetBuffer(cmd, FluidShaderIds.Acceleration, state.Thesis.Acceleration);
             kernel.SetBuffer(cmd, FluidShaderIds.Counters, state.Buffers.Counters);
             kernel.DispatchThreads(cmd, state.ParticleCount);
             cmd.EndSample(Marker);

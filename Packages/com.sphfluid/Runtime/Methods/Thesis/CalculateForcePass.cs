@@ -27,7 +27,7 @@ namespace SphFluid
             kernel.SetFloat(cmd, FluidShaderIds.ViscosityCoefficient, (float)(settings.Viscosity * factor));
             kernel.SetBuffer(cmd, FluidShaderIds.Density, state.Buffers.Density);
             kernel.SetBuffer(cmd, FluidShaderIds.Pressure, state.Buffers.Pressure);
-            kernel.SetBuffer(cmd, FluidShaderIds.Force, state.Buffers.Force);
+            kernel.SetBuffer(cmd, FluidShaderIds.Force, state.Thesis.Force);
             kernel.DispatchThreads(cmd, state.ParticleCount);
             cmd.EndSample(Marker);
         }

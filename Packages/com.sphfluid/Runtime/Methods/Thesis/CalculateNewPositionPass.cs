@@ -27,7 +27,7 @@ namespace SphFluid
             kernel.SetBool(cmd, FluidShaderIds.FirstStep, step.IsFirst && settings.HalfKick);
             kernel.SetVector(cmd, FluidShaderIds.DomainHalfSize, 0.5f * settings.DomainSize);
             kernel.SetBuffer(cmd, FluidShaderIds.Particles, state.Buffers.Particles);
-            kernel.SetBuffer(cmd, FluidShaderIds.Acceleration, state.Buffers.Acceleration);
+            kernel.SetBuffer(cmd, FluidShaderIds.Acceleration, state.Thesis.Acceleration);
             kernel.SetBuffer(cmd, FluidShaderIds.Counters, state.Buffers.Counters);
             kernel.DispatchThreads(cmd, state.ParticleCount);
             cmd.EndSample(Marker);

@@ -20,10 +20,10 @@ namespace SphFluid
             cmd.BeginSample(Marker);
             ThesisBindings.SetGrid(cmd, kernel, state.Grid);
             kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-            kernel.SetInt(cmd, FluidShaderIds.PaddedCount, state.Buffers.PaddedCount);
+            kernel.SetInt(cmd, FluidShaderIds.PaddedCount, state.Thesis.PaddedCount);
             kernel.SetBuffer(cmd, FluidShaderIds.Particles, state.Buffers.Particles);
-            kernel.SetBuffer(cmd, FluidShaderIds.Grid, state.Buffers.Grid);
-            kernel.DispatchThreads(cmd, state.Buffers.PaddedCount);
+            kernel.SetBuffer(cmd, FluidShaderIds.Grid, state.Thesis.Grid);
+            kernel.DispatchThreads(cmd, state.Thesis.PaddedCount);
             cmd.EndSample(Marker);
         }
     }

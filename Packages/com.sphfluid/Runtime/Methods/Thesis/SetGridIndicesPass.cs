@@ -19,7 +19,7 @@ namespace SphFluid
         {
             cmd.BeginSample(Marker);
             kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-            kernel.SetBuffer(cmd, FluidShaderIds.Grid, state.Buffers.Grid);
+            kernel.SetBuffer(cmd, FluidShaderIds.Grid, state.Thesis.Grid);
             kernel.SetBuffer(cmd, FluidShaderIds.GridIndices, state.Buffers.GridIndices);
             kernel.DispatchThreads(cmd, state.ParticleCount);
             cmd.EndSample(Marker);

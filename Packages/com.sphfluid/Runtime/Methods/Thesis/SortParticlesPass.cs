@@ -19,12 +19,12 @@ namespace SphFluid
         {
             cmd.BeginSample(Marker);
             kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-            kernel.SetBuffer(cmd, FluidShaderIds.Grid, state.Buffers.Grid);
+            kernel.SetBuffer(cmd, FluidShaderIds.Grid, state.Thesis.Grid);
             kernel.SetBuffer(cmd, FluidShaderIds.Particles, state.Buffers.Particles);
-            kernel.SetBuffer(cmd, FluidShaderIds.SortedParticles, state.Buffers.SortedParticles);
+            kernel.SetBuffer(cmd, FluidShaderIds.SortedParticles, state.Thesis.SortedParticles);
             kernel.DispatchThreads(cmd, state.ParticleCount);
             cmd.EndSample(Marker);
-            state.Buffers.SwapParticles();
+            state.Thesis.SwapParticles(state.Buffers);
         }
     }
 }

@@ -52,6 +52,16 @@ namespace SphFluid
         }
 
         /// <inheritdoc/>
+        public void RecordLoad(CommandBuffer cmd, FluidState state)
+        {
+        }
+
+        /// <inheritdoc/>
+        public void RecordPublish(CommandBuffer cmd, FluidState state)
+        {
+        }
+
+        /// <inheritdoc/>
         public void BindNeighbours(CommandBuffer cmd, FluidState state, ComputeKernel kernel)
         {
             ThesisBindings.SetNeighbours(cmd, kernel, state);

@@ -24,6 +24,12 @@ namespace SphFluid.Tests
             set.CalculateAcceleration = Thesis("CalculateAcceleration");
             set.CalculateNewPosition = Thesis("CalculateNewPosition");
             set.MeasureVitals = Load("Shaders/Diagnostics/MeasureVitals.compute");
+            set.CountCells = Load("Shaders/Methods/Standard/CountCells.compute");
+            set.ScanCells = Load("Shaders/Methods/Standard/ScanCells.compute");
+            set.ScatterParticles = Load("Shaders/Methods/Standard/ScatterParticles.compute");
+            set.StandardDensity = Load("Shaders/Methods/Standard/StandardDensity.compute");
+            set.MoveParticles = Load("Shaders/Methods/Standard/MoveParticles.compute");
+            set.PublishParticles = Load("Shaders/Methods/Standard/PublishParticles.compute");
             return set;
         }
 

@@ -23,7 +23,7 @@ namespace SphFluid.Tests
             using (var rig = new ThesisRig(settings, ParticleSets.Random(count, 0.9f * Domain, 1f, count)))
             {
                 rig.State.Buffers.Density.SetData(Filled(count, 1000f));
-                rig.State.Buffers.Force.SetData(new Vector4[count]);
+                rig.State.Thesis.Force.SetData(new Vector4[count]);
                 var pass = new CalculateAccelerationPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State, rig.Step));
                 FluidParticle[] particles = rig.ReadParticles();

@@ -87,7 +87,7 @@ namespace SphFluid.Tests
         static void Step(ThesisRig rig, Vector4 acceleration, int steps)
         {
             rig.State.Buffers.Counters.SetData(new uint[CounterReadback.Slots]);
-            rig.State.Buffers.Acceleration.SetData(Enumerable.Repeat(acceleration, rig.State.ParticleCount).ToArray());
+            rig.State.Thesis.Acceleration.SetData(Enumerable.Repeat(acceleration, rig.State.ParticleCount).ToArray());
             var pass = new CalculateNewPositionPass(rig.Shaders);
             GpuTest.Run(cmd =>
             {

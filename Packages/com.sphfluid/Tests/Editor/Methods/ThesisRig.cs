@@ -42,9 +42,9 @@ namespace SphFluid.Tests
 
         public float[] ReadPressure() => GpuTest.Read<float>(State.Buffers.Pressure, State.ParticleCount);
 
-        public Vector4[] ReadForce() => GpuTest.Read<Vector4>(State.Buffers.Force, State.ParticleCount);
+        public Vector4[] ReadForce() => GpuTest.Read<Vector4>(State.Thesis.Force, State.ParticleCount);
 
-        public Vector4[] ReadAcceleration() => GpuTest.Read<Vector4>(State.Buffers.Acceleration, State.ParticleCount);
+        public Vector4[] ReadAcceleration() => GpuTest.Read<Vector4>(State.Thesis.Acceleration, State.ParticleCount);
 
         public void SetMeshes(IReadOnlyList<ReferenceMesh> meshes)
         {

@@ -188,7 +188,7 @@ namespace SphFluid.Tests
                 }
 
                 rig.State.Buffers.Density.SetData(particles.Select(_ => 1000f).ToArray());
-                rig.State.Buffers.Force.SetData(new Vector4[particles.Length]);
+                rig.State.Thesis.Force.SetData(new Vector4[particles.Length]);
                 var pass = new CalculateAccelerationPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State, rig.Step));
                 return rig.ReadAcceleration().Select(a => (Double3)(Vector3)a).ToArray();

@@ -1,0 +1,92 @@
+using System;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Buffers of the Standard method: positions and velocities lie apart as float4 (a velocity's w is the id), once in the order of
+    /// the last sort and once as the step left them, in that order but at their new places.
+    /// </summary>
+    internal sealed class StandardBuffers : IDisposable
+    {
+        GraphicsBuffer positions, velocities, newPositions, newVelocities, density, cellCount, cellStart, blockSum, rank, order;
+
+        public StandardBuffers(int particleCount, int cellCount)
+        {
+            try
+            {
+                positions = GpuBuffers.Create("Positions", particleCount, 16);
+                velocities = GpuBuffers.Create("Velocities", particleCount, 16);
+                newPositions = GpuBuffers.Create("NewPositions", particleCount, 16);
+                newVelocities = GpuBuffers.Create("NewVelocities", particleCount, 16);
+                density = GpuBuffers.Create("DensityAndPressureTerm", particleCount, 8);
+                rank = GpuBuffers.Create("Rank", particleCount, 4);
+                order = GpuBuffers.Create("Order", particleCount, 4);
+                this.cellCount = GpuBuffers.Create("CellCount", cellCount, 4);
+                cellStart = GpuBuffers.Create("CellStart", cellCount + 1L, 4);
+                blockSum = GpuBuffers.Create("BlockSum", CellScanPass.Groups(cellCount), 4);
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
+        }
+
+        /// <summary>Positions in the order of the last sort [m].</summary>
+        public GraphicsBuffer Positions => positions;
+
+        /// <summary>Velocities in the order of the last sort [m/s]; w: the id's bits.</summary>
+        public GraphicsBuffer Velocities => velocities;
+
+        /// <summary>Positions after the step [m].</summary>
+        public GraphicsBuffer NewPositions => newPositions;
+
+        /// <summary>Velocities after the step [m/s]; w: the id's bits.</summary>
+        public GraphicsBuffer NewVelocities => newVelocities;
+
+        /// <summary>ρ [kg/m³] and p/ρ² in the order of the last sort, float2.</summary>
+        public GraphicsBuffer Density => density;
+
+        /// <summary>Particles of each cell after the step.</summary>
+        public GraphicsBuffer CellCount => cellCount;
+
+        /// <summary>First particle of each cell, and the end of the last.</summary>
+        public GraphicsBuffer CellStart => cellStart;
+
+        /// <summary>Sums of the scan's groups.</summary>
+        public GraphicsBuffer BlockSum => blockSum;
+
+        /// <summary>Place of each particle within its cell.</summary>
+        public GraphicsBuffer Rank => rank;
+
+        /// <summary>Particles in the order of their cells, as indices, for the stable order.</summary>
+        public GraphicsBuffer Order => order;
+
+        /// <summary>Bytes of all buffers.</summary>
+        public long Bytes
+        {
+            get
+            {
+                long bytes = 0;
+                foreach (GraphicsBuffer buffer in new[] { positions, velocities, newPositions, newVelocities, density, cellCount, cellStart, blockSum, rank, order })
+                    bytes += (long)buffer.count * buffer.stride;
+                return bytes;
+            }
+        }
+
+        public void Dispose()
+        {
+            GpuBuffers.Dispose(ref positions);
+            GpuBuffers.Dispose(ref velocities);
+            GpuBuffers.Dispose(ref newPositions);
+            GpuBuffers.Dispose(ref newVelocities);
+            GpuBuffers.Dispose(ref density);
+            GpuBuffers.Dispose(ref cellCount);
+            GpuBuffers.Dispose(ref cellStart);
+            GpuBuffers.Dispose(ref blockSum);
+            GpuBuffers.Dispose(ref rank);
+            GpuBuffers.Dispose(ref order);
+        }
+    }
+}

@@ -1,0 +1,68 @@
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Weakly compressible SPH with one Wendland C2 kernel for density and force, walls that carry density, and five dependent
+    /// dispatches a step: ScanReduce, ScanApply, Scatter, StandardDensity, MoveParticles.
+    /// </summary>
+    internal sealed class StandardMethod : IFluidMethod
+    {
+        readonly LoadParticlesPass loadParticles;
+        readonly CellScanPass scanCells;
+        readonly ScatterParticlesPass scatterParticles;
+        readonly StandardDensityPass density;
+        readonly MoveParticlesPass moveParticles;
+        readonly PublishParticlesPass publishParticles;
+        bool sorted;
+
+        public StandardMethod(FluidShaderSet shaders)
+        {
+            loadParticles = new LoadParticlesPass(shaders);
+            scanCells = new CellScanPass(shaders);
+            scatterParticles = new ScatterParticlesPass(shaders);
+            density = new StandardDensityPass(shaders);
+            moveParticles = new MoveParticlesPass(shaders);
+            publishParticles = new PublishParticlesPass(shaders);
+        }
+
+        /// <inheritdoc/>
+        public void RecordLoad(CommandBuffer cmd, FluidState state)
+        {
+            loadParticles.Record(cmd, state);
+            sorted = false;
+        }
+
+        /// <inheritdoc/>
+        public void RecordNeighbourSetup(CommandBuffer cmd, FluidState state)
+        {
+            if (!sorted) // the scan uses up the counts
+            {
+                scanCells.Record(cmd, state);
+                scatterParticles.Record(cmd, state);
+                sorted = true;
+            }
+
+            density.Record(cmd, state);
+        }
+
+        /// <inheritdoc/>
+        public void RecordMotion(CommandBuffer cmd, FluidState state, in FluidStep step)
+        {
+            moveParticles.Record(cmd, state, step);
+            sorted = false;
+        }
+
+        /// <inheritdoc/>
+        public void RecordPublish(CommandBuffer cmd, FluidState state)
+        {
+            publishParticles.Record(cmd, state);
+        }
+
+        /// <inheritdoc/>
+        public void BindNeighbours(CommandBuffer cmd, FluidState state, ComputeKernel kernel)
+        {
+            ThesisBindings.SetNeighbours(cmd, kernel, state);
+        }
+    }
+}

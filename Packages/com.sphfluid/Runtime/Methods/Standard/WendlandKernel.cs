@@ -1,0 +1,34 @@
+using System;
+
+namespace SphFluid
+{
+    /// <summary>Wendland's C2 kernel in three dimensions, W = 21/(2πR³) (1−q)⁴ (4q+1) (Wendland 1995), and what follows from it.</summary>
+    internal static class WendlandKernel
+    {
+        /// <summary>21 / (2π R³).</summary>
+        public static double Factor(double radius) => 21.0 / (2.0 * Math.PI * Math.Pow(radius, 3.0));
+
+        /// <summary>210 / (π R⁵): ∇W = −this (1−q)³ d for the separation d.</summary>
+        public static double SlopeFactor(double radius) => 210.0 / (Math.PI * Math.Pow(radius, 5.0));
+
+        /// <summary>W R³ at q = r/R.</summary>
+        public static double Shape(double q)
+        {
+            double u = Math.Max(0.0, 1.0 - q);
+            return Factor(1.0) * u * u * u * u * (4.0 * q + 1.0);
+        }
+
+        /// <summary>S = Σ W dx³ over the simple cubic lattice, the particle itself included; 1.0338, 1.0230, 1.0134 for κ = 2, 2.25, 2.5.</summary>
+        /// <param name="ratio">κ = R/dx.</param>
+        public static double LatticeSum(double ratio)
+        {
+            int reach = (int)Math.Floor(ratio);
+            double sum = 0.0;
+            for (int z = -reach; z <= reach; z++)
+            for (int y = -reach; y <= reach; y++)
+            for (int x = -reach; x <= reach; x++)
+                sum += Shape(Math.Sqrt(x * x + y * y + z * z) / ratio);
+            return sum / Math.Pow(ratio, 3.0);
+        }
+    }
+}

@@ -1,0 +1,21 @@
+#ifndef SPHFLUID_STANDARD_TYPES
+#define SPHFLUID_STANDARD_TYPES
+
+// Threads of a group that walks over neighbours: small groups spread few particles over many processors.
+#define STANDARD_THREADS 64
+
+// Threads of a group of the scan, and cells that a thread sums; mirrored by CellScan.cs.
+#define SCAN_THREADS 256
+#define SCAN_CELLS_PER_THREAD 8
+#define SCAN_CELLS_PER_GROUP (SCAN_THREADS * SCAN_CELLS_PER_THREAD)
+
+// Groups a dispatch may have in one dimension (Direct3D 11, Vulkan, Metal).
+#define STANDARD_MAX_GROUPS 65535
+
+// Particle of a thread: positions and velocities lie in float4 apart, one aligned load each; a velocity's w is the id.
+uint StandardIndex(uint3 groupId, uint groupIndex)
+{
+    return (groupId.y * STANDARD_MAX_GROUPS + groupId.x) * STANDARD_THREADS + groupIndex;
+}
+
+#endif
