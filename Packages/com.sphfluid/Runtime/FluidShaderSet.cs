@@ -54,6 +54,15 @@ namespace SphFluid
         [SerializeField, Tooltip("Kernel MoveParticles: forces, motion, walls, cell counts.")]
         ComputeShader moveParticles;
 
+        [SerializeField, Tooltip("Kernels ClearWalls and GatherWalls: colliders near each particle.")]
+        ComputeShader gatherWalls;
+
+        [SerializeField, Tooltip("Kernels ClearContacts and FindContacts: steps that meet a collider.")]
+        ComputeShader findContacts;
+
+        [SerializeField, Tooltip("Kernel ResolveContacts: where those steps go.")]
+        ComputeShader resolveContacts;
+
         [SerializeField, Tooltip("Kernels PublishParticles and PublishCells: the liquid as drawing reads it.")]
         ComputeShader publishParticles;
 
@@ -117,6 +126,15 @@ namespace SphFluid
         /// <summary>Kernel MoveParticles: forces, motion, walls, cell counts.</summary>
         public ComputeShader MoveParticles { get => moveParticles; set => moveParticles = value; }
 
+        /// <summary>Kernels ClearWalls and GatherWalls: colliders near each particle.</summary>
+        public ComputeShader GatherWalls { get => gatherWalls; set => gatherWalls = value; }
+
+        /// <summary>Kernels ClearContacts and FindContacts: steps that meet a collider.</summary>
+        public ComputeShader FindContacts { get => findContacts; set => findContacts = value; }
+
+        /// <summary>Kernel ResolveContacts: where those steps go.</summary>
+        public ComputeShader ResolveContacts { get => resolveContacts; set => resolveContacts = value; }
+
         /// <summary>Kernels PublishParticles and PublishCells: the liquid as drawing reads it.</summary>
         public ComputeShader PublishParticles { get => publishParticles; set => publishParticles = value; }
 
@@ -154,6 +172,9 @@ namespace SphFluid
             Check(scatterParticles, nameof(scatterParticles), missing);
             Check(standardDensity, nameof(standardDensity), missing);
             Check(moveParticles, nameof(moveParticles), missing);
+            Check(gatherWalls, nameof(gatherWalls), missing);
+            Check(findContacts, nameof(findContacts), missing);
+            Check(resolveContacts, nameof(resolveContacts), missing);
             Check(publishParticles, nameof(publishParticles), missing);
             return missing;
         }

@@ -49,6 +49,10 @@ namespace SphFluid
             }
         }
 
+        /// <summary>Whether the states differ by the transform only.</summary>
+        public bool HasShapeOf(in ColliderState other) =>
+            ReferenceEquals(Mesh, other.Mesh) && Center.Equals(other.Center) && Size.Equals(other.Size) && stamp.Equals(other.stamp);
+
         public bool Equals(ColliderState other) =>
             ReferenceEquals(Collider, other.Collider) && ReferenceEquals(Mesh, other.Mesh) &&
             ToSimulation.Equals(other.ToSimulation) && Center.Equals(other.Center) && Size.Equals(other.Size) &&

@@ -162,6 +162,15 @@ namespace SphFluid
             Dispatch(cmd, Groups(x, GroupSize.x), Groups(y, GroupSize.y), Groups(z, GroupSize.z));
         }
 
+        /// <summary>Records a dispatch of as many groups as a buffer tells when it runs.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="arguments">Groups along x, y and z, uint each; made for <see cref="GraphicsBuffer.Target.IndirectArguments"/>.</param>
+        public void DispatchIndirect(CommandBuffer cmd, GraphicsBuffer arguments)
+        {
+            cmd.DispatchCompute(shader, index, arguments, 0);
+            DispatchesRecorded++;
+        }
+
         /// <summary>Spreads groups over two dimensions: 65,538 groups become (65,535, 2), the last row partly idle.</summary>
         /// <param name="groups">Number of groups.</param>
         /// <returns>Groups along x and y.</returns>

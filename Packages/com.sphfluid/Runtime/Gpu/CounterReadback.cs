@@ -8,13 +8,18 @@ namespace SphFluid
     /// <summary>Brings the counter buffer (Shaders/Gpu/FluidCounters.hlsl) to the CPU without waiting for the GPU.</summary>
     internal sealed class CounterReadback : IDisposable
     {
-        public const int Slots = 8;
+        public const int Slots = 16;
         const int AccelerationLimit = 0;
         const int DomainClamp = 1;
         const int NonFinite = 2;
-        internal const int MaxSpeed = 4;
-        const int MaxDensity = 5;
-        const int FirstMaximum = 4;
+        const int Shortened = 3;
+        const int ContactFallback = 4;
+        const int Squeezed = 5;
+        const int Overlap = 6;
+        const int Contact = 7;
+        internal const int MaxSpeed = 8;
+        const int MaxDensity = 9;
+        const int FirstMaximum = 8;
 
         static readonly uint[] Zeros = new uint[Slots];
 
@@ -80,6 +85,11 @@ namespace SphFluid
             counters.AccelerationLimitHits += Added(values, AccelerationLimit);
             counters.DomainClamps += Added(values, DomainClamp);
             counters.NonFinite += Added(values, NonFinite);
+            counters.ShortenedSteps += Added(values, Shortened);
+            counters.ContactFallbacks += Added(values, ContactFallback);
+            counters.Squeezed += Added(values, Squeezed);
+            counters.Overlaps += Added(values, Overlap);
+            counters.Contacts += Added(values, Contact);
             counters.MaxSpeed = ToFloat(values[MaxSpeed]);
             counters.MaxCompression = Mathf.Max(0f, ToFloat(values[MaxDensity]) / RestDensity - 1f);
         }

@@ -12,6 +12,21 @@ namespace SphFluid
         /// <summary>Times a particle's position or velocity was not a finite number, since the start; it was stopped where it had been.</summary>
         public long NonFinite;
 
+        /// <summary>Times a step met a triangle and was changed, since the start.</summary>
+        public long Contacts;
+
+        /// <summary>Times a particle was as good as stopped because no way past the triangles was found, since the start. A few in narrow corners are normal.</summary>
+        public long ContactFallbacks;
+
+        /// <summary>Times a particle had no free place left, between colliders that close or a collider and a wall, since the start; it may now be on the wrong side.</summary>
+        public long Squeezed;
+
+        /// <summary>Times a step began on a triangle, since the start: a collider appeared or jumped onto the particle.</summary>
+        public long Overlaps;
+
+        /// <summary>Times a step was longer than contact follows and was shortened, since the start.</summary>
+        public long ShortenedSteps;
+
         /// <summary>Largest speed in the last recorded steps [m/s].</summary>
         public float MaxSpeed;
 

@@ -92,6 +92,15 @@ namespace SphFluid
             state.SetTriangles(triangles, colliders, colliderCount);
         }
 
+        /// <summary>Gives the solver the scene's bodies; the caller keeps them alive, updates them once a frame and disposes them. Standard method only.</summary>
+        internal void SetBodies(CollisionBodies bodies)
+        {
+            ThrowIfDisposed();
+            if (bodies == state.Bodies) return;
+            state.Bodies = bodies;
+            neighboursFresh = false;
+        }
+
         /// <summary>Changes the physics between steps.</summary>
         /// <param name="settings">New constants; domain size, support radius, neighbour search and periodic axes must stay, the grid depends on them.</param>
         /// <exception cref="ArgumentException">A constant is out of range, or the grid would change.</exception>
@@ -145,8 +154,10 @@ namespace SphFluid
             }
 
             counters.RecordReset(cmd);
+            if (state.WallsChange()) neighboursFresh = false; // what drawing was given has the walls at rest
             for (int i = 0; i < steps; i++)
             {
+                state.BeginBodyStep(i, steps, timeStep);
                 RecordSetup(cmd);
                 method.RecordMotion(cmd, state, new FluidStep(timeStep, StepCount == 0 ? timeStep : previousStep, StepCount == 0));
                 previousStep = timeStep;
@@ -155,6 +166,7 @@ namespace SphFluid
                 SimulatedTime += timeStep;
             }
 
+            state.EndBodySteps();
             counters.RecordRequest(cmd);
         }
 

@@ -11,6 +11,7 @@ namespace SphFluid
         readonly FluidStart start;
         readonly Vector3 startGravity;
         readonly CollisionScene collision;
+        readonly CollisionBodies bodies; // null with methods that take triangles
         readonly CommandBuffer commands;
         readonly SubstepMonitor substeps = new SubstepMonitor();
         readonly GuardMonitor guards = new GuardMonitor();
@@ -33,7 +34,9 @@ namespace SphFluid
             try
             {
                 pace = new FluidPace(simulation, Solver);
+                if (simulation.Method == FluidMethodKind.Standard) bodies = new CollisionBodies(settings.SupportRadius, settings.DomainSize);
                 ShareColliders();
+                FollowBodies();
                 Execute(0);
             }
             catch
@@ -48,7 +51,7 @@ namespace SphFluid
         public float TimeStep => (float)pace.Clock.TimeStep;
         public long CapHits => substeps.CapHits;
         public double RealTimeFactor => substeps.RealTimeFactor;
-        public long GpuBytes => Solver.GpuBytes + collision.GpuBytes;
+        public long GpuBytes => Solver.GpuBytes + collision.GpuBytes + (bodies?.Bytes ?? 0);
         public CollisionScene Collision => collision;
 
         /// <summary>Advances by a frame.</summary>
@@ -62,6 +65,7 @@ namespace SphFluid
                 ShareColliders();
                 foreach (FluidMessage message in collision.Messages) simulation.Report(message);
             }
+            FollowBodies();
             int steps = pace.Advance(deltaTime);
             Execute(steps);
             if (steps > 0) pace.Stepped();
@@ -79,6 +83,7 @@ namespace SphFluid
         public void Dispose()
         {
             Solver.Dispose();
+            bodies?.Dispose();
             collision.Dispose();
             commands.Dispose();
         }
@@ -97,6 +102,13 @@ namespace SphFluid
         {
             collision.Upload();
             Solver.SetTriangles(collision.TriangleBuffer, collision.ColliderBuffer, collision.Colliders.Count);
+        }
+
+        void FollowBodies()
+        {
+            if (bodies == null) return;
+            bodies.Update(collision.Solids);
+            Solver.SetBodies(bodies);
         }
 
         void Execute(int steps)

@@ -5,7 +5,7 @@ namespace SphFluid
     /// <summary>Tells once a run for each kind of guard that had to act on the particles.</summary>
     internal sealed class GuardMonitor
     {
-        bool nonFinite, clamped, limited;
+        bool nonFinite, clamped, limited, squeezed, overlapped, shortened;
 
         /// <summary>Takes note of the counters.</summary>
         /// <returns>What to tell the user; null when nothing new.</returns>
@@ -15,6 +15,9 @@ namespace SphFluid
             if (IsNew(counters.NonFinite, ref nonFinite)) Add(ref news, $"{counters.NonFinite} positions or velocities were not finite and were stopped");
             if (IsNew(counters.DomainClamps, ref clamped)) Add(ref news, $"{counters.DomainClamps} particles were put back onto the domain's faces");
             if (IsNew(counters.AccelerationLimitHits, ref limited)) Add(ref news, $"{counters.AccelerationLimitHits} accelerations were limited");
+            if (IsNew(counters.Squeezed, ref squeezed)) Add(ref news, $"{counters.Squeezed} times a particle had no place between colliders that close and was left where it was");
+            if (IsNew(counters.Overlaps, ref overlapped)) Add(ref news, $"{counters.Overlaps} times a collider was already on a particle and the side was chosen for it");
+            if (IsNew(counters.ShortenedSteps, ref shortened)) Add(ref news, $"{counters.ShortenedSteps} steps were longer than colliders can stop and were shortened");
             return news == null ? null : $"The solver's guards acted: {string.Join(", ", news)}.";
         }
 

@@ -31,6 +31,8 @@ namespace SphFluid
             DomainBindings.SetBodyForce(cmd, kernel, settings.BodyForce);
             DomainBindings.SetNoSlip(cmd, kernel, settings.Boundaries);
             StandardWallBinding.Set(cmd, kernel, settings);
+            GatherWallsPass.SetWalls(cmd, kernel, state);
+            kernel.SetFloat(cmd, StandardShaderIds.FaceDistance, MeshContact.Distance(settings));
             kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
             kernel.SetFloat(cmd, StandardShaderIds.SlopeFactor, (float)(settings.ParticleMass * WendlandKernel.SlopeFactor(settings.SupportRadius)));
             kernel.SetFloat(cmd, StandardShaderIds.ViscosityFactor, 2f * viscosity / settings.RestDensity);

@@ -63,12 +63,18 @@ namespace SphFluid
         /// <summary>Particles in the order of their cells, as indices, for the stable order.</summary>
         public GraphicsBuffer Order => order;
 
+        /// <summary>What triangles need; null where there never were any.</summary>
+        public MeshWallBuffers Walls { get; private set; }
+
+        /// <summary>Makes <see cref="Walls"/>, if they are not there.</summary>
+        public void RequireWalls() => Walls ??= new MeshWallBuffers(positions.count);
+
         /// <summary>Bytes of all buffers.</summary>
         public long Bytes
         {
             get
             {
-                long bytes = 0;
+                long bytes = Walls?.Bytes ?? 0;
                 foreach (GraphicsBuffer buffer in new[] { positions, velocities, newPositions, newVelocities, density, cellCount, cellStart, blockSum, rank, order })
                     bytes += (long)buffer.count * buffer.stride;
                 return bytes;
@@ -77,6 +83,7 @@ namespace SphFluid
 
         public void Dispose()
         {
+            Walls?.Dispose();
             GpuBuffers.Dispose(ref positions);
             GpuBuffers.Dispose(ref velocities);
             GpuBuffers.Dispose(ref newPositions);

@@ -22,6 +22,7 @@ namespace SphFluid
             CellRowsBinding.Set(cmd, kernel, state.Cells, state.Standard.CellStart);
             DomainBindings.SetPeriodic(cmd, kernel, settings);
             StandardWallBinding.Set(cmd, kernel, settings);
+            GatherWallsPass.SetWalls(cmd, kernel, state);
             kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
             kernel.SetFloat(cmd, StandardShaderIds.DensityFactor, (float)(settings.ParticleMass * WendlandKernel.Factor(settings.SupportRadius)));
             kernel.SetFloat(cmd, StandardShaderIds.SoundSpeedSquared, settings.SoundSpeed * settings.SoundSpeed);

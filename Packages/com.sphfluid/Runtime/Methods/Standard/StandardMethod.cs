@@ -4,7 +4,8 @@ namespace SphFluid
 {
     /// <summary>
     /// Weakly compressible SPH with one Wendland C2 kernel for density and force, walls that carry density, and five dependent
-    /// dispatches a step: ScanReduce, ScanApply, Scatter, StandardDensity, MoveParticles.
+    /// dispatches a step: ScanReduce, ScanApply, Scatter, StandardDensity, MoveParticles. Triangles add five: two before the
+    /// density find the walls near particles, three after the motion prove it free of them.
     /// </summary>
     internal sealed class StandardMethod : IFluidMethod
     {
@@ -13,6 +14,8 @@ namespace SphFluid
         readonly ScatterParticlesPass scatterParticles;
         readonly StandardDensityPass density;
         readonly MoveParticlesPass moveParticles;
+        readonly GatherWallsPass gatherWalls;
+        readonly ContactPass contacts;
         readonly PublishParticlesPass publishParticles;
         bool sorted;
 
@@ -23,6 +26,8 @@ namespace SphFluid
             scatterParticles = new ScatterParticlesPass(shaders);
             density = new StandardDensityPass(shaders);
             moveParticles = new MoveParticlesPass(shaders);
+            gatherWalls = new GatherWallsPass(shaders);
+            contacts = new ContactPass(shaders);
             publishParticles = new PublishParticlesPass(shaders);
         }
 
@@ -43,6 +48,12 @@ namespace SphFluid
                 sorted = true;
             }
 
+            if (state.HasBodies)
+            {
+                state.Standard.RequireWalls();
+                gatherWalls.Record(cmd, state);
+            }
+
             density.Record(cmd, state);
         }
 
@@ -50,6 +61,11 @@ namespace SphFluid
         public void RecordMotion(CommandBuffer cmd, FluidState state, in FluidStep step)
         {
             moveParticles.Record(cmd, state, step);
+            if (state.HasBodies)
+            {
+                contacts.Record(cmd, state, step.Length);
+            }
+
             sorted = false;
         }
 

@@ -26,6 +26,25 @@ namespace SphFluid
         public static readonly int ParticlesOut = Shader.PropertyToID("_ParticlesOut");
         public static readonly int GridIndicesOut = Shader.PropertyToID("_GridIndicesOut");
 
+        public static readonly int WallSlot = Shader.PropertyToID("_WallSlot");
+        public static readonly int WallSlotOut = Shader.PropertyToID("_WallSlotOut");
+        public static readonly int NearWalls = Shader.PropertyToID("_NearWalls");
+        public static readonly int NearWallsOut = Shader.PropertyToID("_NearWallsOut");
+        public static readonly int WallCount = Shader.PropertyToID("_WallCount");
+        public static readonly int FaceDistance = Shader.PropertyToID("_FaceDistance");
+
+        public static readonly int ContactList = Shader.PropertyToID("_ContactList");
+        public static readonly int ContactListIn = Shader.PropertyToID("_ContactListIn");
+        public static readonly int ContactArguments = Shader.PropertyToID("_ContactArguments");
+        public static readonly int ContactArgumentsIn = Shader.PropertyToID("_ContactArgumentsIn");
+        public static readonly int ContactDistance = Shader.PropertyToID("_ContactDistance");
+        public static readonly int SweepDistance = Shader.PropertyToID("_SweepDistance");
+        public static readonly int ContactFloor = Shader.PropertyToID("_ContactFloor");
+        public static readonly int ContactTolerance = Shader.PropertyToID("_ContactTolerance");
+        public static readonly int LongestWay = Shader.PropertyToID("_LongestWay");
+        public static readonly int Friction = Shader.PropertyToID("_Friction");
+        public static readonly int DomainInside = Shader.PropertyToID("_DomainInside");
+
         public static readonly int InverseSupport = Shader.PropertyToID("_InverseSupport");
         public static readonly int DensityFactor = Shader.PropertyToID("_DensityFactor");
         public static readonly int SoundSpeedSquared = Shader.PropertyToID("_SoundSpeedSquared");

@@ -38,6 +38,49 @@ float3 WallFriction(float3 position, float3 velocity)
 
 #endif
 
+#if defined(FLUID_MESH_WALLS)
+
+float _FaceDistance; // m: triangles may lie in the domain's faces, so particles do not
+
+// The same for the planes of triangles, against the walls' speeds; twice, for corners.
+float3 MeshShell(NearWall wall, float3 velocity)
+{
+    [unroll]
+    for (int turn = 0; turn < 2; turn++)
+    {
+        [unroll]
+        for (int k = 0; k < 3; k++)
+        {
+            const float least = wall.Approach[k] - max(0.0, wall.Planes[k].w - _ShellDistance) / _TimeStep;
+            velocity += max(0.0, least - dot(wall.Planes[k].xyz, velocity)) * wall.Planes[k].xyz;
+        }
+    }
+    return velocity;
+}
+
+#if defined(FLUID_NO_SLIP)
+
+float3 MeshFriction(NearWall wall, float3 velocity)
+{
+    float3 drag = float3(0.0, 0.0, 0.0);
+    const uint rubs = (wall.Flags >> 4u) & 3u;
+    [unroll]
+    for (uint k = 0u; k < 3u; k++)
+    {
+        if (k == rubs)
+        {
+            const float3 n = wall.Planes[k].xyz;
+            const float3 relative = velocity - wall.Velocity;
+            drag = -_WallViscosity * HalfSpaceDrag(wall.Planes[k].www).x * (relative - n * dot(n, relative));
+        }
+    }
+    return drag;
+}
+
+#endif
+
+#endif
+
 struct Motion
 {
     float3 Position;
@@ -54,10 +97,10 @@ float3 Shell(float3 position, float3 velocity)
 }
 
 // Leapfrog with the velocity half a step after the position's last force; a step of another length kicks by the mean.
-Motion Leapfrog(float3 position, float3 velocity, float3 acceleration)
+Motion Leapfrog(float3 position, float3 kicked)
 {
     Motion motion;
-    motion.Velocity = Shell(position, velocity + _KickStep * acceleration);
+    motion.Velocity = Shell(position, kicked);
     motion.Position = position + _TimeStep * motion.Velocity;
     if (!IsFinite(motion.Position) || !IsFinite(motion.Velocity))
     {
@@ -66,7 +109,12 @@ Motion Leapfrog(float3 position, float3 velocity, float3 acceleration)
         motion.Velocity = float3(0.0, 0.0, 0.0);
     }
     motion.Position = WrapPosition(motion.Position);
+#if defined(FLUID_MESH_WALLS)
+    const float3 limit = _DomainHalfSize - WhereWalls(_FaceDistance.xxx);
+    const float3 inside = clamp(motion.Position, -limit, limit);
+#else
     const float3 inside = clamp(motion.Position, -_DomainHalfSize, _DomainHalfSize);
+#endif
     if (any(inside != motion.Position))
     {
         CountEvent(COUNTER_DOMAIN_CLAMP);

@@ -29,6 +29,9 @@ namespace SphFluid.Tests
             set.ScatterParticles = Load("Shaders/Methods/Standard/ScatterParticles.compute");
             set.StandardDensity = Load("Shaders/Methods/Standard/StandardDensity.compute");
             set.MoveParticles = Load("Shaders/Methods/Standard/MoveParticles.compute");
+            set.GatherWalls = Load("Shaders/Methods/Standard/GatherWalls.compute");
+            set.FindContacts = Load("Shaders/Methods/Standard/FindContacts.compute");
+            set.ResolveContacts = Load("Shaders/Methods/Standard/ResolveContacts.compute");
             set.PublishParticles = Load("Shaders/Methods/Standard/PublishParticles.compute");
             return set;
         }

@@ -1,0 +1,59 @@
+using System.Runtime.InteropServices;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>A rigid part of the scene in a frame of its own; mirrored by CollisionBody in Shaders/Collision/Bodies.hlsl. SI.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct CollisionBody
+    {
+        public const int Stride = 128;
+
+        /// <summary>Bit of <see cref="Flags"/>: the poses differ, or will.</summary>
+        public const uint Moves = 1u;
+
+        public Quaternion Rotation0;
+        public Quaternion Rotation1;
+        public Vector3 Position0;
+        public uint FirstCell;
+        public Vector3 Position1;
+        public uint Flags;
+        public Vector3 GridOrigin;
+        public float CellSide;
+        public Vector3Int GridCounts;
+        public uint Pad0;
+        public Vector3 BoundsMin;
+        public float Pad1;
+        public Vector3 BoundsMax;
+        public float Pad2;
+    }
+
+    /// <summary>A triangle of a body's frame [m]; mirrored by BodyTriangle in Shaders/Collision/Bodies.hlsl.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct BodyTriangle
+    {
+        public const int Stride = 48;
+
+        // A plane that float can tell: the area is no less than this part of the longest edge's square.
+        const double NeedleArea = 1e-3;
+
+        public Vector3 A;
+        public float NormalX;
+        public Vector3 B;
+        public float NormalY;
+        public Vector3 C;
+        public float NormalZ;
+
+        /// <summary>A triangle with its unit normal; zero for a needle.</summary>
+        public static BodyTriangle Of(Vector3 a, Vector3 b, Vector3 c)
+        {
+            double ux = (double)b.x - a.x, uy = (double)b.y - a.y, uz = (double)b.z - a.z;
+            double vx = (double)c.x - a.x, vy = (double)c.y - a.y, vz = (double)c.z - a.z;
+            double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+            double area = System.Math.Sqrt(nx * nx + ny * ny + nz * nz);
+            double longest = System.Math.Max((b - a).sqrMagnitude, System.Math.Max((c - a).sqrMagnitude, (c - b).sqrMagnitude));
+            double scale = area > NeedleArea * longest ? 1.0 / area : 0.0;
+            return new BodyTriangle { A = a, B = b, C = c, NormalX = (float)(nx * scale), NormalY = (float)(ny * scale), NormalZ = (float)(nz * scale) };
+        }
+    }
+}

@@ -1,0 +1,58 @@
+using System;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>What the Standard method needs only where there are triangles: walls near particles, and the list of contacts.</summary>
+    internal sealed class MeshWallBuffers : IDisposable
+    {
+        /// <summary>Bytes of NearWall in Shaders/Methods/Standard/MeshWalls.hlsl.</summary>
+        public const int WallStride = 96 + 16;
+
+        GraphicsBuffer wallSlot, nearWalls, wallCount, contactList, contactArguments;
+
+        public MeshWallBuffers(int particleCount)
+        {
+            try
+            {
+                wallSlot = GpuBuffers.Create("WallSlot", particleCount, 4);
+                nearWalls = GpuBuffers.Create("NearWalls", particleCount, WallStride);
+                wallCount = GpuBuffers.Create("WallCount", 1, 4);
+                contactList = GpuBuffers.Create("ContactList", particleCount, 4);
+                contactArguments = GpuBuffers.Create("ContactArguments", 4, 4, GraphicsBuffer.Target.IndirectArguments);
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
+        }
+
+        /// <summary>Of each particle 1 + the place of its walls in <see cref="NearWalls"/>, or 0.</summary>
+        public GraphicsBuffer WallSlot => wallSlot;
+
+        /// <summary>NearWall each.</summary>
+        public GraphicsBuffer NearWalls => nearWalls;
+
+        /// <summary>Number of those.</summary>
+        public GraphicsBuffer WallCount => wallCount;
+
+        /// <summary>Particles whose step is not free.</summary>
+        public GraphicsBuffer ContactList => contactList;
+
+        /// <summary>Groups that resolve them, x, y, z, and their number.</summary>
+        public GraphicsBuffer ContactArguments => contactArguments;
+
+        /// <summary>Bytes of all buffers.</summary>
+        public long Bytes => GpuBuffers.Size(wallSlot, nearWalls, wallCount, contactList, contactArguments);
+
+        public void Dispose()
+        {
+            GpuBuffers.Dispose(ref wallSlot);
+            GpuBuffers.Dispose(ref nearWalls);
+            GpuBuffers.Dispose(ref wallCount);
+            GpuBuffers.Dispose(ref contactList);
+            GpuBuffers.Dispose(ref contactArguments);
+        }
+    }
+}

@@ -1,0 +1,90 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>A liquid of the Standard method among colliders.</summary>
+    internal sealed class BodyRig : IDisposable
+    {
+        readonly ColliderRig colliders = new ColliderRig();
+        StandardRig liquid;
+
+        public BodyRig(in FluidSolverSettings settings)
+        {
+            Settings = settings;
+            colliders.DomainSize = settings.DomainSize;
+            colliders.Spacing = settings.Spacing;
+            Bodies = new CollisionBodies(settings.SupportRadius, settings.DomainSize);
+        }
+
+        public FluidSolverSettings Settings { get; }
+        public CollisionBodies Bodies { get; }
+        public FluidSolver Solver => liquid.Solver;
+
+        /// <summary>By rule for water of a depth in a domain.</summary>
+        public static FluidSolverSettings Water(Vector3 domain, float spacing, float depth, float expectedSpeed = 0f)
+        {
+            FluidRuleInput input = FluidRuleInput.Water;
+            input.Method = FluidMethodKind.Standard;
+            input.DomainSize = domain;
+            input.Spacing = spacing;
+            input.LiquidHeight = depth;
+            input.LiquidDepth = depth;
+            input.MinSpeed = Mathf.Max(input.MinSpeed, expectedSpeed);
+            return FluidSolverSettings.FromRules(input);
+        }
+
+        /// <summary>Adds triangles, three corners each.</summary>
+        public Transform Add(IReadOnlyList<Vector3> corners)
+        {
+            var vertices = new Vector3[corners.Count];
+            var indices = new int[corners.Count];
+            for (int i = 0; i < indices.Length; i++)
+            {
+                vertices[i] = corners[i];
+                indices[i] = i;
+            }
+            var mesh = new Mesh { name = "Test Triangles", indexFormat = UnityEngine.Rendering.IndexFormat.UInt32, vertices = vertices, triangles = indices };
+            return colliders.AddMesh(mesh).transform;
+        }
+
+        public Transform AddBox(Vector3 size)
+        {
+            Transform box = colliders.AddMesh(TestMeshes.Cube()).transform;
+            box.localScale = size;
+            return box;
+        }
+
+        public void Start(FluidParticle[] particles)
+        {
+            liquid = new StandardRig(Settings, particles);
+            UpdateBodies();
+            liquid.Solver.SetBodies(Bodies);
+        }
+
+        public void UpdateBodies()
+        {
+            colliders.Gather();
+            Bodies.Update(colliders.Scene.Solids);
+        }
+
+        /// <summary>Follows the colliders and steps.</summary>
+        public void Frame(int steps)
+        {
+            UpdateBodies();
+            liquid.Steps(steps);
+        }
+
+        public FluidParticle[] Particles() => liquid.Particles();
+        public float[] Densities() => liquid.Densities();
+        public void Setup() => liquid.Setup();
+
+        public void Dispose()
+        {
+            liquid?.Dispose();
+            Bodies.Dispose();
+            colliders.Dispose();
+        }
+    }
+}
