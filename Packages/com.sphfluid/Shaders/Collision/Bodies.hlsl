@@ -21,7 +21,7 @@ struct CollisionBody
     float3 GridOrigin; // m, body frame
     float CellSide;    // m
     int3 GridCounts;
-    uint Pad0;
+    uint BodyCount; // of all, the same in each
     float3 BoundsMin; // of the triangles, m, body frame
     float Pad1;
     float3 BoundsMax;
@@ -43,10 +43,15 @@ StructuredBuffer<CollisionBody> _Bodies;
 StructuredBuffer<BodyTriangle> _BodyTriangles;
 StructuredBuffer<uint> _BodyCells;     // a body has cells + 1 entries: the range of a cell in _CellTriangles
 StructuredBuffer<uint> _CellTriangles; // indices into _BodyTriangles
-uint _BodyCount;
 float _PoseStart; // where this step begins in the frame's motion, 0 to 1
 float _PoseEnd;
 float _BodyPartsPerMetre; // 1/(1.7 R)
+
+// Kept in the buffer: llvmpipe translates a kernel anew with every dispatch whose loops end at a constant's value.
+uint BodyCount()
+{
+    return _Bodies[0].BodyCount;
+}
 
 struct BodyPose
 {

@@ -15,7 +15,6 @@ namespace SphFluid
         static readonly int TrianglesId = Shader.PropertyToID("_BodyTriangles");
         static readonly int CellsId = Shader.PropertyToID("_BodyCells");
         static readonly int ReferencesId = Shader.PropertyToID("_CellTriangles");
-        static readonly int CountId = Shader.PropertyToID("_BodyCount");
         static readonly int PoseStartId = Shader.PropertyToID("_PoseStart");
         static readonly int PartsId = Shader.PropertyToID("_BodyPartsPerMetre");
         static readonly int PoseEndId = Shader.PropertyToID("_PoseEnd");
@@ -102,7 +101,6 @@ namespace SphFluid
         /// <param name="end">Where it ends.</param>
         public void Bind(CommandBuffer cmd, ComputeKernel kernel, float start, float end)
         {
-            kernel.SetInt(cmd, CountId, Count);
             kernel.SetFloat(cmd, PoseStartId, start);
             kernel.SetFloat(cmd, PoseEndId, end);
             kernel.SetFloat(cmd, PartsId, 1f / (1.7f * reach));
@@ -235,12 +233,15 @@ namespace SphFluid
             stale = false;
             for (int i = 0; i < bodies.Count; i++)
             {
-                if (motions[i] == null) continue;
                 CollisionBody body = bodies[i];
-                body.Rotation0 = motions[i].Rotation0;
-                body.Position0 = motions[i].Position0;
-                body.Rotation1 = motions[i].Rotation1;
-                body.Position1 = motions[i].Position1;
+                body.BodyCount = (uint)bodies.Count;
+                if (motions[i] != null)
+                {
+                    body.Rotation0 = motions[i].Rotation0;
+                    body.Position0 = motions[i].Position0;
+                    body.Rotation1 = motions[i].Rotation1;
+                    body.Position1 = motions[i].Position1;
+                }
                 bodies[i] = body;
             }
             if (bodies.Count > 0) Upload(ref bodyBuffer, "Bodies", bodies.ToArray(), CollisionBody.Stride);

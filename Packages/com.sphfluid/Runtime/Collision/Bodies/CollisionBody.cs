@@ -21,7 +21,7 @@ namespace SphFluid
         public Vector3 GridOrigin;
         public float CellSide;
         public Vector3Int GridCounts;
-        public uint Pad0;
+        public uint BodyCount;
         public Vector3 BoundsMin;
         public float Pad1;
         public Vector3 BoundsMax;
