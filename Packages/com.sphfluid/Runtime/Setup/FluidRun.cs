@@ -34,7 +34,7 @@ namespace SphFluid
             try
             {
                 pace = new FluidPace(simulation, Solver);
-                if (simulation.Method == FluidMethodKind.Standard) bodies = new CollisionBodies(settings.SupportRadius, settings.DomainSize);
+                if (simulation.Method == FluidMethodKind.Standard) bodies = new CollisionBodies(Solver.Settings.SupportRadius, Solver.Settings.DomainSize);
                 ShareColliders();
                 FollowBodies();
                 Execute(0);
