@@ -52,8 +52,8 @@ namespace SphFluid
         /// <summary>Number of triangles.</summary>
         public int TriangleCount => triangles.Count;
 
-        /// <summary>Triangles without area that were left out.</summary>
-        public int Degenerate { get; private set; }
+        /// <summary>Triangles left out because a corner is not finite. Those without area stay: as edges they close cracks.</summary>
+        public int LeftOut { get; private set; }
 
         /// <summary>Bytes of the GPU buffers.</summary>
         public long Bytes => bodyBuffer == null ? 0 : GpuBuffers.Size(bodyBuffer, triangleBuffer, cellBuffer, referenceBuffer);
@@ -170,7 +170,7 @@ namespace SphFluid
             cells.Clear();
             references.Clear();
             resting.Clear();
-            Degenerate = 0;
+            LeftOut = 0;
             int first = 0;
             foreach (ColliderSolid solid in solids)
             {
@@ -200,7 +200,7 @@ namespace SphFluid
             for (int t = 0; t < mesh.TriangleCount; t++)
             {
                 mesh.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
-                if (TriangleMesh.IsDegenerate(a, b, c)) Degenerate++;
+                if (!AffineMath.IsFinite(a) || !AffineMath.IsFinite(b) || !AffineMath.IsFinite(c)) LeftOut++;
                 else if (!atRest || TriangleMath.MayOverlap(Vector3.zero, half, a, b, c)) triangles.Add(BodyTriangle.Of(a, b, c));
             }
         }

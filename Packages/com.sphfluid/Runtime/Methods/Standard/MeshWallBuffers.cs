@@ -7,7 +7,7 @@ namespace SphFluid
     internal sealed class MeshWallBuffers : IDisposable
     {
         /// <summary>Bytes of NearWall in Shaders/Methods/Standard/MeshWalls.hlsl.</summary>
-        public const int WallStride = 96 + 16;
+        public const int WallStride = 96;
 
         GraphicsBuffer wallSlot, nearWalls, wallCount, contactList, contactArguments;
 

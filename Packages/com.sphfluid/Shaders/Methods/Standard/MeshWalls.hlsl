@@ -3,7 +3,8 @@
 
 // What GatherWalls found for particles within R of a triangle. A kernel that includes this file declares
 // "#pragma multi_compile_local _ FLUID_MESH_WALLS".
-// Mirrored by StandardBuffers.WallStride; 112 bytes.
+
+// Mirrored by MeshWallBuffers.WallStride; 96 bytes.
 struct NearWall
 {
     float3 Gradient;   // of the walls' density over rho0, 1/m; the domain's faces included

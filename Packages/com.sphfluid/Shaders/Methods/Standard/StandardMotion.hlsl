@@ -102,7 +102,7 @@ Motion Leapfrog(float3 position, float3 kicked)
     Motion motion;
     motion.Velocity = Shell(position, kicked);
     motion.Position = position + _TimeStep * motion.Velocity;
-    if (!IsFinite(motion.Position) || !IsFinite(motion.Velocity))
+    if (!IsFinite(motion.Position) || !IsFinite(kicked)) // before the shell: a clamp may hide it
     {
         CountEvent(COUNTER_NON_FINITE); // it stays where it was, at rest
         motion.Position = position;

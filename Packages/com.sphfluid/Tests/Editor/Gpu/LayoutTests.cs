@@ -18,6 +18,8 @@ namespace SphFluid.Tests
             Assert.That(Marshal.SizeOf<FluidParticle>(), Is.EqualTo(FluidParticle.Stride));
             Assert.That(Marshal.SizeOf<CollisionTriangle>(), Is.EqualTo(CollisionTriangle.Stride));
             Assert.That(Marshal.SizeOf<CollisionCollider>(), Is.EqualTo(CollisionCollider.Stride));
+            Assert.That(Marshal.SizeOf<CollisionBody>(), Is.EqualTo(CollisionBody.Stride));
+            Assert.That(Marshal.SizeOf<BodyTriangle>(), Is.EqualTo(BodyTriangle.Stride));
         }
 
         [Test]
@@ -73,6 +75,43 @@ namespace SphFluid.Tests
                     kernel.DispatchThreads(cmd, 1);
                 });
                 Assert.That(GpuTest.Read<float>(values, 7), Is.EqualTo(new float[] { 7, 56, 448, 7, 17, 56, 23 }));
+            }
+        }
+
+        [Test]
+        public void BodyFieldsArriveAtTheirPlaces()
+        {
+            var kernel = new ComputeKernel(TestShaders.Load("Tests/Editor/Gpu/LayoutEcho.compute"), "EchoBodies");
+            var body = new CollisionBody
+            {
+                Rotation0 = new Quaternion(1, 2, 4, 8),
+                Rotation1 = new Quaternion(16, 32, 64, 128),
+                Position0 = new Vector3(1, 2, 4),
+                FirstCell = 17,
+                Position1 = new Vector3(8, 16, 32),
+                Flags = 19,
+                GridOrigin = new Vector3(64, 128, 256),
+                CellSide = 23,
+                GridCounts = new Vector3Int(1, 2, 4),
+                BodyCount = 29,
+                BoundsMin = new Vector3(8, 16, 32),
+                BoundsMax = new Vector3(64, 128, 256),
+            };
+            var triangle = new BodyTriangle { A = new Vector3(1, 2, 4), NormalX = 8, B = new Vector3(16, 32, 64), NormalY = 128, C = new Vector3(1, 2, 4), NormalZ = 16 };
+            using (GraphicsBuffer bodies = GpuBuffers.Create("Bodies", 2, CollisionBody.Stride))
+            using (GraphicsBuffer triangles = GpuBuffers.Create("BodyTriangles", 2, BodyTriangle.Stride))
+            using (GraphicsBuffer values = GpuBuffers.Create("Values", 15, sizeof(float)))
+            {
+                bodies.SetData(new[] { default, body });
+                triangles.SetData(new[] { default, triangle });
+                GpuTest.Run(cmd =>
+                {
+                    kernel.SetBuffer(cmd, Shader.PropertyToID("_Bodies"), bodies);
+                    kernel.SetBuffer(cmd, Shader.PropertyToID("_BodyTriangles"), triangles);
+                    kernel.SetBuffer(cmd, Values, values);
+                    kernel.DispatchThreads(cmd, 1);
+                });
+                Assert.That(GpuTest.Read<float>(values, 15), Is.EqualTo(new float[] { 15, 240, 7, 17, 56, 19, 448, 23, 7, 29, 56, 448, 15, 240, 23 }));
             }
         }
     }

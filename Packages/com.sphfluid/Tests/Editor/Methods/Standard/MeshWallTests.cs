@@ -1,0 +1,149 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Runtime.InteropServices;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Walls that particles feel of triangles, against closed forms of planes and boxes.</summary>
+    public sealed class MeshWallTests
+    {
+        const float Spacing = 0.05f;
+
+        // NearWall of MeshWalls.hlsl.
+        [StructLayout(LayoutKind.Sequential)]
+        struct Wall
+        {
+            public Vector3 Gradient;
+            public float Value;
+            public Vector4 First, Second, Third;
+            public Vector3 Approach;
+            public float Pad;
+            public Vector3 Velocity;
+            public uint Flags;
+        }
+
+        static List<Vector3> Box(Vector3 size, int cuts)
+        {
+            var corners = new List<Vector3>();
+            for (int axis = 0; axis < 3; axis++)
+                foreach (float side in new[] { -0.5f, 0.5f })
+                    Sheet(corners, p => Vector3.Scale(size, Turn(new Vector3(side, p.x - 0.5f, p.y - 0.5f), axis)), cuts, side < 0f);
+            return corners;
+        }
+
+        static Vector3 Turn(Vector3 v, int axis) => axis == 0 ? v : axis == 1 ? new Vector3(v.z, v.x, v.y) : new Vector3(v.y, v.z, v.x);
+
+        static void Sheet(List<Vector3> corners, Func<Vector2, Vector3> at, int cuts, bool flip)
+        {
+            for (int y = 0; y < cuts; y++)
+            for (int x = 0; x < cuts; x++)
+            {
+                Vector3 a = at(new Vector2(x, y) / cuts), b = at(new Vector2(x + 1, y) / cuts), c = at(new Vector2(x, y + 1) / cuts), d = at(new Vector2(x + 1, y + 1) / cuts);
+                corners.AddRange(flip != ((x + y) % 3 == 0) ? new[] { a, b, d, a, d, c } : new[] { a, c, b, b, c, d }); // any orientation serves
+            }
+        }
+
+        static Wall[] Gather(BodyRig rig, Vector3[] points)
+        {
+            rig.Start(points.Select((p, i) => new FluidParticle(p, Vector3.zero, (uint)i)).ToArray());
+            rig.Setup();
+            uint[] ids = rig.Particles().Select(p => p.Id).ToArray();
+            MeshWallBuffers buffers = rig.Solver.State.Standard.Walls;
+            uint[] slots = GpuTest.Read<uint>(buffers.WallSlot, points.Length);
+            Wall[] walls = GpuTest.Read<Wall>(buffers.NearWalls, points.Length), result = new Wall[points.Length];
+            for (int i = 0; i < points.Length; i++)
+                result[ids[i]] = slots[i] == 0 ? default : walls[slots[i] - 1];
+            return result;
+        }
+
+        static Vector3[] Points(int count, Vector3 size, int seed) => ParticleSets.Random(count, size, 0f, seed).Select(p => p.Position).ToArray();
+
+        [Test]
+        public void WallStrideIsTheSizeOfTheStruct() => Assert.That(Marshal.SizeOf<Wall>(), Is.EqualTo(MeshWallBuffers.WallStride));
+
+        [TestCase(1)]
+        [TestCase(5)]
+        [TestCase(12)]
+        public void ABoxOfTrianglesIsABoxOfPlanesHoweverItIsCut(int cuts)
+        {
+            var size = new Vector3(0.5f, 0.4f, 0.6f);
+            FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f), inner = settings;
+            inner.DomainSize = size;
+            using (var rig = new BodyRig(settings))
+            {
+                rig.Add(Box(size, cuts));
+                Vector3[] points = Points(509, 0.98f * size, 3);
+                Wall[] walls = Gather(rig, points);
+                double slope = 1.0 / settings.SupportRadius;
+                int felt = 0;
+                for (int i = 0; i < points.Length; i++)
+                {
+                    double expected = StandardReference.Walls(points[i], inner);
+                    Assert.That(walls[i].Value, Is.EqualTo(expected).Within(1e-5), $"at {points[i]}");
+                    felt += expected > 0.0 ? 1 : 0;
+                    const double step = 1e-5;
+                    for (int axis = 0; axis < 3; axis++)
+                    {
+                        Double3 e = new Double3(axis == 0 ? step : 0, axis == 1 ? step : 0, axis == 2 ? step : 0);
+                        double gradient = (StandardReference.Walls((Double3)points[i] + e, inner) - StandardReference.Walls((Double3)points[i] - e, inner)) / (2.0 * step);
+                        Assert.That(walls[i].Gradient[axis], Is.EqualTo(gradient).Within(2e-4 * slope), $"at {points[i]}");
+                    }
+                }
+                Assert.That(felt, Is.GreaterThan(200));
+            }
+        }
+
+        [Test]
+        public void ASheetIsAWallFromBothSides()
+        {
+            FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f);
+            using (var rig = new BodyRig(settings))
+            {
+                var corners = new List<Vector3>();
+                Sheet(corners, p => new Vector3(p.x - 0.5f, 0.3f * (p.x - 0.5f), p.y - 0.5f), 7, false);
+                rig.Add(corners);
+                Vector3 normal = new Vector3(-0.3f, 1f, 0f).normalized;
+                float[] distances = { 0.003f, 0.01f, 0.024f, 0.049f };
+                Vector3[] points = distances.SelectMany(d => new[] { d * normal + 0.011f * Vector3.forward, -d * normal + 0.011f * Vector3.forward }).ToArray();
+                Wall[] walls = Gather(rig, points);
+                for (int i = 0; i < points.Length; i++)
+                {
+                    double expected = StandardReference.Mirror(distances[i / 2], settings.SupportRadius, Spacing);
+                    Assert.That(walls[i].Value, Is.EqualTo(expected).Within(1e-5));
+                    Vector3 plane = walls[i].First;
+                    Assert.That(Vector3.Dot(plane, i % 2 == 0 ? normal : -normal), Is.EqualTo(1f).Within(1e-5f));
+                    Assert.That(walls[i].First.w, Is.EqualTo(distances[i / 2]).Within(1e-6f));
+                    Assert.That(walls[i].Flags, Is.EqualTo(1u), "one face, which is a triangle's");
+                }
+            }
+        }
+
+        [Test]
+        public void AMovingWallTellsItsSpeed()
+        {
+            FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f);
+            using (var rig = new BodyRig(settings))
+            {
+                var corners = new List<Vector3>();
+                Sheet(corners, p => new Vector3(0.6f * p.x - 0.3f, 0f, 0.6f * p.y - 0.3f), 3, false);
+                Transform sheet = rig.Add(corners);
+                Vector3[] points = { new Vector3(0.1f, 0.06f, 0f) };
+                rig.Start(points.Select((p, i) => new FluidParticle(p, Vector3.zero, 0u)).ToArray());
+                rig.Frame(1);
+                sheet.Translate(new Vector3(0.02f, 0.004f, 0f));
+                rig.UpdateBodies();
+                Assert.That(rig.Bodies.IsUnderWay, Is.True);
+                GpuTest.Run(cmd => rig.Solver.RecordSteps(cmd, 4));
+                Wall wall = GpuTest.Read<Wall>(rig.Solver.State.Standard.Walls.NearWalls, 1)[0];
+                float time = 4f * settings.TimeStep;
+                Assert.That(wall.Velocity.x, Is.EqualTo(0.02f / time).Within(0.1).Percent);
+                Assert.That(wall.Velocity.y, Is.EqualTo(0.004f / time).Within(0.1).Percent);
+                Assert.That(wall.Approach.x, Is.EqualTo(0.004f / time).Within(0.1).Percent);
+                Assert.That(rig.Bodies.IsUnderWay, Is.False, "the motion was stepped through");
+            }
+        }
+    }
+}
