@@ -6,6 +6,9 @@ namespace SphFluid
     /// <summary>The constants of a running solver, SI, simulation space. A value: copies are independent.</summary>
     public struct FluidSolverSettings
     {
+        /// <summary>The method that the constants are for.</summary>
+        public FluidMethodKind Method;
+
         /// <summary>Size of the domain box [m], centred on the origin.</summary>
         public Vector3 DomainSize;
 

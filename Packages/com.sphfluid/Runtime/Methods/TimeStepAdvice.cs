@@ -42,6 +42,21 @@ namespace SphFluid
         /// <summary>What the limits are of: effective speed of sound and fastest speed [m/s], kinematic viscosity [m²/s].</summary>
         public readonly double SoundSpeed, MaxSpeed, KinematicViscosity;
 
+        // Wendland's C2 for density and force: the lattice's borders are 0.86 to 0.93 R/c and 0.072 R²/ν (von Neumann).
+        const double OneKernelAcousticBorder = 0.9;
+        const double OneKernelViscousLimit = 0.035;
+
+        TimeStepAdvice(double acoustic, double speedLimit, double viscous, double sound, double speed, double kinematic)
+        {
+            Acoustic = acoustic;
+            Speed = speedLimit;
+            Viscosity = viscous;
+            Walls = double.PositiveInfinity;
+            SoundSpeed = sound;
+            MaxSpeed = speed;
+            KinematicViscosity = kinematic;
+        }
+
         TimeStepAdvice(double spacing, double radius, double sound, double speed, double kinematic, double wallStiffness, double wallDamping)
         {
             // With c and v: the waves that two parts of the liquid send each other run at c on top of their own speed.
@@ -66,6 +81,11 @@ namespace SphFluid
                 throw new ArgumentOutOfRangeException(nameof(maxSpeed), maxSpeed, "The fastest speed must be zero or more, and finite.");
             }
 
+            if (settings.Method == FluidMethodKind.Standard)
+            {
+                return OfOneKernel(settings.Spacing, settings.SupportRadius, settings.SoundSpeed, maxSpeed, settings.Viscosity / settings.RestDensity);
+            }
+
             // 6.3.3 as printed multiplies the force density by m where the equation divides by ρ: m ρ times the acceleration.
             double factor = settings.ForceTimesMass ? (double)settings.ParticleMass * settings.RestDensity : 1.0;
             return Of(settings.Spacing, settings.SupportRadius, settings.SoundSpeed * Math.Sqrt(factor), maxSpeed,
@@ -76,6 +96,13 @@ namespace SphFluid
         internal static TimeStepAdvice Of(double spacing, double radius, double sound, double speed, double kinematic,
             double wallStiffness, double wallDamping) =>
             new TimeStepAdvice(spacing, radius, sound, speed, kinematic, wallStiffness, wallDamping);
+
+        /// <summary>Advice for the Standard method, whose walls set no limit of their own.</summary>
+        internal static TimeStepAdvice OfOneKernel(double spacing, double radius, double sound, double speed, double kinematic) => new TimeStepAdvice(
+            OneKernelAcousticBorder * radius / (sound + speed),
+            speed > 0.0 ? SpeedLimit * spacing / speed : double.PositiveInfinity,
+            kinematic > 0.0 ? OneKernelViscousLimit * radius * radius / kinematic : double.PositiveInfinity,
+            sound, speed, kinematic);
 
         /// <summary>The smallest of the limits [s].</summary>
         public double Largest => Math.Min(Math.Min(Acoustic, Speed), Math.Min(Viscosity, Walls));

@@ -17,6 +17,7 @@ namespace SphFluid
             Vector3 fall = startGravity.sqrMagnitude > 0f ? startGravity : gravity;
             float height = start.Extent.FallHeight(fall);
             FluidRuleInput input = FluidRuleInput.Water;
+            input.Method = simulation.Method;
             input.DomainSize = simulation.DomainSize;
             input.Spacing = simulation.Spacing;
             input.Gravity = gravity;
@@ -38,7 +39,7 @@ namespace SphFluid
             settings.Boundaries = simulation.Boundaries;
             settings.BodyForce = simulation.BodyForce;
             if (simulation.TimeStepMode == FluidTimeStepMode.Fixed) UseTimeStep(ref settings, simulation.FixedTimeStep);
-            return settings.With(profile.ThesisSwitches);
+            return simulation.Method == FluidMethodKind.Standard ? settings : settings.With(profile.ThesisSwitches);
         }
 
         // The acceleration limit is a distance a step, so it goes with 1/dt².

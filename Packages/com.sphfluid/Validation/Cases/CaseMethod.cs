@@ -27,6 +27,7 @@ namespace SphFluid.Validation
         {
             new CaseMethod("thesis-printed", "thesis, as printed", FluidMethodKind.ThesisPrinted),
             new CaseMethod("thesis", "thesis, corrected", FluidMethodKind.Thesis),
+            new CaseMethod("standard", "standard", FluidMethodKind.Standard),
         };
 
         /// <summary>The method of a name.</summary>

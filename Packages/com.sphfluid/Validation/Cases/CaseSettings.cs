@@ -18,6 +18,7 @@ namespace SphFluid.Validation
             Vector3 gravity, double? viscosity = null, in FluidBoundaries boundaries = default)
         {
             FluidRuleInput input = FluidRuleInput.Water;
+            input.Method = parameters.Method.Kind;
             input.DomainSize = domainSize;
             input.Spacing = (float)spacing;
             input.Gravity = gravity;

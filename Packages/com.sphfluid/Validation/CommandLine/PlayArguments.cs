@@ -11,7 +11,7 @@ namespace SphFluid.Validation
     public sealed class PlayArguments
     {
         static readonly string[] flags = { "--method", "--surface", "--particles", "--seed", "--state", "--mesh", "--record" };
-        static readonly string[] methods = { "thesis", "thesis-printed" };
+        static readonly string[] methods = { "thesis", "thesis-printed", "standard" };
         static readonly string[] surfaces = { "particles", "cubes", "marching-cubes-gs", "none" };
 
         /// <summary>Method for every simulation; null keeps the scene's.</summary>
@@ -66,7 +66,7 @@ namespace SphFluid.Validation
             {
                 case "--method":
                     CommandLineWords.RequireOneOf(flag, value, methods);
-                    Method = value == "thesis" ? FluidMethodKind.Thesis : FluidMethodKind.ThesisPrinted;
+                    Method = CaseMethod.Find(value).Kind;
                     break;
                 case "--surface":
                     CommandLineWords.RequireOneOf(flag, value, surfaces);
