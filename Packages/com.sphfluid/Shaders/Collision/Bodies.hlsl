@@ -3,7 +3,7 @@
 
 // The scene's triangles as bodies, each in a frame of its own in which its triangles rest: body 0 is all that does not move.
 // A body's cells list the triangles that meet the cell inflated by R, so one cell serves a particle: it has every triangle
-// within R, and every one that a step of up to R less the contact distance can meet.
+// within R. Outside the cells there is none within R.
 #define BODY_MOVES 1u
 
 // Of a way: 64 R in a frame at most, and what a particle goes itself.

@@ -79,9 +79,12 @@ uint2 CellRun(int3 cell, uint k)
 #endif
 
 // The one neighbour loop: every particle j of the rows around a cell, j included where position is its own.
-#define FOR_EACH_NEAR(cell, j) \
-    for (uint cellRun = 0u; cellRun < CELL_RUNS; cellRun++) \
-        for (uint2 run = CellRun(cell, cellRun); run.x < run.y; run.x = run.y) \
-            for (uint j = run.x; j < run.y; j++)
+#define FOR_EACH_NEAR(cell, j) FOR_EACH_NEAR_IF(true, cell, j)
+
+// The same where a condition holds. Loops that end at once are skipped where branches may not be.
+#define FOR_EACH_NEAR_IF(condition, cell, j) \
+    for (uint cellRun##j = 0u; (condition) && cellRun##j < CELL_RUNS; cellRun##j++) \
+        for (uint2 run##j = CellRun(cell, cellRun##j); run##j.x < run##j.y; run##j.x = run##j.y) \
+            for (uint j = run##j.x; j < run##j.y; j++)
 
 #endif

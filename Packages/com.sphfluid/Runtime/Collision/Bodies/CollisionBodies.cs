@@ -97,6 +97,8 @@ namespace SphFluid
         }
 
         /// <summary>Records the globals of Shaders/Collision/Bodies.hlsl.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="kernel">Kernel.</param>
         /// <param name="start">Where the step begins in the frame's motion, 0 to 1.</param>
         /// <param name="end">Where it ends.</param>
         public void Bind(CommandBuffer cmd, ComputeKernel kernel, float start, float end)

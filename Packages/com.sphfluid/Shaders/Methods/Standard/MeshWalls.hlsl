@@ -40,11 +40,11 @@ bool PassesFace(NearWall wall, float3 d)
 
 // Liquid on the other side of a thin sheet: both see a face between them. Symmetric, so momentum is kept. The other's walls
 // are read only where the own ones are passed, which elsewhere no neighbour does.
-bool IsCut(uint slot, NearWall wall, uint other, float3 d)
+bool IsCut(NearWall wall, uint other, float3 d)
 {
     bool cut = false;
     [branch]
-    if (slot != 0u && PassesFace(wall, d))
+    if (PassesFace(wall, d))
     {
         const uint otherSlot = _WallSlot[other];
         cut = otherSlot != 0u && PassesFace(WallOf(otherSlot), -d);

@@ -68,7 +68,6 @@ namespace SphFluid.Tests
         }
 
         /// <summary>Acceleration without contact [m/s²].</summary>
-        /// <param name="density">Density of each particle.</param>
         public static Double3 Acceleration(IReadOnlyList<FluidParticle> particles, IReadOnlyList<double> density, int i, in FluidSolverSettings settings)
         {
             double radius = settings.SupportRadius, rest = settings.RestDensity, c2 = settings.SoundSpeed * (double)settings.SoundSpeed;
