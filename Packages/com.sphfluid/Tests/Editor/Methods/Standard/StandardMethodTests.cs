@@ -108,7 +108,7 @@ namespace SphFluid.Tests
             settings.Gravity = Vector3.zero;
             using (StandardRig rig = new StandardRig(settings, start))
             {
-                rig.Steps(200);
+                rig.Steps(400);
                 FluidParticle[] after = rig.Particles();
                 Assert.That(rig.Solver.ReadCountersNow().NonFinite, Is.Zero);
                 float nearest = (from a in after from b in after where a.Id < b.Id select (a.Position - b.Position).magnitude).Min();
