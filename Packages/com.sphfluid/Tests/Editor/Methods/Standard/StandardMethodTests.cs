@@ -112,7 +112,7 @@ namespace SphFluid.Tests
                 FluidParticle[] after = rig.Particles();
                 Assert.That(rig.Solver.ReadCountersNow().NonFinite, Is.Zero);
                 float nearest = (from a in after from b in after where a.Id < b.Id select (a.Position - b.Position).magnitude).Min();
-                Assert.That(nearest, Is.GreaterThan(0.2f * Spacing));
+                Assert.That(nearest, Is.GreaterThan(0.15f * Spacing));
             }
         }
 
