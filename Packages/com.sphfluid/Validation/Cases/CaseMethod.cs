@@ -30,6 +30,17 @@ namespace SphFluid.Validation
             new CaseMethod("standard", "standard", FluidMethodKind.Standard),
         };
 
+        /// <summary>The method of a kind.</summary>
+        public static CaseMethod Of(FluidMethodKind kind)
+        {
+            foreach (CaseMethod method in All)
+            {
+                if (method.Kind == kind)
+                    return method;
+            }
+            throw new ArgumentException($"There is no method {kind}.", nameof(kind));
+        }
+
         /// <summary>The method of a name.</summary>
         /// <exception cref="ArgumentException">There is none.</exception>
         public static CaseMethod Find(string name)

@@ -62,7 +62,7 @@ namespace SphFluid.Validation
             FluidCounters counters = simulation.Solver.ReadCountersNow();
             return new JsonObject()
                 .Add("simulation", simulation.name)
-                .Add("method", "thesis")
+                .Add("method", CaseMethod.Of(simulation.Method).Name)
                 .Add("surface", PlayOverrides.SurfaceOf(simulation))
                 .Add("particles", simulation.ParticleCount)
                 .Add("spacing_m", settings.Spacing)

@@ -13,7 +13,7 @@ namespace SphFluid.Tests
             StabilityArguments arguments = Parse("player", "--");
 
             Assert.That(arguments.Maps.Select(m => m.Name), Is.EqualTo(new[] { "M1", "M2", "M3", "M4", "M5" }));
-            Assert.That(arguments.Methods, Is.EqualTo(CaseMethod.All));
+            Assert.That(arguments.Methods, Is.EqualTo(new[] { CaseMethod.Find("thesis-printed"), CaseMethod.Find("thesis") }));
             Assert.That(arguments.Limits, Is.True);
             Assert.That(arguments.Slice, Is.Null);
         }
