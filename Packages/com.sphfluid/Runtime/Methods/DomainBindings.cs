@@ -35,14 +35,12 @@ namespace SphFluid
         /// <summary>Shaders/Methods/WallDrag.hlsl.</summary>
         public static void SetWallDrag(CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings, in FluidStep step)
         {
-            FluidBoundaries walls = settings.Boundaries;
-            kernel.SetKeyword(cmd, NoSlipKeyword, walls.NoSlip);
-            if (walls.NoSlip)
+            SetNoSlip(cmd, kernel, settings.Boundaries);
+            if (settings.Boundaries.NoSlip)
             {
                 kernel.SetFloat(cmd, FluidShaderIds.DragSpeed, settings.Viscosity / (settings.RestDensity * settings.Spacing));
                 kernel.SetFloat(cmd, FluidShaderIds.DragDistance, settings.Spacing);
                 kernel.SetFloat(cmd, FluidShaderIds.DragStep, step.Kick);
-                SetWallVelocities(cmd, kernel, walls);
             }
         }
 
@@ -52,18 +50,13 @@ namespace SphFluid
             kernel.SetKeyword(cmd, NoSlipKeyword, walls.NoSlip);
             if (walls.NoSlip)
             {
-                SetWallVelocities(cmd, kernel, walls);
+                kernel.SetVector(cmd, FluidShaderIds.WallLowX, walls.LowX);
+                kernel.SetVector(cmd, FluidShaderIds.WallLowY, walls.LowY);
+                kernel.SetVector(cmd, FluidShaderIds.WallLowZ, walls.LowZ);
+                kernel.SetVector(cmd, FluidShaderIds.WallHighX, walls.HighX);
+                kernel.SetVector(cmd, FluidShaderIds.WallHighY, walls.HighY);
+                kernel.SetVector(cmd, FluidShaderIds.WallHighZ, walls.HighZ);
             }
-        }
-
-        static void SetWallVelocities(CommandBuffer cmd, ComputeKernel kernel, in FluidBoundaries walls)
-        {
-            kernel.SetVector(cmd, FluidShaderIds.WallLowX, walls.LowX);
-            kernel.SetVector(cmd, FluidShaderIds.WallLowY, walls.LowY);
-            kernel.SetVector(cmd, FluidShaderIds.WallLowZ, walls.LowZ);
-            kernel.SetVector(cmd, FluidShaderIds.WallHighX, walls.HighX);
-            kernel.SetVector(cmd, FluidShaderIds.WallHighY, walls.HighY);
-            kernel.SetVector(cmd, FluidShaderIds.WallHighZ, walls.HighZ);
         }
     }
 }

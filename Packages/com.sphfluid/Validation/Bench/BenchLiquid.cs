@@ -54,12 +54,7 @@ namespace SphFluid.Validation
         }
 
         /// <summary>Puts the saved state back. What the GPU still has to do with the old one is done first.</summary>
-        public void Restore()
-        {
-            // The neighbour lists belong to the old positions; settings that are applied anew make the solver forget them.
-            Solver.ApplySettings(Solver.Settings);
-            Solver.Particles.SetData(saved);
-        }
+        public void Restore() => Solver.SetParticles(saved);
 
         public void Dispose() => Solver.Dispose();
 

@@ -23,5 +23,21 @@ namespace SphFluid.Validation
 
         /// <summary>Standard deviation of the start's jitter over dx; 0.01 in the chart.</summary>
         public double Jitter;
+
+        /// <summary>The point that cases sweep about: κ = 2, three quarters of the stable step, the first seed.</summary>
+        /// <param name="method">The method.</param>
+        /// <param name="resolution">Particles along the case's length.</param>
+        /// <param name="soundSpeedRatio">Speed of sound over the case's own speed.</param>
+        /// <param name="jitter">Standard deviation of the start's jitter over dx.</param>
+        public static CaseParameters At(CaseMethod method, int resolution, double soundSpeedRatio, double jitter = 0.01) => new CaseParameters
+        {
+            Method = method,
+            Resolution = resolution,
+            SupportRatio = 2.0,
+            TimeStepFraction = 0.75,
+            SoundSpeedRatio = soundSpeedRatio,
+            Seed = 1,
+            Jitter = jitter,
+        };
     }
 }

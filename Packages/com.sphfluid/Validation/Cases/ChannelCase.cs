@@ -36,16 +36,7 @@ namespace SphFluid.Validation
         public override (string X, string Y) AxisTitles => ("y/L", "u/u_max");
 
         /// <inheritdoc/>
-        public override CaseParameters Base(CaseMethod method) => new CaseParameters
-        {
-            Method = method,
-            Resolution = 16,
-            SupportRatio = 2.0,
-            TimeStepFraction = 0.75,
-            SoundSpeedRatio = 10.0,
-            Seed = 1,
-            Jitter = 0.01,
-        };
+        public override CaseParameters Base(CaseMethod method) => CaseParameters.At(method, 16, 10.0);
 
         /// <inheritdoc/>
         public override CaseSetup Build(in CaseParameters parameters)

@@ -43,16 +43,7 @@ namespace SphFluid.Validation
         public override (string X, string Y) AxisTitles => ("T = t √(2g/a)", "front Z = x/a, height h = y/(2a)");
 
         /// <inheritdoc/>
-        public override CaseParameters Base(CaseMethod method) => new CaseParameters
-        {
-            Method = method,
-            Resolution = 16,
-            SupportRatio = 2.0,
-            TimeStepFraction = 0.75,
-            SoundSpeedRatio = 5.0,
-            Seed = 1,
-            Jitter = 0.01,
-        };
+        public override CaseParameters Base(CaseMethod method) => CaseParameters.At(method, 16, 5.0);
 
         /// <inheritdoc/>
         public override CaseSetup Build(in CaseParameters parameters)

@@ -34,16 +34,7 @@ namespace SphFluid.Validation
         public override (string X, string Y) AxisTitles => ("t [1/ω]", "half axis along z over its start");
 
         /// <inheritdoc/>
-        public override CaseParameters Base(CaseMethod method) => new CaseParameters
-        {
-            Method = method,
-            Resolution = 8,
-            SupportRatio = 2.0,
-            TimeStepFraction = 0.75,
-            SoundSpeedRatio = 7.5,
-            Seed = 1,
-            Jitter = 0.01,
-        };
+        public override CaseParameters Base(CaseMethod method) => CaseParameters.At(method, 8, 7.5);
 
         /// <summary>A ball <see cref="CaseParameters.Resolution"/> particles in radius; speeds are over ωR.</summary>
         /// <inheritdoc/>

@@ -36,15 +36,7 @@ namespace SphFluid.Validation
 
         /// <summary>An exact lattice: jitter would move by its own pressure.</summary>
         /// <inheritdoc/>
-        public override CaseParameters Base(CaseMethod method) => new CaseParameters
-        {
-            Method = method,
-            Resolution = 7,
-            SupportRatio = 2.0,
-            TimeStepFraction = 0.75,
-            SoundSpeedRatio = 5.0,
-            Seed = 1,
-        };
+        public override CaseParameters Base(CaseMethod method) => CaseParameters.At(method, 7, 5.0, jitter: 0.0);
 
         /// <summary>A block <see cref="CaseParameters.Resolution"/> particles in edge; speeds are over the last one of the fall.</summary>
         /// <inheritdoc/>

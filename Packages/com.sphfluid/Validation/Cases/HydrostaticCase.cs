@@ -37,16 +37,7 @@ namespace SphFluid.Validation
         public override (string X, string Y) AxisTitles => ("depth/H", "p/(ρ g H)");
 
         /// <inheritdoc/>
-        public override CaseParameters Base(CaseMethod method) => new CaseParameters
-        {
-            Method = method,
-            Resolution = 20,
-            SupportRatio = 2.0,
-            TimeStepFraction = 0.75,
-            SoundSpeedRatio = 6.0,
-            Seed = 1,
-            Jitter = 0.01,
-        };
+        public override CaseParameters Base(CaseMethod method) => CaseParameters.At(method, 20, 6.0);
 
         /// <inheritdoc/>
         public override CaseSetup Build(in CaseParameters parameters)

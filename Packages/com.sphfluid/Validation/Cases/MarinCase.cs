@@ -43,16 +43,7 @@ namespace SphFluid.Validation
         public override (string X, string Y) AxisTitles => ("t [s]", "height of the water [m]");
 
         /// <inheritdoc/>
-        public override CaseParameters Base(CaseMethod method) => new CaseParameters
-        {
-            Method = method,
-            Resolution = 10,
-            SupportRatio = 2.0,
-            TimeStepFraction = 0.75,
-            SoundSpeedRatio = 5.0,
-            Seed = 1,
-            Jitter = 0.01,
-        };
+        public override CaseParameters Base(CaseMethod method) => CaseParameters.At(method, 10, 5.0);
 
         /// <inheritdoc/>
         public override CaseSetup Build(in CaseParameters parameters)

@@ -34,16 +34,7 @@ namespace SphFluid.Validation
         public override double Limit => 1e-5;
 
         /// <inheritdoc/>
-        public override CaseParameters Base(CaseMethod method) => new CaseParameters
-        {
-            Method = method,
-            Resolution = 16,
-            SupportRatio = 2.0,
-            TimeStepFraction = 0.75,
-            SoundSpeedRatio = 5.0,
-            Seed = 1,
-            Jitter = 0.01,
-        };
+        public override CaseParameters Base(CaseMethod method) => CaseParameters.At(method, 16, 5.0);
 
         /// <summary>A box <see cref="CaseParameters.Resolution"/> particles in edge, of which the blocks fill a fifth.</summary>
         /// <inheritdoc/>

@@ -29,17 +29,20 @@ namespace SphFluid
         public void Record(CommandBuffer cmd, FluidState state)
         {
             cmd.BeginSample(Marker);
-            foreach (ComputeKernel kernel in new[] { reduce, apply })
-            {
-                kernel.SetInt(cmd, StandardShaderIds.CellTotal, state.Standard.CellCount.count);
-                kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-                kernel.SetBuffer(cmd, StandardShaderIds.CellCount, state.Standard.CellCount);
-                kernel.SetBuffer(cmd, StandardShaderIds.BlockSum, state.Standard.BlockSum);
-                if (kernel == apply)
-                    kernel.SetBuffer(cmd, StandardShaderIds.CellStartOut, state.Standard.CellStart);
-                kernel.DispatchThreads(cmd, Groups(state.Standard.CellCount.count) * kernel.GroupSize.x);
-            }
+            Bind(cmd, reduce, state);
+            reduce.DispatchThreads(cmd, Groups(state.Standard.CellCount.count) * reduce.GroupSize.x);
+            Bind(cmd, apply, state);
+            apply.SetBuffer(cmd, StandardShaderIds.CellStartOut, state.Standard.CellStart);
+            apply.DispatchThreads(cmd, Groups(state.Standard.CellCount.count) * apply.GroupSize.x);
             cmd.EndSample(Marker);
+        }
+
+        static void Bind(CommandBuffer cmd, ComputeKernel kernel, FluidState state)
+        {
+            kernel.SetInt(cmd, StandardShaderIds.CellTotal, state.Standard.CellCount.count);
+            kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
+            kernel.SetBuffer(cmd, StandardShaderIds.CellCount, state.Standard.CellCount);
+            kernel.SetBuffer(cmd, StandardShaderIds.BlockSum, state.Standard.BlockSum);
         }
     }
 }

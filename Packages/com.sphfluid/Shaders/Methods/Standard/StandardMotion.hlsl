@@ -7,77 +7,9 @@ float _TimeStep;
 float _KickStep;      // s, from the middle of the last step to the middle of this one; half a step for the first
 float _ShellDistance; // m: no particle is let nearer to a wall than this by its own speed
 
-#if defined(FLUID_NO_SLIP)
-
-float _WallViscosity; // beta nu, beta = 1.5: m^2/s
-float3 _WallLowX;     // m/s, velocities of the domain's faces, each within its plane
-float3 _WallLowY;
-float3 _WallLowZ;
-float3 _WallHighX;
-float3 _WallHighY;
-float3 _WallHighZ;
-
-// Morris's sum over a half-space at rest, 14 u^5 (3 - 2u) / R^2, u = 1 - d/R, for three walls at once.
-float3 HalfSpaceDrag(float3 d)
-{
-    const float3 u = max(1.0 - max(d, 0.0) * _InverseSupport, 0.0);
-    const float3 u2 = u * u;
-    return 14.0 * u2 * u2 * u * (3.0 - 2.0 * u) * (_InverseSupport * _InverseSupport);
-}
-
-// The six faces; each rubs along its two axes.
-float3 WallFriction(float3 position, float3 velocity)
-{
-    const float3 rateLow = WhereWalls(HalfSpaceDrag(_DomainHalfSize + position));
-    const float3 rateHigh = WhereWalls(HalfSpaceDrag(_DomainHalfSize - position));
-    const float3 rates = rateLow + rateHigh;
-    const float3 drive = rateLow.x * _WallLowX + rateHigh.x * _WallHighX + rateLow.y * _WallLowY + rateHigh.y * _WallHighY
-        + rateLow.z * _WallLowZ + rateHigh.z * _WallHighZ;
-    return _WallViscosity * (drive - (rates.yzx + rates.zxy) * velocity);
-}
-
-#endif
-
 #if defined(FLUID_MESH_WALLS)
 
 float _FaceDistance; // m: triangles may lie in the domain's faces, so particles do not
-
-// The same for the planes of triangles, against the walls' speeds; twice, for corners.
-float3 MeshShell(NearWall wall, float3 velocity)
-{
-    [unroll]
-    for (int turn = 0; turn < 2; turn++)
-    {
-        [unroll]
-        for (int k = 0; k < 3; k++)
-        {
-            const float least = wall.Approach[k] - max(0.0, wall.Planes[k].w - _ShellDistance) / _TimeStep;
-            velocity += max(0.0, least - dot(wall.Planes[k].xyz, velocity)) * wall.Planes[k].xyz;
-        }
-    }
-    return velocity;
-}
-
-#if defined(FLUID_NO_SLIP)
-
-float3 MeshFriction(NearWall wall, float3 velocity)
-{
-    float3 drag = float3(0.0, 0.0, 0.0);
-    const uint rubs = (wall.Flags >> 4u) & 3u;
-    [unroll]
-    for (uint k = 0u; k < 3u; k++)
-    {
-        if (k == rubs)
-        {
-            const float3 n = wall.Planes[k].xyz;
-            const float3 relative = velocity - wall.Velocity;
-            drag = -_WallViscosity * HalfSpaceDrag(wall.Planes[k].www).x * (relative - n * dot(n, relative));
-        }
-    }
-    return drag;
-}
-
-#endif
 
 #endif
 

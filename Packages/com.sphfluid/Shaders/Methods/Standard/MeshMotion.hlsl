@@ -1,0 +1,49 @@
+#ifndef SPHFLUID_MESH_MOTION
+#define SPHFLUID_MESH_MOTION
+
+#include "WallFriction.hlsl"
+#include "StandardMotion.hlsl"
+
+// What triangles do to a velocity.
+#if defined(FLUID_MESH_WALLS)
+
+// As Shell, for the planes of triangles, against the walls' speeds; twice, for corners.
+float3 MeshShell(NearWall wall, float3 velocity)
+{
+    [unroll]
+    for (int turn = 0; turn < 2; turn++)
+    {
+        [unroll]
+        for (int k = 0; k < 3; k++)
+        {
+            const float least = wall.Approach[k] - max(0.0, wall.Planes[k].w - _ShellDistance) / _TimeStep;
+            velocity += max(0.0, least - dot(wall.Planes[k].xyz, velocity)) * wall.Planes[k].xyz;
+        }
+    }
+    return velocity;
+}
+
+#if defined(FLUID_NO_SLIP)
+
+float3 MeshFriction(NearWall wall, float3 velocity)
+{
+    float3 drag = float3(0.0, 0.0, 0.0);
+    const uint rubs = (wall.Flags >> 4u) & 3u;
+    [unroll]
+    for (uint k = 0u; k < 3u; k++)
+    {
+        if (k == rubs)
+        {
+            const float3 n = wall.Planes[k].xyz;
+            const float3 relative = velocity - wall.Velocity;
+            drag = -_WallViscosity * HalfSpaceDrag(wall.Planes[k].www).x * (relative - n * dot(n, relative));
+        }
+    }
+    return drag;
+}
+
+#endif
+
+#endif
+
+#endif
