@@ -9,7 +9,7 @@ namespace SphFluid
         /// <summary>The thesis's text as printed, as far as it can run (<see cref="ThesisSwitches.Printed"/>): for comparison, not for use.</summary>
         ThesisPrinted = 1,
 
-        /// <summary>Weakly compressible SPH with one kernel, walls that carry density, and a counting sort: faster and more accurate.</summary>
+        /// <summary>Weakly compressible SPH with one kernel, walls that carry density, and a counting sort: faster, more accurate, the default.</summary>
         Standard = 2,
     }
 }

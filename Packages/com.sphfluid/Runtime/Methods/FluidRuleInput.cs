@@ -62,6 +62,7 @@ namespace SphFluid
         /// <summary>Water with the ratios that the package ships; sizes and heights are to be set.</summary>
         public static FluidRuleInput Water => new FluidRuleInput
         {
+            Method = FluidMethodKind.Standard,
             Gravity = new Vector3(0f, -9.81f, 0f),
             RestDensity = 1000f,
             KinematicViscosity = 1e-6f,

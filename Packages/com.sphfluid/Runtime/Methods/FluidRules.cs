@@ -42,6 +42,7 @@ namespace SphFluid
             double step = Math.Min(atRest.Step(input.TimeStepFraction), atSpeed.Speed);
             return new FluidSolverSettings
             {
+                Method = input.Method,
                 DomainSize = input.DomainSize,
                 Spacing = input.Spacing,
                 SupportRadius = (float)radius,

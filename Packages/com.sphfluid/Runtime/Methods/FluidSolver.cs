@@ -22,27 +22,24 @@ namespace SphFluid
         bool disposed;
 
         /// <summary>Uploads the particles and prepares the method.</summary>
-        /// <param name="settings">The physics; <see cref="FluidMethodKind.ThesisPrinted"/> sets its switches as printed.</param>
+        /// <param name="settings">The physics and its method; <see cref="FluidMethodKind.ThesisPrinted"/> sets its switches as printed.</param>
         /// <param name="shaders">The compute shaders.</param>
         /// <param name="initial">Particles at the start, one or more, inside the domain.</param>
-        /// <param name="kind">The method.</param>
         /// <exception cref="ArgumentException">A constant or the particles cannot be computed with.</exception>
         /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold a buffer.</exception>
-        public FluidSolver(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> initial,
-            FluidMethodKind kind = FluidMethodKind.Thesis)
+        public FluidSolver(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> initial)
         {
             settings.Validate();
             FluidParticle[] particles = CheckParticles(settings, initial);
-            method = CreateMethod(kind, shaders);
-            Kind = kind;
-            state = new FluidState(AsSwitched(settings), particles.Length, kind);
+            method = CreateMethod(settings.Method, shaders);
+            state = new FluidState(AsSwitched(settings), particles.Length);
             state.SetTriangles(null, null, 0);
             state.Buffers.Particles.SetData(particles);
             counters = new CounterReadback(state.Buffers.Counters, settings.RestDensity);
         }
 
         /// <summary>The method.</summary>
-        public FluidMethodKind Kind { get; }
+        public FluidMethodKind Kind => state.Settings.Method;
 
         /// <summary>Number of particles.</summary>
         public int ParticleCount => state.ParticleCount;
@@ -53,7 +50,7 @@ namespace SphFluid
         /// <summary>The neighbour grid.</summary>
         public FluidGrid Grid => state.Grid;
 
-        /// <summary>FluidParticle a particle, in the order of the last neighbour setup. Ask again after each recording: two buffers alternate.</summary>
+        /// <summary>FluidParticle a particle, in the order of the last neighbour setup, those that left the domain behind all others. Ask again after each recording: two buffers alternate.</summary>
         public GraphicsBuffer Particles => state.Buffers.Particles;
 
         /// <summary>Density [kg/m³], float a particle, in the order of <see cref="Particles"/>, as of the last neighbour setup.</summary>
@@ -109,6 +106,11 @@ namespace SphFluid
             ThrowIfDisposed();
             settings.Validate();
             FluidSolverSettings switched = AsSwitched(settings);
+            if (switched.Method != Kind)
+            {
+                throw new ArgumentException($"The solver computes by {Kind}, and the settings are for {switched.Method}. Start a new solver for another method.");
+            }
+
             if (switched.DomainSize != state.Settings.DomainSize || switched.SupportRadius != state.Settings.SupportRadius ||
                 switched.OctantSearch != state.Settings.OctantSearch || switched.Boundaries.Periodic != state.Settings.Boundaries.Periodic)
             {
@@ -249,7 +251,7 @@ namespace SphFluid
 
         FluidSolverSettings AsSwitched(in FluidSolverSettings settings)
         {
-            if (Kind != FluidMethodKind.ThesisPrinted)
+            if (settings.Method != FluidMethodKind.ThesisPrinted)
             {
                 return settings;
             }

@@ -9,14 +9,14 @@ namespace SphFluid
         Vector3? bodyStep;
         int bodyVersion;
 
-        internal FluidState(in FluidSolverSettings settings, int particleCount, FluidMethodKind kind = FluidMethodKind.Thesis)
+        internal FluidState(in FluidSolverSettings settings, int particleCount)
         {
             Settings = settings;
             Grid = FluidGrid.For(settings);
             Buffers = new FluidBuffers(particleCount, Grid.CellCount);
             try
             {
-                if (kind == FluidMethodKind.Standard)
+                if (settings.Method == FluidMethodKind.Standard)
                 {
                     Cells = new CellRows(Grid);
                     Standard = new StandardBuffers(particleCount, Cells.CellCount);

@@ -40,14 +40,14 @@ namespace SphFluid
 
         static void CheckFaces(FluidSimulation simulation)
         {
-            simulation.Boundaries.Validate();
+            simulation.Boundaries.Validate(simulation.Method);
             FluidProfile profile = simulation.Profile;
             if (simulation.Boundaries.Periodic == FluidAxes.None || profile == null) return;
             FluidGrid.For(new FluidSolverSettings
             {
                 DomainSize = simulation.DomainSize,
                 SupportRadius = profile.SupportRatio * simulation.Spacing,
-                OctantSearch = simulation.Method == FluidMethodKind.ThesisPrinted || profile.ThesisSwitches.OctantSearch,
+                OctantSearch = simulation.Method != FluidMethodKind.Standard && (simulation.Method == FluidMethodKind.ThesisPrinted || profile.ThesisSwitches.OctantSearch),
                 Boundaries = simulation.Boundaries,
             });
         }

@@ -45,8 +45,11 @@ namespace SphFluid
         // The acceleration limit is a distance a step, so it goes with 1/dt².
         static void UseTimeStep(ref FluidSolverSettings settings, float timeStep)
         {
-            double ratio = settings.TimeStep / (double)timeStep;
-            settings.AccelerationLimit = (float)(settings.AccelerationLimit * ratio * ratio);
+            if (settings.AccelerationLimitEnabled)
+            {
+                double ratio = settings.TimeStep / (double)timeStep;
+                settings.AccelerationLimit = (float)(settings.AccelerationLimit * ratio * ratio);
+            }
             settings.TimeStep = timeStep;
         }
 

@@ -98,6 +98,7 @@ namespace SphFluid.Tests
         public void UnstableTimeStepNamesWhatLimitsIt()
         {
             FluidSimulation simulation = rig.Create();
+            simulation.Method = FluidMethodKind.Thesis;
             simulation.TimeStepMode = FluidTimeStepMode.Fixed;
             simulation.FixedTimeStep = 0.0015f;
             Assert.That(simulation.Validate(), Is.Empty);
@@ -110,9 +111,9 @@ namespace SphFluid.Tests
         }
 
         [TestCase("across", "The wall velocity Boundaries\\.LowX is .*wall's plane\\. Set its X component to zero")]
-        [TestCase("slip", "The wall velocity Boundaries\\.LowX is .*only push\\. Set NoSlip")]
+        [TestCase("slip", "The wall velocity Boundaries\\.LowX is .*only push\\. Set Boundaries\\.Friction")]
         [TestCase("open", "The wall velocity Boundaries\\.LowX is .*X is periodic and has no walls\\. Set the velocity")]
-        [TestCase("short", "The domain is 0\\.4 m along X, which is periodic, .*must be 0\\.48 m or more.*\\. Enlarge")]
+        [TestCase("short", "The domain is 0\\.4 m along X, which is periodic, .*must be 0\\.42 m or more.*\\. Enlarge")]
         [TestCase("force", "The body force's RateSquared is 1 1/s² along X, which is periodic.*\\. Set it to zero")]
         public void WrongFaces(string kind, string expected)
         {
@@ -125,7 +126,7 @@ namespace SphFluid.Tests
                 case "open": simulation.Boundaries = new FluidBoundaries { NoSlip = true, LowX = along, Periodic = FluidAxes.X }; break;
                 default: simulation.Boundaries = new FluidBoundaries { Periodic = FluidAxes.X }; break;
             }
-            if (kind == "short") rig.Profile.SupportRatio = 2.4f;
+            if (kind == "short") rig.Profile.SupportRatio = 2.8f;
             if (kind == "force") simulation.BodyForce = new FluidBodyForce { RateSquared = Vector3.one };
             Fails(simulation, FluidIssue.BoundariesInvalid, "'Fluid': " + expected);
             Assert.That(simulation.Messages.Count, Is.EqualTo(1));

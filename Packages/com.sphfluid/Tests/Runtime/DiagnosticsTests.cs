@@ -52,6 +52,7 @@ namespace SphFluid.Tests
         public IEnumerator FailureIsToldOnceWithItsCure()
         {
             FluidSimulation simulation = rig.Create();
+            simulation.Method = FluidMethodKind.Thesis;
             rig.Profile.ViscosityRatio = 0f;
             var told = new List<FluidMessage>();
             var found = new List<FluidFinding>();

@@ -47,6 +47,8 @@ namespace SphFluid.Tests
         [UnityTest]
         public IEnumerator ThesisSwitchesGoOnButTheSearchStartsAgain()
         {
+            simulation.Method = FluidMethodKind.Thesis;
+            yield return null;
             yield return null;
             FluidSolver solver = simulation.Solver;
             ThesisSwitches switches = ThesisSwitches.Corrected;

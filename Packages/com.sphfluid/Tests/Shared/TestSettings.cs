@@ -5,10 +5,11 @@ namespace SphFluid.Tests
     /// <summary>Settings for tests.</summary>
     public static class TestSettings
     {
-        /// <summary>By rule for a box of liquid as high as the domain.</summary>
+        /// <summary>Of the thesis method by rule for a box of liquid as high as the domain.</summary>
         public static FluidSolverSettings ByRule(Vector3 domainSize, float spacing)
         {
             FluidRuleInput input = FluidRuleInput.Water;
+            input.Method = FluidMethodKind.Thesis;
             input.DomainSize = domainSize;
             input.Spacing = spacing;
             input.LiquidHeight = domainSize.y;

@@ -35,11 +35,11 @@ namespace SphFluid.Validation
             this.metric = metric ?? throw new ArgumentNullException(nameof(metric));
             this.timed = timed;
             schedule = new CaseSchedule(setup.Duration, setup.SampleInterval, setup.Settings.TimeStep);
-            obstacles = new CaseObstacles(setup.Obstacles);
+            obstacles = new CaseObstacles(setup.Obstacles, true);
             failures = new CaseFailure(setup);
             try
             {
-                solver = new FluidSolver(setup.Settings, shaders, setup.Particles, setup.Method.Kind);
+                solver = new FluidSolver(setup.Settings, shaders, setup.Particles);
             }
             catch
             {

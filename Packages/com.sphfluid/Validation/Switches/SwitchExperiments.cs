@@ -135,6 +135,7 @@ namespace SphFluid.Validation
                 particles[i] = new FluidParticle(spacing * cell + 2f * jitter * offset + height * Vector3.up, Vector3.zero, (uint)i);
             }
             FluidRuleInput input = FluidRuleInput.Water;
+            input.Method = FluidMethodKind.Thesis;
             input.DomainSize = domain;
             input.Spacing = spacing;
             input.LiquidHeight = 0.5f * domain.y + height + 0.5f * counts.y * spacing;

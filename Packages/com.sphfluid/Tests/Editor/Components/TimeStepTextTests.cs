@@ -15,6 +15,7 @@ namespace SphFluid.Tests
         public void SetUp()
         {
             simulation = new GameObject("Fluid").AddComponent<FluidSimulation>();
+            simulation.Method = FluidMethodKind.Thesis;
             simulation.ColliderLayers = 0;
             simulation.UseSceneGravity = false;
             simulation.Profile = AssetDatabase.LoadAssetAtPath<FluidProfile>("Packages/com.sphfluid/Runtime/Assets/WaterProfile.asset");

@@ -40,7 +40,8 @@ namespace SphFluid.Tests
         public void ThePrintedMethodHasEverySwitchAsPrinted()
         {
             FluidSolverSettings settings = TestSettings.ByRule(Vector3.one, 0.05f);
-            using (var solver = new FluidSolver(settings, shaders, Pair(), FluidMethodKind.ThesisPrinted))
+            settings.Method = FluidMethodKind.ThesisPrinted;
+            using (var solver = new FluidSolver(settings, shaders, Pair()))
             {
                 Assert.That(solver.Settings, Is.EqualTo(settings.With(ThesisSwitches.Printed)));
                 settings.Viscosity *= 2f;

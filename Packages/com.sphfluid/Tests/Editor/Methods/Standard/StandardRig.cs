@@ -9,7 +9,7 @@ namespace SphFluid.Tests
 
         public StandardRig(in FluidSolverSettings settings, FluidParticle[] particles)
         {
-            Solver = new FluidSolver(settings, shaders, particles, FluidMethodKind.Standard);
+            Solver = new FluidSolver(settings, shaders, particles);
         }
 
         public FluidSolver Solver { get; }
