@@ -1,19 +1,25 @@
-using System;
 using SphFluid.Validation;
 using UnityEditor;
 
 namespace SphFluid.Editor
 {
-    /// <summary>Window > SPH Fluid > Benchmark: the thesis's tables on this machine, the same code as the command line's.</summary>
+    /// <summary>Window > SPH Fluid > Benchmark: the tables on this machine, the same code as the command line's, with its defaults.</summary>
     public static class BenchMenu
     {
-        const string Path = "Window/SPH Fluid/Benchmark";
+        const string Path = "Window/SPH Fluid/Benchmark/";
 
-        static readonly MenuSession session =
-            new MenuSession(progress => new BenchSession(BenchArguments.Parse(Array.Empty<string>()), PackageAssets.Shaders, progress));
+        static readonly MenuSession thesis = Session(BenchArguments.ThesisTable);
+        static readonly MenuSession solver = Session(BenchArguments.SolverTable);
 
-        /// <summary>Starts the benchmark with the command line's defaults, or stops the one that runs; it goes on while the Editor is used.</summary>
-        [MenuItem(Path, false, 3010)]
-        public static void Toggle() => session.Toggle();
+        /// <summary>Starts the thesis's tables, or stops them; the Editor can be used meanwhile.</summary>
+        [MenuItem(Path + "Thesis Tables", false, 3010)]
+        public static void ToggleThesis() => thesis.Toggle();
+
+        /// <summary>Starts the comparison of the methods' steps, or stops it; the Editor can be used meanwhile.</summary>
+        [MenuItem(Path + "Solvers", false, 3011)]
+        public static void ToggleSolver() => solver.Toggle();
+
+        static MenuSession Session(string table) =>
+            new MenuSession(progress => new BenchSession(BenchArguments.Parse(new[] { "--", "--table", table }), PackageAssets.Shaders, progress));
     }
 }

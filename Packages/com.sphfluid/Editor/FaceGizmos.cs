@@ -2,38 +2,40 @@ using UnityEngine;
 
 namespace SphFluid.Editor
 {
-    /// <summary>The faces of a domain box that are not plain walls: open ones tinted, moving walls with their way in a tenth of a second.</summary>
+    /// <summary>The faces of a domain box that are not plain walls: periodic and open ones tinted, moving walls with their way in a tenth of a second.</summary>
     internal static class FaceGizmos
     {
         const float Tint = 0.08f;
         const float Seconds = 0.1f;
-        static readonly Color OpenColor = new Color(0.4f, 1f, 0.5f, 1f);
+        static readonly Color PeriodicColor = new Color(0.4f, 1f, 0.5f, 1f);
+        static readonly Color OpenColor = new Color(0.9f, 0.4f, 1f, 1f);
         static readonly Color WallColor = new Color(1f, 0.7f, 0.2f, 1f);
 
         /// <summary>Draws in the box's space, which is set as the gizmos' matrix.</summary>
         public static void Draw(in FluidBoundaries faces, Vector3 size, float alpha)
         {
-            Axis(faces, FluidAxes.X, Vector3.right, size, alpha, faces.LowX, faces.HighX);
-            Axis(faces, FluidAxes.Y, Vector3.up, size, alpha, faces.LowY, faces.HighY);
-            Axis(faces, FluidAxes.Z, Vector3.forward, size, alpha, faces.LowZ, faces.HighZ);
+            Face(faces, FluidFaces.LowX, Vector3.left, size, alpha, faces.LowX);
+            Face(faces, FluidFaces.HighX, Vector3.right, size, alpha, faces.HighX);
+            Face(faces, FluidFaces.LowY, Vector3.down, size, alpha, faces.LowY);
+            Face(faces, FluidFaces.HighY, Vector3.up, size, alpha, faces.HighY);
+            Face(faces, FluidFaces.LowZ, Vector3.back, size, alpha, faces.LowZ);
+            Face(faces, FluidFaces.HighZ, Vector3.forward, size, alpha, faces.HighZ);
         }
 
-        static void Axis(in FluidBoundaries faces, FluidAxes axis, Vector3 normal, Vector3 size, float alpha, Vector3 low, Vector3 high)
+        static void Face(in FluidBoundaries faces, FluidFaces face, Vector3 normal, Vector3 size, float alpha, Vector3 velocity)
         {
-            Vector3 center = Vector3.Scale(normal, size) * 0.5f;
-            bool open = (faces.Periodic & axis) != 0;
-            if (open)
+            Vector3 outwards = Vector3.Scale(normal, size);
+            Vector3 center = 0.5f * outwards;
+            bool periodic = (DomainFaces.FacesOf(faces.Periodic) & face) != 0, open = (faces.Open & face) != 0;
+            if (periodic || open)
             {
-                Vector3 sheet = size - Vector3.Scale(normal, size);
-                Gizmos.color = WithAlpha(OpenColor, Tint * alpha);
-                Gizmos.DrawCube(center, sheet);
-                Gizmos.DrawCube(-center, sheet);
+                Gizmos.color = WithAlpha(periodic ? PeriodicColor : OpenColor, Tint * alpha);
+                Gizmos.DrawCube(center, size - Vector3.Scale(normal, outwards));
             }
-            else if (faces.NoSlip)
+            else if (faces.Friction > 0f)
             {
                 Gizmos.color = WithAlpha(WallColor, alpha);
-                Gizmos.DrawRay(center, high * Seconds);
-                Gizmos.DrawRay(-center, low * Seconds);
+                Gizmos.DrawRay(center, velocity * Seconds);
             }
         }
 

@@ -54,6 +54,8 @@ namespace SphFluid.Editor
                     return new FluidFix("Add Liquid", () => FluidMenu.AddVolume(simulation));
                 case FluidIssue.TooManyParticles when simulation.Profile != null:
                     return Change(simulation, "Coarsen Spacing", () => Coarsen(simulation));
+                case FluidIssue.TooManyCells:
+                    return Change(simulation, "Coarsen Spacing", () => simulation.Spacing = CellRules.FittingSpacing(simulation));
                 case FluidIssue.VolumeSizeInvalid when context is FluidVolume volume && !(Smallest(volume.Size) > 0f):
                     return Change(volume, "Make Positive", () => volume.Size = Positive(volume.Size));
                 case FluidIssue.MeshNotReadable when context is MeshCollider collider:

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace SphFluid.Editor
 {
-    /// <summary>Boxes of domains and liquid volumes in the Scene view.</summary>
+    /// <summary>Domains and liquid volumes in the Scene view.</summary>
     internal static class FluidGizmos
     {
         public static readonly Color DomainColor = new Color(0.35f, 0.75f, 1f, 1f);
@@ -30,10 +30,50 @@ namespace SphFluid.Editor
             Gizmos.matrix = volume.transform.localToWorldMatrix;
             color.a = selected ? 1f : Faint;
             Gizmos.color = color;
-            Gizmos.DrawWireCube(Vector3.zero, volume.Size);
+            DrawShape(volume, false);
             color.a = Fill;
             Gizmos.color = color;
-            if (!Application.isPlaying) Gizmos.DrawCube(Vector3.zero, volume.Size);
+            if (!Application.isPlaying) DrawShape(volume, true);
+        }
+
+        /// <summary>Whether a shape is as large as its volume's Size says.</summary>
+        internal static bool HasSize(FluidVolumeShape shape) => shape == FluidVolumeShape.Box || shape == FluidVolumeShape.Sphere;
+
+        static void DrawShape(FluidVolume volume, bool solid)
+        {
+            switch (volume.Shape)
+            {
+                case FluidVolumeShape.Box:
+                    if (solid) Gizmos.DrawCube(Vector3.zero, volume.Size);
+                    else Gizmos.DrawWireCube(Vector3.zero, volume.Size);
+                    break;
+                case FluidVolumeShape.Sphere:
+                    Gizmos.matrix = volume.transform.localToWorldMatrix * Matrix4x4.Scale(volume.Size);
+                    if (solid) Gizmos.DrawSphere(Vector3.zero, 0.5f);
+                    else Gizmos.DrawWireSphere(Vector3.zero, 0.5f);
+                    break;
+                case FluidVolumeShape.Mesh:
+                    Mesh mesh = volume.FilledMesh;
+                    if (mesh == null) break;
+                    if (solid) Gizmos.DrawMesh(mesh);
+                    else Gizmos.DrawWireMesh(mesh);
+                    break;
+                case FluidVolumeShape.Vessel:
+                    if (!solid) DrawLevel(volume);
+                    break;
+            }
+        }
+
+        // The point that the vessel is filled round, and the height of the surface above it.
+        static void DrawLevel(FluidVolume volume)
+        {
+            FluidSimulation owner = volume.Simulation != null ? volume.Simulation : volume.GetComponentInParent<FluidSimulation>();
+            Vector3 gravity = owner != null ? owner.EffectiveGravity : Physics.gravity;
+            Vector3 up = gravity.sqrMagnitude > 0f ? -gravity.normalized : Vector3.up;
+            float mark = 0.25f * volume.Level;
+            Gizmos.matrix = Matrix4x4.TRS(volume.transform.position, Quaternion.FromToRotation(Vector3.up, up), Vector3.one);
+            Gizmos.DrawLine(Vector3.zero, new Vector3(0f, volume.Level, 0f));
+            Gizmos.DrawWireCube(new Vector3(0f, volume.Level, 0f), new Vector3(mark, 0f, mark));
         }
     }
 }

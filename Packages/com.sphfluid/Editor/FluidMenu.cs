@@ -31,6 +31,23 @@ namespace SphFluid.Editor
             else Finish(NewObject("Fluid Volume", parent, typeof(FluidVolume)));
         }
 
+        /// <summary>A sphere of liquid, child of the selected object.</summary>
+        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
+        [MenuItem(Root + "Fluid Volume (Sphere)", false, Priority + 3)]
+        public static void CreateSphere(MenuCommand command) => CreateShape(command, "Fluid Sphere", FluidVolumeShape.Sphere);
+
+        /// <summary>Liquid in the hollow of the colliders round it, child of the selected object.</summary>
+        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
+        [MenuItem(Root + "Fluid Volume (Vessel)", false, Priority + 4)]
+        public static void CreateVessel(MenuCommand command) => CreateShape(command, "Fluid Vessel", FluidVolumeShape.Vessel);
+
+        static void CreateShape(MenuCommand command, string name, FluidVolumeShape shape)
+        {
+            GameObject created = NewObject(name, command.context as GameObject, typeof(FluidVolume));
+            created.GetComponent<FluidVolume>().Shape = shape;
+            Finish(created);
+        }
+
         /// <summary>Adds liquid to a domain: a box over a third of its width, all of its depth and two thirds of its height.</summary>
         /// <param name="simulation">The simulation.</param>
         /// <returns>The new volume.</returns>

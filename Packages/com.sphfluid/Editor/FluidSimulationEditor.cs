@@ -26,7 +26,11 @@ namespace SphFluid.Editor
 
             EditorGUILayout.Space();
             validation.Draw();
-            if (validation.Constants is FluidSolverSettings constants) DrawTimeStep(constants);
+            if (validation.Constants is FluidSolverSettings constants)
+            {
+                DrawTimeStep(constants);
+                DrawDomain(constants);
+            }
             if (Application.isPlaying) DrawStatus();
         }
 
@@ -74,8 +78,20 @@ namespace SphFluid.Editor
             TimeStepText text = Simulation.IsRunning ? TimeStepText.Now(Simulation) : TimeStepText.Before(Simulation, constants);
             EditorGUILayout.Space();
             EditorGUILayout.LabelField("Constants by Rule", EditorStyles.boldLabel);
-            foreach ((string label, string value) in text.Lines) EditorGUILayout.LabelField(label, value);
+            DrawLines(text.Lines);
             EditorGUILayout.HelpBox(text.Advice, MessageType.None);
+        }
+
+        void DrawDomain(in FluidSolverSettings constants)
+        {
+            EditorGUILayout.Space();
+            EditorGUILayout.LabelField("Domain in Use", EditorStyles.boldLabel);
+            DrawLines((Simulation.IsRunning ? DomainText.Now(Simulation) : DomainText.Before(constants)).Lines);
+        }
+
+        static void DrawLines(IReadOnlyList<(string Label, string Value)> lines)
+        {
+            foreach ((string label, string value) in lines) EditorGUILayout.LabelField(label, value);
         }
 
         void DrawStatus()
@@ -87,12 +103,10 @@ namespace SphFluid.Editor
             if (simulation.IsRunning)
             {
                 FluidCounters counters = simulation.Solver.Counters;
-                EditorGUILayout.LabelField("Particles", simulation.ParticleCount.ToString("N0"));
                 EditorGUILayout.LabelField("Simulated time", $"{simulation.SimulatedTime:0.00} s in {simulation.StepCount:N0} steps");
                 EditorGUILayout.LabelField("Real-time factor", $"{simulation.RealTimeFactor:0.00} ({simulation.CapHits} frames at the substep cap)");
                 EditorGUILayout.LabelField("Fastest particle", $"{counters.MaxSpeed:0.00} m/s");
                 EditorGUILayout.LabelField("Largest compression", $"{100f * counters.MaxCompression:0.0} %");
-                EditorGUILayout.LabelField("GPU memory", EditorUtility.FormatBytes(simulation.GpuBytes));
             }
             using (new EditorGUILayout.HorizontalScope())
             {

@@ -1,10 +1,11 @@
+using System.Collections.Generic;
 using UnityEditor;
 using UnityEditor.IMGUI.Controls;
 using UnityEngine;
 
 namespace SphFluid.Editor
 {
-    /// <summary>Inspector of a liquid volume, with a handle for its box.</summary>
+    /// <summary>Inspector of a liquid volume: the fields of its shape, and a handle for its box.</summary>
     [CustomEditor(typeof(FluidVolume)), CanEditMultipleObjects]
     public sealed class FluidVolumeEditor : UnityEditor.Editor
     {
@@ -14,14 +15,27 @@ namespace SphFluid.Editor
         public override void OnInspectorGUI()
         {
             serializedObject.Update();
-            DrawPropertiesExcluding(serializedObject, "m_Script");
+            DrawPropertiesExcluding(serializedObject, Hidden());
             serializedObject.ApplyModifiedProperties();
             if (targets.Length == 1) DrawOwner((FluidVolume)target);
+        }
+
+        string[] Hidden()
+        {
+            SerializedProperty property = serializedObject.FindProperty("shape");
+            var hidden = new List<string> { "m_Script" };
+            if (property.hasMultipleDifferentValues) return hidden.ToArray();
+            var shape = (FluidVolumeShape)property.enumValueIndex;
+            if (!FluidGizmos.HasSize(shape)) hidden.Add("size");
+            if (shape != FluidVolumeShape.Mesh) hidden.Add("mesh");
+            if (shape != FluidVolumeShape.Vessel) hidden.AddRange(new[] { "level", "domainHolds" });
+            return hidden.ToArray();
         }
 
         void OnSceneGUI()
         {
             var volume = (FluidVolume)target;
+            if (!FluidGizmos.HasSize(volume.Shape)) return;
             using (new Handles.DrawingScope(FluidGizmos.VolumeColor, volume.transform.localToWorldMatrix))
             {
                 handle.center = Vector3.zero;

@@ -45,6 +45,7 @@ namespace SphFluid.Editor
             var lines = new List<(string, string)>
             {
                 ("Speed of sound c", FormattableString.Invariant($"{settings.SoundSpeed:G4} m/s")),
+                ("Compression allowed", FormattableString.Invariant($"{100.0 * Compression(settings):G2} % at {settings.MaxSpeed:G3} m/s")),
                 ("Stiffness k", FormattableString.Invariant($"{settings.Stiffness:G4} m²/s²")),
                 ("Viscosity ν", FormattableString.Invariant($"{settings.Viscosity / settings.RestDensity:G3} m²/s")),
                 ("Time step", TimeStepAdvice.Milliseconds(step)),
@@ -53,6 +54,13 @@ namespace SphFluid.Editor
                 ("Share in use", FormattableString.Invariant($"{100.0 * step / advice.Largest:0} %")),
             };
             return new TimeStepText(lines, advice.Explain(step));
+        }
+
+        // (v/c)²: what motion at the expected speed compresses. The liquid's weight adds its own g D/c².
+        static double Compression(in FluidSolverSettings settings)
+        {
+            double mach = settings.MaxSpeed / (double)settings.SoundSpeed;
+            return mach * mach;
         }
 
         static string Name(TimeStepLimit limit)

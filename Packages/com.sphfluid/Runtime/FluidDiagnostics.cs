@@ -97,7 +97,7 @@ namespace SphFluid
                 return;
             }
             meter.MeasuredAt += Receive;
-            detectors = new FluidDetectors(solver.Settings, solver.Kind, simulation.Profile.KinematicViscosity);
+            detectors = new FluidDetectors(solver.Settings, simulation.Profile.KinematicViscosity);
             colliderChanges = simulation.Collision.Changes;
             Take(detectors.Check());
         }

@@ -48,6 +48,8 @@ namespace SphFluid
         VolumesOverlap,
         /// <summary>The volumes hold more particles than allowed.</summary>
         TooManyParticles,
+        /// <summary>The domain has more cells of the neighbour search than allowed.</summary>
+        TooManyCells,
         /// <summary>A MeshCollider's mesh cannot be read.</summary>
         MeshNotReadable,
         /// <summary>A MeshCollider has no mesh, or one without triangles.</summary>
@@ -58,6 +60,10 @@ namespace SphFluid
         DegenerateTriangles,
         /// <summary>A collider of a kind that has no triangles.</summary>
         ColliderUnsupported,
+        /// <summary>A collider has a friction of its own, which the method does not know.</summary>
+        ColliderFrictionUnused,
+        /// <summary>A collider ends at a periodic face, behind which it is not repeated.</summary>
+        ColliderAtPeriodicFace,
         /// <summary>The colliders hold more triangles than the device's buffer.</summary>
         TooManyTriangles,
         /// <summary>The simulation runs slower than time: the substep cap was reached.</summary>
@@ -70,6 +76,12 @@ namespace SphFluid
         Diagnosis,
         /// <summary>The simulation could not start for a reason that only the attempt showed.</summary>
         StartFailed,
+        /// <summary>A liquid volume's mesh is missing, open or cannot be read.</summary>
+        VolumeMeshInvalid,
+        /// <summary>Liquid runs out of the vessel that a liquid volume fills.</summary>
+        VesselLeaks,
+        /// <summary>How the liquid was brought to rest before the start, or that it was not.</summary>
+        StartRelaxation,
     }
 
     /// <summary>One thing to tell the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>

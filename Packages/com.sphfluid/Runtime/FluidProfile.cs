@@ -26,9 +26,9 @@ namespace SphFluid
         float kinematicViscosity = 1e-6f;
 
         [Header("Accuracy")]
-        [SerializeField, Range(1.5f, 4f), Tooltip("Support radius R divided by the particle spacing. 2 gives about 30 neighbours; " +
-            "more is smoother and slower.")]
-        float supportRatio = 2f;
+        [SerializeField, Range(1.5f, 4f), Tooltip("Support radius R divided by the particle spacing. 2 gives about 33 neighbours, 2.25 48, 2.5 65: " +
+            "free motion is more accurate with more, still pools and corners with fewer.")]
+        float supportRatio = 2.25f;
 
         [SerializeField, Range(3f, 20f), Tooltip("Speed of sound divided by the fastest expected speed. 5 allows 4 % compression; " +
             "halving the compression needs 1.4 times as many steps.")]
@@ -37,14 +37,14 @@ namespace SphFluid
         [SerializeField, Range(0.001f, 0.2f), Tooltip("Compression allowed at the bottom of the liquid at rest, g·depth/c². 0.04 is 4 %.")]
         float maxCompression = 0.04f;
 
-        [SerializeField, Range(0.05f, 1f), Tooltip("Time step as a fraction of the stability limit 1.35 R/√k.")]
+        [SerializeField, Range(0.05f, 1f), Tooltip("Time step as a fraction of the method's stability limit, which the speed of sound sets.")]
         float timeStepFraction = 0.6f;
 
-        [SerializeField, Range(0f, 0.05f), Tooltip("Least kinematic viscosity that keeps the method calm, as a multiple of " +
-            "speed of sound times support radius.")]
+        [SerializeField, Range(0f, 0.05f), Tooltip("Least kinematic viscosity that keeps the liquid calm, as a multiple of " +
+            "speed of sound times support radius. The Standard method takes a tenth of it.")]
         float viscosityRatio = 0.01f;
 
-        [Header("Walls")]
+        [Header("Walls of the thesis method")]
         [SerializeField, Range(0.1f, 1f), Tooltip("Distance at which walls and colliders begin to push, as a multiple of the particle spacing.")]
         float wallDistanceRatio = 0.5f;
 
@@ -82,19 +82,19 @@ namespace SphFluid
         /// <summary>Compression allowed at the bottom of the liquid at rest, g D/c².</summary>
         public float MaxCompression { get => maxCompression; set { maxCompression = value; Touch(); } }
 
-        /// <summary>Time step over the acoustic limit 1.35 R/√k.</summary>
+        /// <summary>Time step over the method's acoustic limit, <see cref="TimeStepAdvice"/>.</summary>
         public float TimeStepFraction { get => timeStepFraction; set { timeStepFraction = value; Touch(); } }
 
-        /// <summary>Least kinematic viscosity over c_eff · R.</summary>
+        /// <summary>Least kinematic viscosity over c · R with the thesis method; Standard takes a tenth of it.</summary>
         public float ViscosityRatio { get => viscosityRatio; set { viscosityRatio = value; Touch(); } }
 
-        /// <summary>Wall distance over particle spacing.</summary>
+        /// <summary>Wall distance over particle spacing; thesis method.</summary>
         public float WallDistanceRatio { get => wallDistanceRatio; set { wallDistanceRatio = value; Touch(); } }
 
-        /// <summary>Wall stiffness over (v_max/distance)².</summary>
+        /// <summary>Wall stiffness over (v_max/distance)²; thesis method.</summary>
         public float WallStiffnessRatio { get => wallStiffnessRatio; set { wallStiffnessRatio = value; Touch(); } }
 
-        /// <summary>Wall damping over critical damping.</summary>
+        /// <summary>Wall damping over critical damping; thesis method.</summary>
         public float WallDampingRatio { get => wallDampingRatio; set { wallDampingRatio = value; Touch(); } }
 
         /// <summary>What of the thesis's text is corrected; <see cref="FluidMethodKind.Thesis"/> only.</summary>
@@ -124,7 +124,7 @@ namespace SphFluid
         {
             restDensity = ClampFinite(restDensity, 1f, 20000f, 1000f);
             kinematicViscosity = ClampFinite(kinematicViscosity, 0f, 10f, 1e-6f);
-            supportRatio = ClampFinite(supportRatio, 1.5f, 4f, 2f);
+            supportRatio = ClampFinite(supportRatio, 1.5f, 4f, 2.25f);
             soundSpeedRatio = ClampFinite(soundSpeedRatio, 3f, 20f, 5f);
             maxCompression = ClampFinite(maxCompression, 0.001f, 0.2f, 0.04f);
             timeStepFraction = ClampFinite(timeStepFraction, 0.05f, 1f, 0.6f);

@@ -54,14 +54,17 @@ namespace SphFluid
         [SerializeField, Tooltip("Kernel MoveParticles: forces, motion, walls, cell counts.")]
         ComputeShader moveParticles;
 
-        [SerializeField, Tooltip("Kernels ClearWalls and GatherWalls: colliders near each particle.")]
+        [SerializeField, Tooltip("Kernel GatherWalls: colliders near each particle.")]
         ComputeShader gatherWalls;
 
-        [SerializeField, Tooltip("Kernels ClearContacts and FindContacts: steps that meet a collider.")]
+        [SerializeField, Tooltip("Kernel FindContacts: steps that meet a collider.")]
         ComputeShader findContacts;
 
         [SerializeField, Tooltip("Kernel ResolveContacts: where those steps go.")]
         ComputeShader resolveContacts;
+
+        [SerializeField, Tooltip("Kernel DampVelocities: brings the liquid to rest before the start.")]
+        ComputeShader dampVelocities;
 
         [SerializeField, Tooltip("Kernels PublishParticles and PublishCells: the liquid as drawing reads it.")]
         ComputeShader publishParticles;
@@ -126,14 +129,17 @@ namespace SphFluid
         /// <summary>Kernel MoveParticles: forces, motion, walls, cell counts.</summary>
         public ComputeShader MoveParticles { get => moveParticles; set => moveParticles = value; }
 
-        /// <summary>Kernels ClearWalls and GatherWalls: colliders near each particle.</summary>
+        /// <summary>Kernel GatherWalls: colliders near each particle.</summary>
         public ComputeShader GatherWalls { get => gatherWalls; set => gatherWalls = value; }
 
-        /// <summary>Kernels ClearContacts and FindContacts: steps that meet a collider.</summary>
+        /// <summary>Kernel FindContacts: steps that meet a collider.</summary>
         public ComputeShader FindContacts { get => findContacts; set => findContacts = value; }
 
         /// <summary>Kernel ResolveContacts: where those steps go.</summary>
         public ComputeShader ResolveContacts { get => resolveContacts; set => resolveContacts = value; }
+
+        /// <summary>Kernel DampVelocities: brings the liquid to rest before the start.</summary>
+        public ComputeShader DampVelocities { get => dampVelocities; set => dampVelocities = value; }
 
         /// <summary>Kernels PublishParticles and PublishCells: the liquid as drawing reads it.</summary>
         public ComputeShader PublishParticles { get => publishParticles; set => publishParticles = value; }
@@ -154,10 +160,33 @@ namespace SphFluid
         public Shader SurfaceGeometryShader { get => surfaceGeometryShader; set => surfaceGeometryShader = value; }
 
         /// <summary>Names of the empty entries that a simulation needs.</summary>
+        /// <param name="method">Its method.</param>
         /// <returns>Field names in the inspector's order; empty when all are there.</returns>
-        public IReadOnlyList<string> MissingForSimulation()
+        public IReadOnlyList<string> MissingFor(FluidMethodKind method)
         {
             var missing = new List<string>();
+            if (method == FluidMethodKind.Standard) CheckStandard(missing);
+            else CheckThesis(missing);
+            return missing;
+        }
+
+        /// <summary>Names of all empty entries, those of drawing and diagnostics included.</summary>
+        /// <returns>Field names in the inspector's order; empty when all are there.</returns>
+        public IReadOnlyList<string> Validate()
+        {
+            var missing = new List<string>();
+            CheckThesis(missing);
+            CheckStandard(missing);
+            Check(surfaceField, nameof(surfaceField), missing);
+            Check(surfaceMesh, nameof(surfaceMesh), missing);
+            Check(measureVitals, nameof(measureVitals), missing);
+            Check(particleShader, nameof(particleShader), missing);
+            Check(surfaceGeometryShader, nameof(surfaceGeometryShader), missing);
+            return missing;
+        }
+
+        void CheckThesis(List<string> missing)
+        {
             Check(calculateParticleCellValue, nameof(calculateParticleCellValue), missing);
             Check(bitonicSort, nameof(bitonicSort), missing);
             Check(resetGridIndices, nameof(resetGridIndices), missing);
@@ -167,6 +196,10 @@ namespace SphFluid
             Check(calculateForce, nameof(calculateForce), missing);
             Check(calculateAcceleration, nameof(calculateAcceleration), missing);
             Check(calculateNewPosition, nameof(calculateNewPosition), missing);
+        }
+
+        void CheckStandard(List<string> missing)
+        {
             Check(countCells, nameof(countCells), missing);
             Check(scanCells, nameof(scanCells), missing);
             Check(scatterParticles, nameof(scatterParticles), missing);
@@ -175,21 +208,8 @@ namespace SphFluid
             Check(gatherWalls, nameof(gatherWalls), missing);
             Check(findContacts, nameof(findContacts), missing);
             Check(resolveContacts, nameof(resolveContacts), missing);
+            Check(dampVelocities, nameof(dampVelocities), missing);
             Check(publishParticles, nameof(publishParticles), missing);
-            return missing;
-        }
-
-        /// <summary>Names of all empty entries, those of drawing and diagnostics included.</summary>
-        /// <returns>Field names in the inspector's order; empty when all are there.</returns>
-        public IReadOnlyList<string> Validate()
-        {
-            var missing = new List<string>(MissingForSimulation());
-            Check(surfaceField, nameof(surfaceField), missing);
-            Check(surfaceMesh, nameof(surfaceMesh), missing);
-            Check(measureVitals, nameof(measureVitals), missing);
-            Check(particleShader, nameof(particleShader), missing);
-            Check(surfaceGeometryShader, nameof(surfaceGeometryShader), missing);
-            return missing;
         }
 
         static void Check(Object reference, string name, List<string> missing)

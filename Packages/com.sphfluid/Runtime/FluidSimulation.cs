@@ -26,8 +26,8 @@ namespace SphFluid
             "and twice as many steps. A change starts the liquid again.")]
         float particleSpacing = 0.025f;
 
-        [SerializeField, Tooltip("How the motion is computed. A change starts the liquid again.")]
-        FluidMethodKind method = FluidMethodKind.Thesis;
+        [SerializeField, Tooltip("How the motion is computed: Standard, or the thesis's method to compare with. A change starts the liquid again.")]
+        FluidMethodKind method = FluidMethodKind.Standard;
 
         [SerializeField, Tooltip("Layers whose Mesh, Box, Sphere and Capsule Colliders the liquid collides with.")]
         LayerMask colliderLayers = ~0;
@@ -58,7 +58,7 @@ namespace SphFluid
         FluidBodyForce bodyForce;
 
         [Header("Faces")]
-        [SerializeField, Tooltip("What the faces of the domain box do: walls at rest, moving walls that drag, or openings into the opposite face.")]
+        [SerializeField, Tooltip("What the faces of the domain box do: walls at rest, moving walls that drag, openings into the opposite face, or openings through which liquid leaves.")]
         FluidBoundaries boundaries;
 
         [Header("Start")]
@@ -70,6 +70,10 @@ namespace SphFluid
 
         [SerializeField, Range(0f, FluidSpawner.MaxJitter), Tooltip("Largest random offset of a particle at the start as a fraction of the spacing. A change starts the liquid again.")]
         float startJitter = 0.02f;
+
+        [SerializeField, Tooltip("How the liquid is brought to rest before the first frame. Packed: without gravity, particles part that lie too near to " +
+            "each other or to walls. Hydrostatic: under gravity. Takes some hundred steps at the start, without Start Jitter; method Standard only. A change starts the liquid again.")]
+        FluidStartRelaxation startRelaxation;
 
         FluidRun run;
         bool wanted;
@@ -142,14 +146,20 @@ namespace SphFluid
         /// <summary>Largest random offset at the start over the spacing, 0 to 0.2.</summary>
         public float StartJitter { get => startJitter; set => startJitter = value; }
 
+        /// <summary>How the liquid is brought to rest before the first frame. Standard method only; its step count is among the messages.</summary>
+        public FluidStartRelaxation StartRelaxation { get => startRelaxation; set => startRelaxation = value; }
+
         /// <summary>The solver; null when stopped. A new start makes a new one.</summary>
         public FluidSolver Solver => run?.Solver;
 
         /// <summary>Whether the liquid exists.</summary>
         public bool IsRunning => run != null;
 
-        /// <summary>Number of particles; 0 when stopped.</summary>
+        /// <summary>Number of particles at the start; 0 when stopped.</summary>
         public int ParticleCount => run?.Solver.ParticleCount ?? 0;
+
+        /// <summary>Particles that have left the domain through an open face since, as of a few frames ago; see <see cref="FluidBoundaries.Open"/>.</summary>
+        public long RemovedParticles => run?.Solver.Counters.Removed ?? 0;
 
         /// <summary>Time since the start [s], as far as the liquid has come.</summary>
         public double SimulatedTime => run?.Solver.SimulatedTime ?? 0.0;
@@ -219,7 +229,7 @@ namespace SphFluid
         /// <returns>What is wrong or worth knowing, errors first.</returns>
         public IReadOnlyList<FluidMessage> Validate() => FluidValidation.Validate(this);
 
-        /// <summary>Waits for the GPU and reads the particles, in simulation space, sorted by cell; for tools and tests.</summary>
+        /// <summary>Waits for the GPU and reads the particles, in simulation space, sorted by cell, without those that left the domain; for tools and tests.</summary>
         /// <param name="particles">Receives the particles.</param>
         /// <returns>False when stopped.</returns>
         public bool TryReadParticles(List<FluidParticle> particles) => FluidReports.TryReadParticles(Solver, particles);

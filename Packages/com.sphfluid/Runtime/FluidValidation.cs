@@ -54,6 +54,7 @@ namespace SphFluid
                 MeshColliderRules.Check(query, messages);
                 start = LiquidRules.Check(simulation, collision, fill, messages);
                 BoundaryRules.Check(simulation, messages);
+                CellRules.Check(simulation, messages);
             }
             if (HasErrors(messages) || !TryDerive(simulation, start, messages)) start = null;
             if (start != null) TimeStepRules.Check(simulation, start.Constants, messages);
@@ -86,7 +87,7 @@ namespace SphFluid
             else if (profile.Shaders == null)
                 messages.Add(Error(profile, FluidIssue.ShadersMissing, "The profile has no shader set.",
                     "Assign the package's DefaultFluidShaderSet from Runtime/Assets to the profile's Shaders."));
-            else if (profile.Shaders.MissingForSimulation() is { Count: > 0 } missing)
+            else if (profile.Shaders.MissingFor(simulation.Method) is { Count: > 0 } missing)
                 messages.Add(Error(profile.Shaders, FluidIssue.ShadersMissing, $"The shader set lacks {string.Join(", ", missing)}.",
                     "Assign the shaders of the same names from the package's Shaders folder, or use the package's DefaultFluidShaderSet."));
         }

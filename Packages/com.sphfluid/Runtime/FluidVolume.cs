@@ -3,14 +3,29 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// A box of liquid at the start, centred on this transform and turned and scaled with it. A simulation may have
-    /// several; where they overlap, liquid is filled once and the first in the hierarchy gives the velocity.
+    /// Liquid at the start: a box, a sphere or a mesh, moved, turned and scaled with this transform, or the hollow of the colliders
+    /// round it. A simulation may have several; where they overlap, liquid is filled once and the first in the hierarchy gives the
+    /// velocity.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Volume")]
     public sealed class FluidVolume : MonoBehaviour
     {
-        [SerializeField, Tooltip("Edge lengths of the box in this transform's space, in metres where its scale is one.")]
+        [SerializeField, Tooltip("What is filled. Box and Sphere: of the size below. Mesh: the inside of a closed mesh. Vessel: the hollow of the " +
+            "colliders around this object, up to a level.")]
+        FluidVolumeShape shape;
+
+        [SerializeField, Tooltip("Edge lengths of the box in this transform's space, in metres where its scale is one. A sphere touches its faces.")]
         Vector3 size = new Vector3(0.5f, 0.5f, 0.5f);
+
+        [SerializeField, Tooltip("Closed mesh that is filled, with Read/Write on. Empty: that of this object's Mesh Filter.")]
+        Mesh mesh;
+
+        [SerializeField, Min(0f), Tooltip("Height of the liquid's surface above this object in metres, against gravity. The object lies in the hollow, " +
+            "below the surface.")]
+        float level = 0.25f;
+
+        [SerializeField, Tooltip("The faces of the domain hold the liquid too. Off: liquid that reaches one has run out of the vessel, an error.")]
+        bool domainHolds;
 
         [SerializeField, Tooltip("Velocity of the liquid at the start in m/s, in this transform's axes; scale does not change it.")]
         Vector3 initialVelocity;
@@ -19,14 +34,29 @@ namespace SphFluid
             "in the scene, else the one whose domain holds the centre of the box.")]
         FluidSimulation simulation;
 
-        /// <summary>Edge lengths of the box in this transform's space [m at unit scale]. Read when the simulation starts.</summary>
+        /// <summary>What is filled. Read when the simulation starts, as all the rest.</summary>
+        public FluidVolumeShape Shape { get => shape; set => shape = value; }
+
+        /// <summary>Edge lengths in this transform's space [m at unit scale] of the box, or of the box that the sphere touches.</summary>
         public Vector3 Size { get => size; set => size = value; }
+
+        /// <summary>Closed mesh that is filled, in this transform's space; null: that of the object's MeshFilter.</summary>
+        public Mesh Mesh { get => mesh; set => mesh = value; }
+
+        /// <summary>Height of a vessel's surface above this transform [m], against gravity; with no gravity, along the world's y axis.</summary>
+        public float Level { get => level; set => level = value; }
+
+        /// <summary>Whether the domain's faces hold a vessel's liquid too; else liquid that reaches one has run out, an error.</summary>
+        public bool DomainHolds { get => domainHolds; set => domainHolds = value; }
 
         /// <summary>Velocity at the start in this transform's axes [m/s].</summary>
         public Vector3 InitialVelocity { get => initialVelocity; set => initialVelocity = value; }
 
         /// <summary>Simulation that this liquid belongs to; null: found as the tooltip says.</summary>
         public FluidSimulation Simulation { get => simulation; set => simulation = value; }
+
+        /// <summary>The mesh that shape Mesh fills; null when there is none.</summary>
+        internal Mesh FilledMesh => mesh != null ? mesh : TryGetComponent(out MeshFilter filter) ? filter.sharedMesh : null;
 
         void OnEnable()
         {

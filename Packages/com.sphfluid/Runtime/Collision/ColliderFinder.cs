@@ -7,6 +7,9 @@ namespace SphFluid
     /// <summary>Where to look for colliders: the domain's pose, its physics scene and the layers.</summary>
     internal struct CollisionQuery
     {
+        /// <summary>Simulation that looks; null: any.</summary>
+        public FluidSimulation Simulation;
+
         /// <summary>Physics scene that the simulation's GameObject is in.</summary>
         public PhysicsScene Scene;
 
@@ -56,7 +59,12 @@ namespace SphFluid
             (states, previous) = (previous, states);
             states.Clear();
             Matrix4x4 worldToSimulation = query.WorldToSimulation;
-            foreach (Collider collider in ordered) states.Add(ColliderState.Of(collider, worldToSimulation));
+            foreach (Collider collider in ordered)
+            {
+                FluidCollider own = FluidCollider.Of(collider);
+                if (own == null) states.Add(ColliderState.Of(collider, FluidCollider.DomainFriction, worldToSimulation));
+                else if (own.Meets(query.Simulation)) states.Add(ColliderState.Of(collider, own.EffectiveFriction, worldToSimulation));
+            }
             return !SameStates();
         }
 

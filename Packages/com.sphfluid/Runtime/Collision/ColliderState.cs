@@ -8,9 +8,10 @@ namespace SphFluid
     {
         readonly MeshStamp stamp;
 
-        ColliderState(Collider collider, Matrix4x4 toSimulation, Mesh mesh, Vector3 center, Vector3 size)
+        ColliderState(Collider collider, Matrix4x4 toSimulation, float friction, Mesh mesh, Vector3 center, Vector3 size)
         {
             Collider = collider;
+            Friction = friction;
             ToSimulation = toSimulation;
             Mesh = mesh;
             Center = center;
@@ -21,6 +22,9 @@ namespace SphFluid
         public Collider Collider { get; }
         public Matrix4x4 ToSimulation { get; }
 
+        /// <summary>0 free slip to 1 no slip; negative: as the domain's faces.</summary>
+        public float Friction { get; }
+
         /// <summary>Mesh of a MeshCollider; null for others.</summary>
         public Mesh Mesh { get; }
 
@@ -30,22 +34,22 @@ namespace SphFluid
         /// <summary>Box: edge lengths. Sphere: radius in x. Capsule: radius, height, axis (0 x, 1 y, 2 z).</summary>
         public Vector3 Size { get; }
 
-        public static ColliderState Of(Collider collider, in Matrix4x4 worldToSimulation)
+        public static ColliderState Of(Collider collider, float friction, in Matrix4x4 worldToSimulation)
         {
             Matrix4x4 toSimulation = worldToSimulation * collider.transform.localToWorldMatrix;
             switch (collider)
             {
                 case MeshCollider mesh:
-                    return new ColliderState(collider, toSimulation, mesh.sharedMesh, Vector3.zero, Vector3.one);
+                    return new ColliderState(collider, toSimulation, friction, mesh.sharedMesh, Vector3.zero, Vector3.one);
                 case BoxCollider box:
-                    return new ColliderState(collider, toSimulation, null, box.center, box.size);
+                    return new ColliderState(collider, toSimulation, friction, null, box.center, box.size);
                 case SphereCollider sphere:
-                    return new ColliderState(collider, toSimulation, null, sphere.center, new Vector3(sphere.radius, 0f, 0f));
+                    return new ColliderState(collider, toSimulation, friction, null, sphere.center, new Vector3(sphere.radius, 0f, 0f));
                 case CapsuleCollider capsule:
-                    return new ColliderState(collider, toSimulation, null, capsule.center,
+                    return new ColliderState(collider, toSimulation, friction, null, capsule.center,
                         new Vector3(capsule.radius, capsule.height, capsule.direction));
                 default:
-                    return new ColliderState(collider, toSimulation, null, Vector3.zero, Vector3.zero);
+                    return new ColliderState(collider, toSimulation, friction, null, Vector3.zero, Vector3.zero);
             }
         }
 
@@ -53,10 +57,11 @@ namespace SphFluid
         public bool HasShapeOf(in ColliderState other) =>
             ReferenceEquals(Mesh, other.Mesh) && Center.Equals(other.Center) && Size.Equals(other.Size) && stamp.Equals(other.stamp);
 
-        public bool Equals(ColliderState other) =>
-            ReferenceEquals(Collider, other.Collider) && ReferenceEquals(Mesh, other.Mesh) &&
-            ToSimulation.Equals(other.ToSimulation) && Center.Equals(other.Center) && Size.Equals(other.Size) &&
-            stamp.Equals(other.stamp);
+        /// <summary>Whether the states differ by the friction at most.</summary>
+        public bool HasTrianglesOf(in ColliderState other) =>
+            ReferenceEquals(Collider, other.Collider) && ToSimulation.Equals(other.ToSimulation) && HasShapeOf(other);
+
+        public bool Equals(ColliderState other) => HasTrianglesOf(other) && Friction.Equals(other.Friction);
 
         public override bool Equals(object obj) => obj is ColliderState other && Equals(other);
 

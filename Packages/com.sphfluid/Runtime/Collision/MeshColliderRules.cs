@@ -17,6 +17,7 @@ namespace SphFluid
                 bool counts = collider.enabled && !collider.isTrigger && (query.Layers & (1 << collider.gameObject.layer)) != 0;
                 if (!counts || !(ColliderTriangles.Problem(collider) is FluidMessage problem)) continue;
                 if (messages.Exists(m => m.Context == collider)) continue;
+                if (FluidCollider.Of(collider) is FluidCollider own && !own.Meets(query.Simulation)) continue;
                 if (MeetsDomain(collider, worldToSimulation, query.HalfExtents)) messages.Add(problem);
             }
         }

@@ -22,7 +22,7 @@ namespace SphFluid
         public MeshObstacle(TriangleMesh mesh)
         {
             this.mesh = mesh ?? throw new ArgumentNullException(nameof(mesh));
-            bounds = FindBounds(mesh);
+            bounds = mesh.Bounds;
             int side = Mathf.Clamp((int)Math.Sqrt(mesh.TriangleCount), 1, MaxBins);
             binsY = binsZ = side;
             perY = side / Math.Max(bounds.size.y, 1e-30);
@@ -80,14 +80,8 @@ namespace SphFluid
         // +1 where the ray leaves the solid (the face looks along +x), −1 where it enters, 0 for a miss.
         static int RayCrossing(Vector3 p, Vector3 a, Vector3 b, Vector3 c)
         {
-            int ab = TriangleMath.Side(p, a, b), bc = TriangleMath.Side(p, b, c), ca = TriangleMath.Side(p, c, a);
-            if (ab != bc || bc != ca) return 0;
-            double nx = TriangleMath.Area(a, b, c);
-            if (nx == 0.0) return 0;
-            double ny = ((double)b.z - a.z) * ((double)c.x - a.x) - ((double)b.x - a.x) * ((double)c.z - a.z);
-            double nz = ((double)b.x - a.x) * ((double)c.y - a.y) - ((double)b.y - a.y) * ((double)c.x - a.x);
-            double hit = a.x - (ny * ((double)p.y - a.y) + nz * ((double)p.z - a.z)) / nx;
-            return hit > p.x ? ab : 0;
+            int side = TriangleMath.LineCrossing(p, a, b, c, out double hit);
+            return hit > p.x ? side : 0;
         }
 
         void AddToBins(int t)
@@ -105,20 +99,5 @@ namespace SphFluid
         int Index(int y, int z) => z * binsY + y;
 
         static int Bin(double coordinate, int count) => (int)Math.Min(Math.Max(Math.Floor(coordinate), 0.0), count - 1);
-
-        static Bounds FindBounds(TriangleMesh mesh)
-        {
-            Vector3 min = Vector3.positiveInfinity, max = Vector3.negativeInfinity;
-            foreach (int index in mesh.Indices)
-            {
-                Vector3 vertex = mesh.Vertices[index];
-                if (!AffineMath.IsFinite(vertex)) continue;
-                min = Vector3.Min(min, vertex);
-                max = Vector3.Max(max, vertex);
-            }
-            var bounds = new Bounds();
-            if (min.x <= max.x) bounds.SetMinMax(min, max);
-            return bounds;
-        }
     }
 }

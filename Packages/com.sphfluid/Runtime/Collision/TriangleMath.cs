@@ -22,6 +22,22 @@ namespace SphFluid
         public static double Area(Vector3 a, Vector3 b, Vector3 c) =>
             ((double)b.y - a.y) * ((double)c.z - a.z) - ((double)b.z - a.z) * ((double)c.y - a.y);
 
+        /// <summary>
+        /// Where the line along x through a point meets a triangle: +1 where its face looks along +x, −1 where against it, 0 for a
+        /// miss. A line through a mesh never slips between two triangles and never meets both at their edge.
+        /// </summary>
+        public static int LineCrossing(Vector3 p, Vector3 a, Vector3 b, Vector3 c, out double x)
+        {
+            x = 0.0;
+            int ab = Side(p, a, b), bc = Side(p, b, c), ca = Side(p, c, a);
+            double nx = Area(a, b, c);
+            if (ab != bc || bc != ca || nx == 0.0) return 0;
+            double ny = ((double)b.z - a.z) * ((double)c.x - a.x) - ((double)b.x - a.x) * ((double)c.z - a.z);
+            double nz = ((double)b.x - a.x) * ((double)c.y - a.y) - ((double)b.y - a.y) * ((double)c.x - a.x);
+            x = a.x - (ny * ((double)p.y - a.y) + nz * ((double)p.z - a.z)) / nx;
+            return ab;
+        }
+
         /// <summary>Point of the triangle nearest to <paramref name="p"/> (C. Ericson, Real-Time Collision Detection, 5.1.5).</summary>
         public static Vector3 ClosestPoint(Vector3 p, Vector3 a, Vector3 b, Vector3 c)
         {

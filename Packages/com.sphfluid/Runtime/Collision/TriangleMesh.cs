@@ -8,6 +8,7 @@ namespace SphFluid
     internal sealed class TriangleMesh
     {
         bool? closed;
+        Bounds? bounds;
 
         /// <summary>A mesh that keeps its arrays.</summary>
         /// <param name="vertices">Corners.</param>
@@ -26,7 +27,13 @@ namespace SphFluid
         public int TriangleCount => Indices.Length / 3;
 
         /// <summary>Whether every edge is shared by as many triangles running one way as the other, so that there is an inside.</summary>
-        public bool IsClosed => closed ??= TriangleCount > 0 && FindClosed();
+        public bool IsClosed => closed ??= TriangleCount > 0 && FindOpenEdges() == 0;
+
+        /// <summary>Number of edges whose triangles do not run one way as often as the other; 0 for a closed mesh.</summary>
+        public int OpenEdges => Math.Max(FindOpenEdges(), 0);
+
+        /// <summary>Bounds of the finite corners.</summary>
+        public Bounds Bounds => bounds ??= FindBounds();
 
         /// <summary>The triangles under an affine transform; a mirroring one turns each triangle so that outward stays outward.</summary>
         public TriangleMesh Transformed(in Matrix4x4 transform)
@@ -60,7 +67,8 @@ namespace SphFluid
         }
 
         // Importers split vertices at seams of normals and texture coordinates, so corners are joined by position first.
-        bool FindClosed()
+        // −1 where no triangle has three corners.
+        int FindOpenEdges()
         {
             int[] welded = Weld();
             var balance = new Dictionary<(int, int), int>();
@@ -72,9 +80,24 @@ namespace SphFluid
                 AddEdge(balance, b, c);
                 AddEdge(balance, c, a);
             }
-            foreach (int value in balance.Values)
-                if (value != 0) return false;
-            return balance.Count > 0;
+            int open = 0;
+            foreach (int value in balance.Values) open += value != 0 ? 1 : 0;
+            return balance.Count > 0 ? open : -1;
+        }
+
+        Bounds FindBounds()
+        {
+            Vector3 min = Vector3.positiveInfinity, max = Vector3.negativeInfinity;
+            foreach (int index in Indices)
+            {
+                Vector3 vertex = Vertices[index];
+                if (!AffineMath.IsFinite(vertex)) continue;
+                min = Vector3.Min(min, vertex);
+                max = Vector3.Max(max, vertex);
+            }
+            var found = new Bounds();
+            if (min.x <= max.x) found.SetMinMax(min, max);
+            return found;
         }
 
         int[] Weld()

@@ -28,12 +28,11 @@ namespace SphFluid
         IReadOnlyList<FluidFinding> ofSettings;
 
         /// <summary>Detectors for a liquid.</summary>
-        /// <param name="settings">Its constants.</param>
-        /// <param name="kind">Its method: some failures belong to one.</param>
+        /// <param name="settings">Its constants and its method: some failures belong to one.</param>
         /// <param name="realViscosity">Kinematic viscosity of the liquid that is meant [m²/s]; NaN where it is not known.</param>
-        public FluidDetectors(in FluidSolverSettings settings, FluidMethodKind kind = FluidMethodKind.Thesis, double realViscosity = double.NaN)
+        public FluidDetectors(in FluidSolverSettings settings, double realViscosity = double.NaN)
         {
-            evidence = new FluidEvidence(settings, kind, realViscosity);
+            evidence = new FluidEvidence(settings, realViscosity);
         }
 
         /// <summary>What the constants alone show, before the first step.</summary>

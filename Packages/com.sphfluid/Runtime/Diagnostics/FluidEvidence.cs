@@ -16,14 +16,12 @@ namespace SphFluid
         FluidCounters counters;
         bool hasFirst;
 
-        public FluidEvidence(in FluidSolverSettings settings, FluidMethodKind kind, double realViscosity)
+        public FluidEvidence(in FluidSolverSettings settings, double realViscosity)
         {
-            Kind = kind;
             RealViscosity = realViscosity;
             Take(settings);
         }
 
-        public FluidMethodKind Kind { get; }
         public double RealViscosity { get; }
         public ref readonly FluidSolverSettings Settings => ref settings;
         public TimeStepAdvice Advice { get; private set; }
@@ -47,8 +45,8 @@ namespace SphFluid
         /// <summary>√(gH) of the fall that the constants are made for [m/s].</summary>
         public double WaveSpeed => settings.MaxSpeed / Math.Sqrt(2.0);
 
-        /// <summary>Müller's density by poly6, pressure by the spiky kernel: such a method needs viscosity.</summary>
-        public bool HasTwoKernels => Kind == FluidMethodKind.Thesis || Kind == FluidMethodKind.ThesisPrinted;
+        /// <summary>Müller's density by poly6, pressure by the spiky kernel, which needs viscosity and pairs; and walls that are springs.</summary>
+        public bool IsOfThesis => settings.Method != FluidMethodKind.Standard;
 
         public double ClumpedShare => Share(Now.Clumped);
 

@@ -11,8 +11,11 @@ namespace SphFluid
         /// <summary>Steps since the start.</summary>
         public long Step;
 
-        /// <summary>Number of particles.</summary>
+        /// <summary>Number of particles in the liquid.</summary>
         public int ParticleCount;
+
+        /// <summary>Particles that left the domain through an open face; nothing else counts them.</summary>
+        public int Removed;
 
         /// <summary>Particles with a position, velocity or density that is not a finite number. All sums leave them out, and no other counts them.</summary>
         public int NonFinite;

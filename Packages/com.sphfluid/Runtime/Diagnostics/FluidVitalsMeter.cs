@@ -105,11 +105,11 @@ namespace SphFluid
             kernel.SetFloat(cmd, FluidShaderIds.RestDensity, settings.RestDensity);
             kernel.SetFloat(cmd, VitalsShaderIds.Spacing, settings.Spacing);
             kernel.SetFloat(cmd, VitalsShaderIds.HalfStep, 0.5f * solver.LastTimeStep);
-            kernel.SetVector(cmd, VitalsShaderIds.Potential, AlongWalls(settings.Gravity, settings, 0f));
+            kernel.SetVector(cmd, VitalsShaderIds.Potential, AlongWalls(settings.Gravity, settings));
             kernel.SetVector(cmd, VitalsShaderIds.PotentialCentre, settings.BodyForce.Centre);
             kernel.SetVector(cmd, VitalsShaderIds.PotentialRate, settings.BodyForce.RateSquared);
             kernel.SetVector(cmd, FluidShaderIds.DomainHalfSize, 0.5f * settings.DomainSize);
-            kernel.SetVector(cmd, VitalsShaderIds.WallHalfSize, AlongWalls(0.5f * settings.DomainSize, settings, 1e30f));
+            DomainFaces.Set(cmd, kernel, settings);
             kernel.DispatchThreads(cmd, solver.ParticleCount);
             cmd.EndSample(Marker);
         }
@@ -128,13 +128,13 @@ namespace SphFluid
             MeasuredAt?.Invoke(vitals, moment);
         }
 
-        static Vector3 AlongWalls(Vector3 value, in FluidSolverSettings settings, float periodic)
+        static Vector3 AlongWalls(Vector3 value, in FluidSolverSettings settings)
         {
             FluidAxes axes = settings.Boundaries.Periodic;
             return new Vector3(
-                (axes & FluidAxes.X) != 0 ? periodic : value.x,
-                (axes & FluidAxes.Y) != 0 ? periodic : value.y,
-                (axes & FluidAxes.Z) != 0 ? periodic : value.z);
+                (axes & FluidAxes.X) != 0 ? 0f : value.x,
+                (axes & FluidAxes.Y) != 0 ? 0f : value.y,
+                (axes & FluidAxes.Z) != 0 ? 0f : value.z);
         }
     }
 
@@ -148,6 +148,5 @@ namespace SphFluid
         public static readonly int Potential = Shader.PropertyToID("_Potential");
         public static readonly int PotentialCentre = Shader.PropertyToID("_PotentialCentre");
         public static readonly int PotentialRate = Shader.PropertyToID("_PotentialRate");
-        public static readonly int WallHalfSize = Shader.PropertyToID("_WallHalfSize");
     }
 }

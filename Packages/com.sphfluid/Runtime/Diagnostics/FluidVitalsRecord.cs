@@ -20,14 +20,17 @@ namespace SphFluid
             FluidSolverSettings settings = moment.Settings;
             double mass = settings.ParticleMass, sound = settings.SoundSpeed;
             double nonFinite = Add(records, groups, Particles, 0);
-            double counted = Math.Max(1.0, moment.ParticleCount - nonFinite);
+            double removed = Add(records, groups, Places, 3);
+            int live = moment.ParticleCount - (int)removed;
+            double counted = Math.Max(1.0, live - nonFinite);
             double speedSquares = Add(records, groups, Energies, 3);
             double layer = Add(records, groups, Means, 3);
             return new FluidVitals
             {
                 Time = moment.Time,
                 Step = moment.Step,
-                ParticleCount = moment.ParticleCount,
+                ParticleCount = live,
+                Removed = (int)removed,
                 NonFinite = (int)nonFinite,
                 Escaped = (int)Add(records, groups, Particles, 1),
                 Clumped = (int)Add(records, groups, Particles, 2),
@@ -48,7 +51,7 @@ namespace SphFluid
                 Checkerboard = speedSquares > 0.0 ? Add(records, groups, Means, 1) / speedSquares : 0.0,
                 MaxSpeed = Maximum(records, groups, Largest, 0),
                 MaxDensityRatio = Maximum(records, groups, Largest, 1),
-                MinDensityRatio = nonFinite < moment.ParticleCount ? -Maximum(records, groups, Largest, 2) : 0.0,
+                MinDensityRatio = nonFinite < live ? -Maximum(records, groups, Largest, 2) : 0.0,
                 MaxNeighbours = (int)Maximum(records, groups, Largest, 3),
                 MaxCellCount = (int)Maximum(records, groups, Fullest, 0),
             };

@@ -20,7 +20,7 @@ namespace SphFluid
         public static FluidFinding? TooLittleViscosity(FluidEvidence e)
         {
             double needed = CalmViscosity * e.Settings.SoundSpeed * e.Settings.SupportRadius;
-            if (!e.HasTwoKernels || e.KinematicViscosity >= needed * (1.0 - Rounding)) return null;
+            if (!e.IsOfThesis || e.KinematicViscosity >= needed * (1.0 - Rounding)) return null;
             return new FluidFinding(FluidFailure.KernelMismatch, e.KinematicViscosity, needed,
                 Invariant($"The kinematic viscosity of {e.KinematicViscosity:G3} m²/s is less than the {needed:G3} m²/s that take out what different kernels for density and force feed in: liquid at rest will boil."),
                 "Raise the profile's Viscosity Ratio to 0.01 or more.");
@@ -29,7 +29,7 @@ namespace SphFluid
         // Noise is what neighbours do not share: a wave has velocity, but its particles move alike.
         public static FluidFinding? Boiling(FluidEvidence e)
         {
-            if (!e.HasTwoKernels || e.Now.Step == 0 || e.TimeStep > e.Advice.Acoustic || !(e.Now.Checkerboard > BoilingDisorder)) return null;
+            if (!e.IsOfThesis || e.Now.Step == 0 || e.TimeStep > e.Advice.Acoustic || !(e.Now.Checkerboard > BoilingDisorder)) return null;
             double noise = Math.Sqrt(e.Now.Checkerboard) * e.Now.RmsSpeed(e.Settings.ParticleMass);
             double limit = BoilingLimit * e.WaveSpeed;
             if (!(noise > limit)) return null;

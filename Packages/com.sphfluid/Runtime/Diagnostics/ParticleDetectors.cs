@@ -19,6 +19,9 @@ namespace SphFluid
         // Where no pressure acts, at walls and surfaces, pairs of the thesis method end in one place: 2 % of the particles in a few seconds.
         const double MergedLimit = 0.05;
 
+        // The Standard method's walls push as the liquid does: with its speed of sound.
+        const string StiffLiquid = "Raise Expected Speed, or the profile's Sound Speed Ratio.";
+
         const double CrowdedNeighbours = 3.0;
         const double StartCompression = 0.1;
         const long StartSteps = 20;
@@ -34,7 +37,7 @@ namespace SphFluid
 
         public static FluidFinding? Pairing(FluidEvidence e)
         {
-            if (!(e.SupportRatio > WideKernel) || !(e.ClumpedShare > ClumpedLimit)) return null;
+            if (!e.IsOfThesis || !(e.SupportRatio > WideKernel) || !(e.ClumpedShare > ClumpedLimit)) return null;
             return new FluidFinding(FluidFailure.Pairing, e.ClumpedShare, ClumpedLimit,
                 Invariant($"{100.0 * e.ClumpedShare:0.#} % of the particles have another nearer than half a spacing: a support radius of {e.SupportRatio:0.##} spacings lets them pair."),
                 "Lower the profile's Support Ratio to 2.");
@@ -56,7 +59,7 @@ namespace SphFluid
             if (!(share > EscapedLimit)) return null;
             return new FluidFinding(FluidFailure.Escaped, share, EscapedLimit,
                 Invariant($"{e.Now.Escaped} particles are outside the domain and {e.NewDomainClamps} were put back onto its faces since the last measurement."),
-                "Raise Expected Speed, or the profile's Wall Stiffness Ratio.");
+                e.IsOfThesis ? "Raise Expected Speed, or the profile's Wall Stiffness Ratio." : StiffLiquid);
         }
 
         public static FluidFinding? WallStacking(FluidEvidence e)
@@ -65,11 +68,11 @@ namespace SphFluid
             if (share > AtWallsLimit)
                 return new FluidFinding(FluidFailure.WallStacking, share, AtWallsLimit,
                     Invariant($"{100.0 * share:0.#} % of the particles touch the domain's walls, nearer than a tenth of a spacing."),
-                    "Raise the profile's Wall Stiffness Ratio or Wall Distance Ratio.");
+                    e.IsOfThesis ? "Raise the profile's Wall Stiffness Ratio or Wall Distance Ratio." : StiffLiquid);
             if (!(e.Now.WallCrowding > CrowdingLimit)) return null;
             return new FluidFinding(FluidFailure.WallStacking, e.Now.WallCrowding, CrowdingLimit,
                 Invariant($"The layer next to the domain's walls holds {e.Now.WallCrowding:0.##} times the particles of one layer: they stack there."),
-                "Raise the profile's Viscosity Ratio, and set Thesis Switches > Pressure Clamp.");
+                e.IsOfThesis ? "Raise the profile's Viscosity Ratio, and set Thesis Switches > Pressure Clamp." : StiffLiquid);
         }
 
         public static FluidFinding? Overflow(FluidEvidence e)

@@ -17,9 +17,10 @@ namespace SphFluid
         const int Squeezed = 5;
         const int Overlap = 6;
         const int Contact = 7;
-        internal const int MaxSpeed = 8;
-        const int MaxDensity = 9;
-        const int FirstMaximum = 8;
+        const int Removed = 8;
+        internal const int MaxSpeed = 12;
+        const int MaxDensity = 13;
+        const int FirstMaximum = 12;
 
         static readonly uint[] Zeros = new uint[Slots];
 
@@ -90,6 +91,7 @@ namespace SphFluid
             counters.Squeezed += Added(values, Squeezed);
             counters.Overlaps += Added(values, Overlap);
             counters.Contacts += Added(values, Contact);
+            counters.Removed += Added(values, Removed);
             counters.MaxSpeed = ToFloat(values[MaxSpeed]);
             counters.MaxCompression = Mathf.Max(0f, ToFloat(values[MaxDensity]) / RestDensity - 1f);
         }

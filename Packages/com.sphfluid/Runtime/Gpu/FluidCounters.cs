@@ -27,6 +27,9 @@ namespace SphFluid
         /// <summary>Times a step was longer than contact follows and was shortened, since the start.</summary>
         public long ShortenedSteps;
 
+        /// <summary>Particles that left the domain through an open face, since the start.</summary>
+        public long Removed;
+
         /// <summary>Largest speed in the last recorded steps [m/s].</summary>
         public float MaxSpeed;
 

@@ -22,14 +22,14 @@ namespace SphFluid
         /// <summary>Velocity half a step after the last force [m/s]; the initial velocity before the first step.</summary>
         public Vector3 VelT0;
 
-        /// <summary>Unused; keeps the vectors on 16 bytes.</summary>
-        public float Pad0;
+        /// <summary>1 once the particle left the domain through an open face, else 0. It keeps its last place and velocity, and is liquid no more.</summary>
+        public float Removed;
 
         /// <summary>Velocity at the time of the last force [m/s], one step before <see cref="Position"/>.</summary>
         public Vector3 VelT1;
 
         /// <summary>Unused; keeps the vectors on 16 bytes.</summary>
-        public float Pad1;
+        public float Pad;
 
         /// <summary>A particle at the start of a simulation.</summary>
         /// <param name="position">Position [m], simulation space.</param>
@@ -40,9 +40,12 @@ namespace SphFluid
             Position = position;
             Id = id;
             VelT0 = velocity;
-            Pad0 = 0f;
+            Removed = 0f;
             VelT1 = velocity;
-            Pad1 = 0f;
+            Pad = 0f;
         }
+
+        /// <summary>Whether the particle left the domain; drawing and measurements pass it over.</summary>
+        public readonly bool IsRemoved => Removed != 0f;
     }
 }

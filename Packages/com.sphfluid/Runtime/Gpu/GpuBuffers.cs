@@ -27,6 +27,19 @@ namespace SphFluid
             return new GraphicsBuffer(target, count > 0 ? (int)count : 1, stride) { name = name };
         }
 
+        /// <summary>Makes a structured buffer anew where there is none or too small a one; its contents are lost then.</summary>
+        /// <param name="buffer">The buffer, or null.</param>
+        /// <param name="name">Name shown by frame debuggers and error messages.</param>
+        /// <param name="count">Least number of elements.</param>
+        /// <param name="stride">Bytes of an element.</param>
+        /// <exception cref="FluidDeviceException">The device has no room for a buffer of this size.</exception>
+        internal static void Reserve(ref GraphicsBuffer buffer, string name, long count, int stride)
+        {
+            if (buffer != null && buffer.count >= count) return;
+            Dispose(ref buffer);
+            buffer = Create(name, count, stride);
+        }
+
         /// <summary>Bytes of buffers together.</summary>
         /// <param name="buffers">The buffers.</param>
         /// <returns>Bytes.</returns>

@@ -35,20 +35,25 @@ namespace SphFluid
         /// <summary>Shaders/Methods/WallDrag.hlsl.</summary>
         public static void SetWallDrag(CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings, in FluidStep step)
         {
-            SetNoSlip(cmd, kernel, settings.Boundaries);
-            if (settings.Boundaries.NoSlip)
+            float friction = settings.Boundaries.Friction;
+            SetWallVelocities(cmd, kernel, settings.Boundaries, friction > 0f);
+            if (friction > 0f)
             {
-                kernel.SetFloat(cmd, FluidShaderIds.DragSpeed, settings.Viscosity / (settings.RestDensity * settings.Spacing));
+                kernel.SetFloat(cmd, FluidShaderIds.DragSpeed, friction * settings.Viscosity / (settings.RestDensity * settings.Spacing));
                 kernel.SetFloat(cmd, FluidShaderIds.DragDistance, settings.Spacing);
                 kernel.SetFloat(cmd, FluidShaderIds.DragStep, step.Kick);
             }
         }
 
         /// <summary>The walls' velocities alone, for a kernel that has a drag of its own.</summary>
-        public static void SetNoSlip(CommandBuffer cmd, ComputeKernel kernel, in FluidBoundaries walls)
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="kernel">Kernel.</param>
+        /// <param name="walls">The faces.</param>
+        /// <param name="rub">Whether anything holds the liquid: a face or a collider.</param>
+        public static void SetWallVelocities(CommandBuffer cmd, ComputeKernel kernel, in FluidBoundaries walls, bool rub)
         {
-            kernel.SetKeyword(cmd, NoSlipKeyword, walls.NoSlip);
-            if (walls.NoSlip)
+            kernel.SetKeyword(cmd, NoSlipKeyword, rub);
+            if (rub)
             {
                 kernel.SetVector(cmd, FluidShaderIds.WallLowX, walls.LowX);
                 kernel.SetVector(cmd, FluidShaderIds.WallLowY, walls.LowY);

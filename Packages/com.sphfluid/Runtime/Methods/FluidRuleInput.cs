@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>What <see cref="FluidRules"/> derive a solver's constants from. Start from <see cref="Water"/>.</summary>
+    /// <summary>What the rules derive a solver's constants from. Start from <see cref="Water"/>.</summary>
     public struct FluidRuleInput
     {
         /// <summary>The method that the constants are for.</summary>
@@ -41,10 +41,10 @@ namespace SphFluid
         /// <summary>Compression allowed at the bottom of the liquid at rest, gH/c².</summary>
         public float MaxCompression;
 
-        /// <summary>α: the method's least kinematic viscosity over c_eff R.</summary>
+        /// <summary>α: the thesis method's least kinematic viscosity over c R; Standard needs a tenth of it.</summary>
         public float ViscosityRatio;
 
-        /// <summary>Time step over the acoustic limit 1.35 R/√k.</summary>
+        /// <summary>Time step over the method's acoustic limit, <see cref="TimeStepAdvice"/>.</summary>
         public float TimeStepFraction;
 
         /// <summary>Distance at which a wall begins to push, over dx.</summary>
@@ -59,14 +59,14 @@ namespace SphFluid
         /// <summary>Least speed the constants are made for [m/s], for liquid at rest without gravity.</summary>
         public float MinSpeed;
 
-        /// <summary>Water with the ratios that the package ships; sizes and heights are to be set.</summary>
+        /// <summary>Water by the Standard method with the ratios that the package ships; sizes and heights are to be set.</summary>
         public static FluidRuleInput Water => new FluidRuleInput
         {
             Method = FluidMethodKind.Standard,
             Gravity = new Vector3(0f, -9.81f, 0f),
             RestDensity = 1000f,
             KinematicViscosity = 1e-6f,
-            SupportRatio = 2f,
+            SupportRatio = 2.25f,
             SoundSpeedRatio = 5f,
             MaxCompression = 0.04f,
             ViscosityRatio = 0.01f,
@@ -76,5 +76,17 @@ namespace SphFluid
             WallDampingRatio = 1f,
             MinSpeed = 0.1f,
         };
+
+        /// <summary>Water by the thesis method: κ = 2, else as <see cref="Water"/>.</summary>
+        public static FluidRuleInput ThesisWater
+        {
+            get
+            {
+                FluidRuleInput water = Water;
+                water.Method = FluidMethodKind.Thesis;
+                water.SupportRatio = 2f;
+                return water;
+            }
+        }
     }
 }

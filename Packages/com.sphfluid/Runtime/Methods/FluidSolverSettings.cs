@@ -84,6 +84,12 @@ namespace SphFluid
         /// </summary>
         public bool StableOrder;
 
+        /// <summary>
+        /// Standard method. True: the density pass lists each particle's neighbours for the motion pass, for some 290 bytes a particle at
+        /// κ = 2.25; a device whose largest buffer is too small for that does without. False: both passes search.
+        /// </summary>
+        public bool NeighbourList;
+
         /// <summary>What the faces of the domain do.</summary>
         public FluidBoundaries Boundaries;
 
@@ -161,7 +167,7 @@ namespace SphFluid
             RequireNotNegative(WallDamping, nameof(WallDamping));
             RequireNotNegative(WallDistance, nameof(WallDistance));
             RequireNotNegative(Gravity.magnitude, nameof(Gravity));
-            Boundaries.Validate();
+            Boundaries.Validate(Method);
             BodyForce.Validate(Boundaries.Periodic);
             if (Boundaries.Periodic != FluidAxes.None)
             {

@@ -13,12 +13,13 @@ namespace SphFluid
         {
             Settings = settings;
             Grid = FluidGrid.For(settings);
+            bool isStandard = settings.Method == FluidMethodKind.Standard;
+            if (isStandard) Cells = new CellRows(Grid);
             Buffers = new FluidBuffers(particleCount, Grid.CellCount);
             try
             {
-                if (settings.Method == FluidMethodKind.Standard)
+                if (isStandard)
                 {
-                    Cells = new CellRows(Grid);
                     Standard = new StandardBuffers(particleCount, Cells.CellCount);
                 }
                 else

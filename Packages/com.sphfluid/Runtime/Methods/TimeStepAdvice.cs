@@ -42,7 +42,7 @@ namespace SphFluid
         /// <summary>What the limits are of: effective speed of sound and fastest speed [m/s], kinematic viscosity [m²/s].</summary>
         public readonly double SoundSpeed, MaxSpeed, KinematicViscosity;
 
-        // Wendland's C2 for density and force: the lattice's borders are 0.86 to 0.93 R/c and 0.072 R²/ν (von Neumann).
+        // Wendland's C2 for density and force: the lattice's borders are 0.86 to 0.93 R M/c and 0.072 R² M/ν (von Neumann), M the lattice's moment.
         const double OneKernelAcousticBorder = 0.9;
         const double OneKernelViscousLimit = 0.035;
 
@@ -97,12 +97,16 @@ namespace SphFluid
             double wallStiffness, double wallDamping) =>
             new TimeStepAdvice(spacing, radius, sound, speed, kinematic, wallStiffness, wallDamping);
 
-        /// <summary>Advice for the Standard method, whose walls set no limit of their own.</summary>
-        internal static TimeStepAdvice OfOneKernel(double spacing, double radius, double sound, double speed, double kinematic) => new TimeStepAdvice(
-            OneKernelAcousticBorder * radius / (sound + speed),
-            speed > 0.0 ? SpeedLimit * spacing / speed : double.PositiveInfinity,
-            kinematic > 0.0 ? OneKernelViscousLimit * radius * radius / kinematic : double.PositiveInfinity,
-            sound, speed, kinematic);
+        /// <summary>Advice for the Standard method, whose walls set no limit of their own. Its forces are over <see cref="WendlandKernel.LatticeMoment"/>.</summary>
+        internal static TimeStepAdvice OfOneKernel(double spacing, double radius, double sound, double speed, double kinematic)
+        {
+            double moment = WendlandKernel.LatticeMoment(radius / spacing);
+            return new TimeStepAdvice(
+                OneKernelAcousticBorder * radius / (sound / moment + speed),
+                speed > 0.0 ? SpeedLimit * spacing / speed : double.PositiveInfinity,
+                kinematic > 0.0 ? OneKernelViscousLimit * moment * radius * radius / kinematic : double.PositiveInfinity,
+                sound, speed, kinematic);
+        }
 
         /// <summary>The smallest of the limits [s].</summary>
         public double Largest => Math.Min(Math.Min(Acoustic, Speed), Math.Min(Viscosity, Walls));

@@ -9,15 +9,18 @@ namespace SphFluid
     /// </summary>
     public readonly struct CellRows
     {
-        /// <summary>Most cells, border included: what the two dispatches of the scan can sum.</summary>
-        public const int MaxCells = CellScanPass.CellsPerGroup * 2048;
+        /// <summary>Most cells, border included: what the two dispatches of the scan can sum besides those that left the domain.</summary>
+        public const int MaxCells = CellScanPass.MaxCells - 1;
+
+        /// <summary>Cells of the border along an axis, both ends.</summary>
+        internal const int Border = 2;
 
         /// <summary>The cells of a grid, and a border.</summary>
         /// <param name="grid">Cells of R over the domain.</param>
         /// <exception cref="ArgumentException">There are more cells than allowed; the message names the sizes and the cure.</exception>
         public CellRows(in FluidGrid grid)
         {
-            Counts = grid.Counts + 2 * Vector3Int.one;
+            Counts = grid.Counts + Border * Vector3Int.one;
             CellSize = grid.CellSize;
             Origin = grid.Origin - grid.CellSize;
             double total = (double)Counts.x * Counts.y * Counts.z;

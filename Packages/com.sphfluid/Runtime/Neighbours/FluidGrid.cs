@@ -69,9 +69,20 @@ namespace SphFluid
         /// <exception cref="ArgumentException">A periodic axis is too short for the search, or there are too many cells.</exception>
         public static FluidGrid For(in FluidSolverSettings settings)
         {
-            float cell = settings.OctantSearch ? 2f * settings.SupportRadius : settings.SupportRadius;
-            return new FluidGrid(settings.DomainSize, cell, settings.Boundaries.Periodic, settings.OctantSearch ? OctantCells : RowCells);
+            return new FluidGrid(settings.DomainSize, CellSizeOf(settings), settings.Boundaries.Periodic, settings.OctantSearch ? OctantCells : RowCells);
         }
+
+        /// <summary>Number of cells that the grid of some settings has, however many, with a number more along each axis.</summary>
+        internal static double CountFor(in FluidSolverSettings settings, int border)
+        {
+            float cell = CellSizeOf(settings);
+            FluidAxes periodic = settings.Boundaries.Periodic;
+            return (Cells(settings.DomainSize.x, cell, periodic, FluidAxes.X, 0) + border) *
+                (Cells(settings.DomainSize.y, cell, periodic, FluidAxes.Y, 0) + border) *
+                (Cells(settings.DomainSize.z, cell, periodic, FluidAxes.Z, 0) + border);
+        }
+
+        static float CellSizeOf(in FluidSolverSettings settings) => settings.OctantSearch ? 2f * settings.SupportRadius : settings.SupportRadius;
 
         // 1 m in cells of 0.3 m: 4 between walls, the last reaching over; 3 of 0.333 m on a periodic axis.
         static double Cells(float length, float cellSize, FluidAxes periodic, FluidAxes axis, int leastCells)

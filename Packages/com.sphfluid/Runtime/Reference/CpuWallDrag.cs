@@ -7,7 +7,7 @@ namespace SphFluid
     {
         public CpuPeriod Period;
         public bool On;
-        public double Speed;    // nu / dx, m/s
+        public double Speed;    // friction nu / dx, m/s
         public double Distance; // dx, m
         public double Kick;     // s
         public double3 LowX;    // m/s
@@ -23,8 +23,8 @@ namespace SphFluid
             return new CpuWallDrag
             {
                 Period = CpuPeriod.Of(settings),
-                On = walls.NoSlip,
-                Speed = settings.Viscosity / ((double)settings.RestDensity * settings.Spacing),
+                On = walls.Friction > 0f,
+                Speed = walls.Friction * settings.Viscosity / ((double)settings.RestDensity * settings.Spacing),
                 Distance = settings.Spacing,
                 Kick = kick,
                 LowX = CpuFluidParticle.Double(walls.LowX),

@@ -22,6 +22,10 @@ namespace SphFluid
         /// <summary>Whether the faces alone are at fault, not what acts between them.</summary>
         public static bool FacesAreWrong(FluidSimulation simulation) => Fault(() => CheckFaces(simulation)) != null;
 
+        /// <summary>Whether the simulation, with a profile, searches cells of 2R.</summary>
+        public static bool SearchesOctants(FluidSimulation simulation) => simulation.Method == FluidMethodKind.ThesisPrinted ||
+            simulation.Method == FluidMethodKind.Thesis && simulation.Profile.ThesisSwitches.OctantSearch;
+
         static string Fault(FluidSimulation simulation) =>
             Fault(() => CheckFaces(simulation)) ?? Fault(() => simulation.BodyForce.Validate(simulation.Boundaries.Periodic));
 
@@ -47,7 +51,7 @@ namespace SphFluid
             {
                 DomainSize = simulation.DomainSize,
                 SupportRadius = profile.SupportRatio * simulation.Spacing,
-                OctantSearch = simulation.Method != FluidMethodKind.Standard && (simulation.Method == FluidMethodKind.ThesisPrinted || profile.ThesisSwitches.OctantSearch),
+                OctantSearch = SearchesOctants(simulation),
                 Boundaries = simulation.Boundaries,
             });
         }

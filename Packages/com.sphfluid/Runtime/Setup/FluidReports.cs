@@ -68,7 +68,7 @@ namespace SphFluid
             return worst?.ToString() ?? "";
         }
 
-        /// <summary>Waits for the GPU and reads the particles of a solver.</summary>
+        /// <summary>Waits for the GPU and reads the particles of a solver, without those that left the domain.</summary>
         public static bool TryReadParticles(FluidSolver solver, List<FluidParticle> particles)
         {
             if (particles == null) throw new ArgumentNullException(nameof(particles));
@@ -76,7 +76,7 @@ namespace SphFluid
             if (solver == null) return false;
             var read = new FluidParticle[solver.ParticleCount];
             solver.Particles.GetData(read);
-            particles.AddRange(read);
+            particles.AddRange(Array.FindAll(read, p => !p.IsRemoved));
             return true;
         }
 

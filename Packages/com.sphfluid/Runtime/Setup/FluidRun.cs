@@ -29,12 +29,12 @@ namespace SphFluid
             startGravity = simulation.LocalGravity;
             Key = FluidStartKey.Of(simulation);
             live = FluidLiveKey.Of(simulation);
-            Solver = new FluidSolver(start.Constants, simulation.Profile.Shaders, start.Particles, simulation.Method);
+            Solver = new FluidSolver(start.Constants, simulation.Profile.Shaders, RelaxedStart.Particles(simulation, start, collision));
             commands = new CommandBuffer { name = "SPH Fluid" };
             try
             {
                 pace = new FluidPace(simulation, Solver);
-                if (simulation.Method == FluidMethodKind.Standard) bodies = new CollisionBodies(Solver.Settings.SupportRadius, Solver.Settings.DomainSize);
+                if (simulation.Method == FluidMethodKind.Standard) bodies = new CollisionBodies(Solver.Settings);
                 ShareColliders();
                 FollowBodies();
                 Execute(0);

@@ -52,17 +52,10 @@ namespace SphFluid
             return Matrix4x4.TRS(inverse * -position, inverse, Vector3.one);
         }
 
-        /// <summary>A volume as the spawner needs it.</summary>
-        public static LiquidBox ToBox(FluidVolume volume, in Matrix4x4 worldToLocal)
-        {
-            Matrix4x4 unitToWorld = volume.transform.localToWorldMatrix * Matrix4x4.Scale(volume.Size);
-            Vector3 velocity = worldToLocal.MultiplyVector(volume.transform.rotation * volume.InitialVelocity);
-            return new LiquidBox(volume.name, worldToLocal * unitToWorld, velocity);
-        }
-
         /// <summary>Where the simulation looks for colliders.</summary>
         public static CollisionQuery Query(FluidSimulation simulation) => new CollisionQuery
         {
+            Simulation = simulation,
             Scene = simulation.gameObject.scene.GetPhysicsScene(),
             Position = simulation.transform.position,
             Rotation = simulation.transform.rotation,
@@ -71,8 +64,8 @@ namespace SphFluid
             Spacing = simulation.Spacing,
         };
 
-        /// <summary>The spawner's request for boxes of liquid among the colliders gathered in <paramref name="collision"/>.</summary>
-        public static SpawnRequest Request(FluidSimulation simulation, IReadOnlyList<LiquidBox> boxes, CollisionScene collision)
+        /// <summary>The spawner's request for shapes of liquid among the colliders gathered in <paramref name="collision"/>.</summary>
+        public static SpawnRequest Request(FluidSimulation simulation, IReadOnlyList<LiquidShape> shapes, CollisionScene collision)
         {
             float clearance = ObstacleClearance * simulation.Spacing;
             bool obstacles = collision != null && collision.Solids.Count > 0;
@@ -80,10 +73,10 @@ namespace SphFluid
             {
                 DomainSize = simulation.DomainSize,
                 Spacing = simulation.Spacing,
-                Boxes = boxes,
+                Shapes = shapes,
                 MaxParticles = simulation.Profile != null ? simulation.Profile.MaxParticles : FluidProfile.ParticleLimit,
                 Seed = simulation.Seed,
-                Jitter = simulation.StartJitter,
+                Jitter = simulation.StartRelaxation == FluidStartRelaxation.None ? simulation.StartJitter : 0f,
                 Obstacle = obstacles ? point => collision.FindCovering(point, clearance) : (Func<Vector3, int>)null,
                 Velocity = simulation.VelocityField,
             };

@@ -14,6 +14,7 @@ namespace SphFluid
         readonly int seed, maxParticles;
         readonly bool octantSearch;
         readonly FluidAxes periodic;
+        readonly FluidStartRelaxation relaxation;
         readonly Func<Vector3, Vector3> velocityField;
 
         FluidStartKey(FluidSimulation simulation)
@@ -31,6 +32,7 @@ namespace SphFluid
             jitter = simulation.StartJitter;
             seed = simulation.Seed;
             periodic = simulation.Boundaries.Periodic;
+            relaxation = simulation.StartRelaxation;
             velocityField = simulation.VelocityField;
         }
 
@@ -42,7 +44,7 @@ namespace SphFluid
             AffineMath.Same(domainSize, other.domainSize) && (scale - other.scale).sqrMagnitude < 1e-9f && spacing.Equals(other.spacing) &&
             supportRatio.Equals(other.supportRatio) && jitter.Equals(other.jitter) && seed == other.seed &&
             maxParticles == other.maxParticles && octantSearch == other.octantSearch &&
-            periodic == other.periodic && velocityField == other.velocityField;
+            periodic == other.periodic && relaxation == other.relaxation && velocityField == other.velocityField;
 
         public override bool Equals(object obj) => obj is FluidStartKey other && Equals(other);
 

@@ -15,12 +15,12 @@ namespace SphFluid
             this.half = half;
         }
 
-        public static LiquidExtent Of(IReadOnlyList<LiquidBox> boxes, Vector3 domainSize)
+        public static LiquidExtent Of(IReadOnlyList<LiquidShape> shapes, Vector3 domainSize)
         {
-            var corners = new Vector3[boxes.Count * 8];
-            for (int b = 0; b < boxes.Count; b++)
+            var corners = new Vector3[shapes.Count * 8];
+            for (int s = 0; s < shapes.Count; s++)
                 for (int c = 0; c < 8; c++)
-                    corners[b * 8 + c] = boxes[b].UnitToSimulation.MultiplyPoint3x4(new Vector3((c & 1) - 0.5f, ((c >> 1) & 1) - 0.5f, (c >> 2) - 0.5f));
+                    corners[s * 8 + c] = shapes[s].Frame.MultiplyPoint3x4(new Vector3((c & 1) - 0.5f, ((c >> 1) & 1) - 0.5f, (c >> 2) - 0.5f));
             return new LiquidExtent(corners, domainSize * 0.5f);
         }
 

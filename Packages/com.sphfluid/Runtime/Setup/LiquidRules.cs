@@ -40,64 +40,45 @@ namespace SphFluid
         public static FluidStart Check(FluidSimulation simulation, CollisionScene collision, bool fill, List<FluidMessage> messages)
         {
             List<FluidVolume> volumes = FluidScene.FindVolumes(simulation);
-            var boxes = new List<LiquidBox>();
+            var shapes = new List<LiquidShape>();
             var sources = new List<FluidVolume>();
-            Matrix4x4 worldToLocal = FluidScene.WorldToLocal(simulation.transform);
             foreach (FluidVolume volume in volumes)
             {
-                LiquidBox box = FluidScene.ToBox(volume, worldToLocal);
-                if (!CheckVolume(volume, box, messages)) continue;
-                boxes.Add(box);
+                LiquidShape shape = VolumeRules.Check(volume, simulation, collision, messages);
+                if (shape == null) continue;
+                shapes.Add(shape);
                 sources.Add(volume);
             }
             if (volumes.Count == 0)
                 messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.NoLiquid, simulation, "The domain holds no liquid.",
                     "Add a Fluid Volume, for instance as a child: GameObject > Fluid > Fluid Volume."));
-            if (boxes.Count == 0) return null;
+            if (shapes.Count == 0) return null;
 
-            SpawnRequest request = FluidScene.Request(simulation, boxes, collision);
+            SpawnRequest request = FluidScene.Request(simulation, shapes, collision);
             SpawnResult spawn = fill ? FluidSpawner.Fill(request) : FluidSpawner.Measure(request);
-            CheckCount(simulation, spawn, messages);
-            for (int i = 0; i < boxes.Count; i++) CheckTally(simulation, sources[i], spawn.Tallies[i], collision, messages);
+            if (!CheckCount(simulation, spawn, messages)) return null; // far more than that are not gone through
+            for (int i = 0; i < shapes.Count; i++)
+                if (!(shapes[i] is LiquidVessel vessel) || VolumeRules.CheckVessel(sources[i], vessel, simulation, messages))
+                    CheckTally(simulation, sources[i], spawn.Tallies[i], collision, messages);
             if (!AffineMath.IsFinite(spawn.Fastest))
                 messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.StartFailed, simulation,
                     "The velocity field gives a velocity that is not a finite number.", "Give VelocityField a function with finite numbers everywhere in the liquid."));
-            return new FluidStart(spawn.Particles, spawn.Needed, LiquidExtent.Of(boxes, simulation.DomainSize), spawn.Fastest);
+            return new FluidStart(spawn.Particles, spawn.Needed, LiquidExtent.Of(shapes, simulation.DomainSize), spawn.Fastest);
         }
 
-        static bool CheckVolume(FluidVolume volume, in LiquidBox box, List<FluidMessage> messages)
-        {
-            Vector3 size = volume.Size;
-            if (!AffineMath.IsFinite(size) || !(size.x > 0f && size.y > 0f && size.z > 0f))
-                return Fail(volume, messages, $"The liquid volume's size is {FluidValidation.Text(size)} m.",
-                    "Give Size three numbers greater than zero.");
-            if (AffineMath.IsSingular(box.UnitToSimulation))
-                return Fail(volume, messages, "The liquid volume's transform has a zero or non-finite scale.",
-                    "Give the object and its parents a scale without zeros.");
-            if (!AffineMath.IsFinite(volume.InitialVelocity))
-                return Fail(volume, messages, "The liquid volume's initial velocity is not a finite number.",
-                    "Give Initial Velocity three finite numbers.");
-            return true;
-        }
-
-        static bool Fail(FluidVolume volume, List<FluidMessage> messages, string text, string cure)
-        {
-            messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.VolumeSizeInvalid, volume, text, cure));
-            return false;
-        }
-
-        static void CheckCount(FluidSimulation simulation, SpawnResult spawn, List<FluidMessage> messages)
+        static bool CheckCount(FluidSimulation simulation, SpawnResult spawn, List<FluidMessage> messages)
         {
             int most = simulation.Profile != null ? simulation.Profile.MaxParticles : int.MaxValue;
             long device = SystemInfo.maxGraphicsBufferSize / FluidParticle.Stride;
             long limit = Math.Min(most, device);
-            if (spawn.Needed <= limit) return;
+            if (spawn.Needed <= limit) return true;
             double spacing = simulation.Spacing * Math.Pow(spawn.Needed / (double)limit, 1.0 / 3.0) * 1.01;
             string owner = device < most ? $"this device's buffers hold {device}" : $"the profile '{simulation.Profile.name}' allows {most}";
             messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.TooManyParticles, simulation,
                 FormattableString.Invariant($"The liquid needs {spawn.Needed} particles at a spacing of {simulation.Spacing} m, but {owner}."),
                 FormattableString.Invariant($"Use a Particle Spacing of {spacing:G3} m or more, less liquid") +
                 (device < most ? "." : ", or raise Max Particles in the profile.")));
+            return false;
         }
 
         static void CheckTally(FluidSimulation simulation, FluidVolume volume, in SpawnTally tally, CollisionScene collision, List<FluidMessage> messages)

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>Fills boxes of liquid with particles. Pure: the same request gives the same particles on every machine.</summary>
+    /// <summary>Fills shapes of liquid with particles. Pure: the same request gives the same particles on every machine.</summary>
     internal static class FluidSpawner
     {
         /// <summary>Least distance of a start position from the domain's faces, as a fraction of the spacing.</summary>
@@ -15,15 +15,15 @@ namespace SphFluid
 
         const double MostSites = 1 << 28;
 
-        /// <summary>Fills the request's boxes.</summary>
+        /// <summary>Fills the request's shapes.</summary>
         /// <exception cref="ArgumentException">The domain or the spacing is not positive and finite.</exception>
         public static SpawnResult Fill(SpawnRequest request)
         {
             var particles = new List<FluidParticle>();
             float fastest = 0f;
-            SpawnTally[] tallies = Walk(request, (site, box) =>
+            SpawnTally[] tallies = Walk(request, (site, shape) =>
             {
-                FluidParticle particle = Particle(request, site, box, particles.Count);
+                FluidParticle particle = Particle(request, site, shape, particles.Count);
                 particles.Add(particle);
                 fastest = Faster(fastest, particle.VelT0);
             }, request.MaxParticles, out long needed);
@@ -36,15 +36,15 @@ namespace SphFluid
         public static SpawnResult Measure(SpawnRequest request)
         {
             float fastest = 0f;
-            SpawnTally[] tallies = Walk(request, (site, box) => fastest = Faster(fastest, Velocity(request, site, box)),
+            SpawnTally[] tallies = Walk(request, (site, shape) => fastest = Faster(fastest, Velocity(request, site, shape)),
                 request.MaxParticles, out long needed);
             return new SpawnResult(new List<FluidParticle>(), tallies, needed, fastest);
         }
 
-        static SpawnTally[] Walk(SpawnRequest request, Action<Vector3, LiquidBox> place, long most, out long needed)
+        static SpawnTally[] Walk(SpawnRequest request, Action<Vector3, LiquidShape> place, long most, out long needed)
         {
             Check(request);
-            SpawnLattice lattice = SpawnLattice.For(request);
+            SpawnLattice lattice = SpawnLattice.Fitted(request);
             SpawnTally[] tallies = NewTallies(request);
             needed = 0;
             if (!FindRange(request, lattice, out var x, out var y, out var z)) return MeasureOutside(request, tallies);
@@ -64,19 +64,19 @@ namespace SphFluid
                         int owner = FindOwner(request, site, tallies);
                         if (owner < 0) continue;
                         needed++;
-                        if (needed <= most) place?.Invoke(site, request.Boxes[owner]);
+                        if (needed <= most) place?.Invoke(site, request.Shapes[owner]);
                     }
             return MeasureOutside(request, tallies);
         }
 
-        // Every box holding the site is told: the first fills it or finds it covered, later ones share it.
+        // Every shape holding the site is told: the first fills it or finds it covered, later ones share it.
         static int FindOwner(SpawnRequest request, Vector3 site, SpawnTally[] tallies)
         {
             int owner = -1;
             bool taken = false;
-            for (int b = 0; b < request.Boxes.Count; b++)
+            for (int b = 0; b < request.Shapes.Count; b++)
             {
-                if (!request.Boxes[b].Contains(site)) continue;
+                if (!request.Shapes[b].Contains(site)) continue;
                 if (taken)
                 {
                     tallies[b].Shared++;
@@ -100,9 +100,9 @@ namespace SphFluid
             out (long first, long last) x, out (long first, long last) y, out (long first, long last) z)
         {
             x = y = z = (0, -1);
-            if (request.Boxes.Count == 0) return false;
-            Bounds bounds = request.Boxes[0].Bounds;
-            foreach (LiquidBox box in request.Boxes) bounds.Encapsulate(box.Bounds);
+            if (request.Shapes.Count == 0) return false;
+            Bounds bounds = request.Shapes[0].Bounds;
+            foreach (LiquidShape shape in request.Shapes) bounds.Encapsulate(shape.Bounds);
             Vector3 half = request.DomainSize * 0.5f - Vector3.one * (DomainMargin * request.Spacing);
             Vector3 min = Vector3.Max(bounds.min, -half), max = Vector3.Min(bounds.max, half);
             x = lattice.Range(0, min.x, max.x);
@@ -113,11 +113,11 @@ namespace SphFluid
 
         static SpawnTally[] NewTallies(SpawnRequest request)
         {
-            var tallies = new SpawnTally[request.Boxes.Count];
+            var tallies = new SpawnTally[request.Shapes.Count];
             double cell = Math.Pow(request.Spacing, 3);
             for (int b = 0; b < tallies.Length; b++)
             {
-                tallies[b].Expected = request.Boxes[b].Volume / cell;
+                tallies[b].Expected = request.Shapes[b].Volume / cell;
                 tallies[b].LastObstacle = -1;
             }
             return tallies;
@@ -126,29 +126,29 @@ namespace SphFluid
         static SpawnTally[] MeasureOutside(SpawnRequest request, SpawnTally[] tallies)
         {
             for (int b = 0; b < tallies.Length; b++)
-                tallies[b].OutsideShare = BoxOverlap.OutsideShare(request.Boxes[b], request.DomainSize);
+                tallies[b].OutsideShare = BoxOverlap.OutsideShare(request.Shapes[b], request.DomainSize);
             return tallies;
         }
 
         static double EstimatedCount(SpawnRequest request)
         {
             double volume = 0.0;
-            foreach (LiquidBox box in request.Boxes)
-                volume += box.Volume * (1.0 - BoxOverlap.OutsideShare(box, request.DomainSize));
+            foreach (LiquidShape shape in request.Shapes)
+                volume += shape.Volume * (1.0 - BoxOverlap.OutsideShare(shape, request.DomainSize));
             return volume / Math.Pow(request.Spacing, 3);
         }
 
-        static FluidParticle Particle(SpawnRequest request, Vector3 site, LiquidBox box, int id)
+        static FluidParticle Particle(SpawnRequest request, Vector3 site, LiquidShape shape, int id)
         {
             float amplitude = Mathf.Clamp(request.Jitter, 0f, MaxJitter) * request.Spacing;
             uint state = Hash((uint)id ^ Hash((uint)request.Seed));
             Vector3 offset = new Vector3(Signed(state), Signed(Hash(state + 1)), Signed(Hash(state + 2))) * amplitude;
-            Vector3 velocity = Velocity(request, site + offset, box);
+            Vector3 velocity = Velocity(request, site + offset, shape);
             return new FluidParticle { Position = site + offset, Id = (uint)id, VelT0 = velocity, VelT1 = velocity };
         }
 
-        static Vector3 Velocity(SpawnRequest request, Vector3 position, LiquidBox box) =>
-            request.Velocity == null ? box.Velocity : box.Velocity + request.Velocity(position);
+        static Vector3 Velocity(SpawnRequest request, Vector3 position, LiquidShape shape) =>
+            request.Velocity == null ? shape.Velocity : shape.Velocity + request.Velocity(position);
 
         // NaN stays: it is for the caller to report.
         static float Faster(float fastest, Vector3 velocity)

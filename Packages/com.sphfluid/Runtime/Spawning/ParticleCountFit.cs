@@ -17,17 +17,13 @@ namespace SphFluid
             Vector3 size = simulation.DomainSize;
             if (!AffineMath.IsFinite(size) || !(size.x > 0f && size.y > 0f && size.z > 0f))
                 throw new InvalidOperationException($"The domain size of '{simulation.name}' is {size} m; it must be greater than zero.");
-            var boxes = new List<LiquidBox>();
-            Matrix4x4 worldToLocal = FluidScene.WorldToLocal(simulation.transform);
-            foreach (FluidVolume volume in FluidScene.FindVolumes(simulation))
-            {
-                LiquidBox box = FluidScene.ToBox(volume, worldToLocal);
-                if (!AffineMath.IsSingular(box.UnitToSimulation)) boxes.Add(box);
-            }
             using (var collision = new CollisionScene())
             {
                 collision.Gather(FluidScene.Query(simulation));
-                return Spacing(FluidScene.Request(simulation, boxes, collision), count);
+                var shapes = new List<LiquidShape>();
+                foreach (FluidVolume volume in FluidScene.FindVolumes(simulation))
+                    if (VolumeRules.Check(volume, simulation, collision, new List<FluidMessage>()) is LiquidShape shape) shapes.Add(shape);
+                return Spacing(FluidScene.Request(simulation, shapes, collision), count);
             }
         }
 
@@ -40,8 +36,9 @@ namespace SphFluid
         public static float Spacing(SpawnRequest request, int count)
         {
             if (count < 1) throw new ArgumentOutOfRangeException(nameof(count), count, "The number of particles must be 1 or more.");
+            SpawnLattice.Fitted(request);
             double volume = 0.0;
-            foreach (LiquidBox box in request.Boxes) volume += box.Volume * (1.0 - BoxOverlap.OutsideShare(box, request.DomainSize));
+            foreach (LiquidShape shape in request.Shapes) volume += shape.Volume * (1.0 - BoxOverlap.OutsideShare(shape, request.DomainSize));
             if (!(volume > 0.0)) throw new InvalidOperationException("There is no liquid in the domain to fit a number of particles to.");
 
             double spacing = Math.Pow(volume / count, 1.0 / 3.0), best = spacing;

@@ -6,8 +6,9 @@ namespace SphFluid
 {
     /// <summary>
     /// The cubic lattice that every liquid volume of a simulation is filled on, so that volumes that touch or overlap
-    /// fit together and N particles stand for N·dx³ of liquid. It is laid so that the first volume with faces along
-    /// the domain's axes has its outer layers half a spacing inside its faces; else it starts at the domain's corner.
+    /// fit together and N particles stand for N·dx³ of liquid. It is laid so that the first box with faces along
+    /// the domain's axes has its outer layers half a spacing inside its faces; without such a box, the first sphere or mesh in its
+    /// bounds; else it starts at the domain's corner.
     /// </summary>
     internal readonly struct SpawnLattice
     {
@@ -25,9 +26,22 @@ namespace SphFluid
 
         public static SpawnLattice For(SpawnRequest request)
         {
-            foreach (LiquidBox box in request.Boxes)
-                if (IsAligned(box.UnitToSimulation)) return new SpawnLattice(Anchor(box.Bounds, request.Spacing), request.Spacing);
-            return new SpawnLattice(request.DomainSize * -0.5f, request.Spacing);
+            LiquidShape first = null;
+            foreach (LiquidShape shape in request.Shapes)
+            {
+                if (shape is LiquidVessel || !IsAligned(shape.Frame)) continue;
+                if (first == null || shape is LiquidBox) first = shape;
+                if (shape is LiquidBox) break;
+            }
+            return new SpawnLattice(first == null ? request.DomainSize * -0.5f : Anchor(first.Bounds, request.Spacing), request.Spacing);
+        }
+
+        /// <summary>The lattice of a request, with its shapes fitted to it.</summary>
+        public static SpawnLattice Fitted(SpawnRequest request)
+        {
+            SpawnLattice lattice = For(request);
+            foreach (LiquidShape shape in request.Shapes) shape.Fit(lattice);
+            return lattice;
         }
 
         /// <summary>Position of a site: the centre of its cell.</summary>

@@ -13,8 +13,8 @@ namespace SphFluid
         /// <summary>Particle spacing dx [m].</summary>
         public float Spacing { get; set; }
 
-        /// <summary>Boxes of liquid; an earlier box wins where they overlap.</summary>
-        public IReadOnlyList<LiquidBox> Boxes { get; set; } = Array.Empty<LiquidBox>();
+        /// <summary>Shapes of liquid; an earlier one wins where they overlap.</summary>
+        public IReadOnlyList<LiquidShape> Shapes { get; set; } = Array.Empty<LiquidShape>();
 
         /// <summary>Most particles to make; beyond it none are made and the result only counts.</summary>
         public int MaxParticles { get; set; } = int.MaxValue;
@@ -28,17 +28,17 @@ namespace SphFluid
         /// <summary>Index of the obstacle that covers a point, or −1; null: no obstacles.</summary>
         public Func<Vector3, int> Obstacle { get; set; }
 
-        /// <summary>Velocity by position that is added to a box's [m/s]; null: none.</summary>
+        /// <summary>Velocity by position that is added to a shape's [m/s]; null: none.</summary>
         public Func<Vector3, Vector3> Velocity { get; set; }
     }
 
-    /// <summary>What became of one box of liquid.</summary>
+    /// <summary>What became of one shape of liquid.</summary>
     internal struct SpawnTally
     {
         /// <summary>Lattice sites that became particles.</summary>
         public int Filled;
 
-        /// <summary>Sites left to an earlier box.</summary>
+        /// <summary>Sites left to an earlier shape.</summary>
         public int Shared;
 
         /// <summary>Sites left out because an obstacle covers them.</summary>
@@ -47,10 +47,10 @@ namespace SphFluid
         /// <summary>Obstacle that covers most recently found carved sites; −1: none.</summary>
         public int LastObstacle;
 
-        /// <summary>Particles that the box's whole volume would hold, V/dx³.</summary>
+        /// <summary>Particles that the shape's whole volume would hold, V/dx³.</summary>
         public double Expected;
 
-        /// <summary>Share of the box's volume outside the domain, 0 to 1.</summary>
+        /// <summary>Share of the shape's volume outside the domain, 0 to 1.</summary>
         public double OutsideShare;
     }
 
@@ -68,10 +68,10 @@ namespace SphFluid
         /// <summary>Particles in lattice order, ids 0…N−1; empty when <see cref="TooMany"/>.</summary>
         public List<FluidParticle> Particles { get; }
 
-        /// <summary>One entry a box, in the request's order.</summary>
+        /// <summary>One entry a shape, in the request's order.</summary>
         public SpawnTally[] Tallies { get; }
 
-        /// <summary>Particles that the boxes need at this spacing.</summary>
+        /// <summary>Particles that the shapes need at this spacing.</summary>
         public long Needed { get; }
 
         /// <summary>Largest speed of a particle [m/s]; not a finite number where a velocity is none.</summary>

@@ -1,7 +1,8 @@
 #ifndef SPHFLUID_BODIES
 #define SPHFLUID_BODIES
 
-// The scene's triangles as bodies, each in a frame of its own in which its triangles rest: body 0 is all that does not move.
+// The scene's triangles as bodies, each in a frame of its own in which its triangles rest: all that does not move and rubs
+// alike is one.
 // A body's cells list the triangles that meet the cell inflated by R, so one cell serves a particle: it has every triangle
 // within R. Outside the cells there is none within R.
 #define BODY_MOVES 1u
@@ -23,9 +24,9 @@ struct CollisionBody
     int3 GridCounts;
     uint BodyCount; // of all, the same in each
     float3 BoundsMin; // of the triangles, m, body frame
-    float Pad1;
+    float Friction; // 0 free slip to 1 no slip; negative: that of the domain's faces
     float3 BoundsMax;
-    float Pad2;
+    float Pad;
 };
 
 // Mirrored by BodyTriangle.cs; 48 bytes. Normal: unit, zero for a needle, whose plane float cannot tell.

@@ -10,8 +10,9 @@
 #define COUNTER_SQUEEZED 5
 #define COUNTER_OVERLAP 6
 #define COUNTER_CONTACT 7
-#define COUNTER_MAX_SPEED 8
-#define COUNTER_MAX_DENSITY 9
+#define COUNTER_REMOVED 8
+#define COUNTER_MAX_SPEED 12
+#define COUNTER_MAX_DENSITY 13
 
 RWStructuredBuffer<uint> _Counters;
 

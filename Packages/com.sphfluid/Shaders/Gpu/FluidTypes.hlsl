@@ -13,9 +13,9 @@ struct Particle
     float3 Position;
     uint Id;
     float3 VelT0; // velocity half a step after the last force
-    float Pad0;
+    float Removed; // 1 once it left the domain through an open face
     float3 VelT1; // velocity at the time of the last force
-    float Pad1;
+    float Pad;
 };
 
 // Index of a thread in a one-dimensional dispatch that continues in y after MAX_GROUPS groups:

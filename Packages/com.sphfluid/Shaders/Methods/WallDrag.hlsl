@@ -1,13 +1,14 @@
 #ifndef SPHFLUID_WALL_DRAG
 #define SPHFLUID_WALL_DRAG
 
-// Walls that hold the liquid next to them (no slip). The stress of a particle at a distance d, mu (v - v_wall) / d, acts on
-// the mass of its layer, rho dx an area: a = -nu (v - v_wall) / (d dx), in the wall's plane, where d < dx.
+// Walls that hold the liquid next to them. The stress of a particle at a distance d, mu (v - v_wall) / d, acts on the mass of
+// its layer, rho dx an area: a = -beta nu (v - v_wall) / (d dx), in the wall's plane, where d < dx; the friction beta is 1 for
+// no slip.
 // A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_NO_SLIP".
 #include "../Neighbours/PeriodicAxes.hlsl"
 
 #if defined(FLUID_NO_SLIP)
-float _DragSpeed;    // nu / dx, m/s
+float _DragSpeed;    // beta nu / dx, m/s
 float _DragDistance; // dx, m
 float _DragStep;     // s, the step of the velocities
 float3 _WallLowX;    // m/s, velocities of the domain's faces, each within its plane

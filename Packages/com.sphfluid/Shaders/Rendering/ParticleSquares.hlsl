@@ -38,7 +38,7 @@ SquareFragment ExpandSquare(uint vertexId : SV_VertexID)
 {
     Particle particle = _Particles[vertexId / 6];
     float2 uv = SquareCorner(vertexId % 6);
-    float2 offset = (uv - 0.5) * _ParticleSize;
+    float2 offset = (uv - 0.5) * (particle.Removed == 0.0 ? _ParticleSize : 0.0); // one that left the domain covers nothing
 
     SquareFragment output;
     output.world = FluidWorldPosition(particle.Position) + unity_MatrixV[0].xyz * offset.x + unity_MatrixV[1].xyz * offset.y;

@@ -43,7 +43,11 @@ namespace SphFluid.Tests
             var set = ScriptableObject.CreateInstance<FluidShaderSet>();
             set.name = "Half Set";
             rig.Profile.Shaders = set;
-            Fails(rig.Create(), FluidIssue.ShadersMissing, "'Half Set': The shader set lacks .*bitonicSort");
+            FluidSimulation simulation = rig.Create();
+            simulation.Method = FluidMethodKind.Thesis;
+            Fails(simulation, FluidIssue.ShadersMissing, "'Half Set': The shader set lacks .*bitonicSort");
+            simulation.Method = FluidMethodKind.Standard;
+            Fails(simulation, FluidIssue.ShadersMissing, "'Half Set': The shader set lacks .*moveParticles");
             Object.DestroyImmediate(set);
         }
 
@@ -102,6 +106,7 @@ namespace SphFluid.Tests
             simulation.TimeStepMode = FluidTimeStepMode.Fixed;
             simulation.FixedTimeStep = 0.0015f;
             Assert.That(simulation.Validate(), Is.Empty);
+            rig.Profile.SupportRatio = 2f;
             rig.Profile.KinematicViscosity = 0.5f;
             FluidMessage message = simulation.Validate().Single();
             Assert.That(message.Text, Does.Contain("above the stability limit of 1.2 ms, which the kinematic viscosity (0.5 m²/s) sets"), "0.06 · 0.1² / 0.5");
@@ -113,6 +118,9 @@ namespace SphFluid.Tests
         [TestCase("across", "The wall velocity Boundaries\\.LowX is .*wall's plane\\. Set its X component to zero")]
         [TestCase("slip", "The wall velocity Boundaries\\.LowX is .*only push\\. Set Boundaries\\.Friction")]
         [TestCase("open", "The wall velocity Boundaries\\.LowX is .*X is periodic and has no walls\\. Set the velocity")]
+        [TestCase("thesis", "Boundaries\\.Open has LowY, but with the method Thesis all faces are walls\\. Use the method Standard")]
+        [TestCase("both", "Boundaries\\.Open has HighZ, but Boundaries\\.Periodic has Z.*\\. Take the face out of one")]
+        [TestCase("belt", "The wall velocity Boundaries\\.HighX is .*that face is open and has no wall\\. Set the velocity to zero, or take HighX out of Boundaries\\.Open")]
         [TestCase("short", "The domain is 0\\.4 m along X, which is periodic, .*must be 0\\.42 m or more.*\\. Enlarge")]
         [TestCase("force", "The body force's RateSquared is 1 1/s² along X, which is periodic.*\\. Set it to zero")]
         public void WrongFaces(string kind, string expected)
@@ -124,8 +132,12 @@ namespace SphFluid.Tests
                 case "across": simulation.Boundaries = new FluidBoundaries { NoSlip = true, LowX = Vector3.one }; break;
                 case "slip": simulation.Boundaries = new FluidBoundaries { LowX = along }; break;
                 case "open": simulation.Boundaries = new FluidBoundaries { NoSlip = true, LowX = along, Periodic = FluidAxes.X }; break;
+                case "thesis": simulation.Boundaries = new FluidBoundaries { Open = FluidFaces.LowY }; break;
+                case "both": simulation.Boundaries = new FluidBoundaries { Open = FluidFaces.HighZ, Periodic = FluidAxes.Z }; break;
+                case "belt": simulation.Boundaries = new FluidBoundaries { Open = FluidFaces.HighX, NoSlip = true, HighX = along }; break;
                 default: simulation.Boundaries = new FluidBoundaries { Periodic = FluidAxes.X }; break;
             }
+            simulation.Method = kind == "thesis" ? FluidMethodKind.Thesis : FluidMethodKind.Standard;
             if (kind == "short") rig.Profile.SupportRatio = 2.8f;
             if (kind == "force") simulation.BodyForce = new FluidBodyForce { RateSquared = Vector3.one };
             Fails(simulation, FluidIssue.BoundariesInvalid, "'Fluid': " + expected);
@@ -214,6 +226,45 @@ namespace SphFluid.Tests
         {
             rig.Profile.MaxParticles = 60;
             Fails(rig.Create(), FluidIssue.TooManyParticles, @"'Fluid': The liquid needs 64 particles at a spacing of 0\.05 m, but the profile 'Test Water' allows 60.*Particle Spacing of 0\.05\d* m or more");
+        }
+
+        [TestCase(20f, FluidMethodKind.Standard, "the method Standard holds 4,194,303")]
+        [TestCase(400f, FluidMethodKind.Thesis, "holds")]
+        public void MoreCellsThanTheBudget(float size, FluidMethodKind method, string owner)
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.Method = method;
+            simulation.DomainSize = size * Vector3.one;
+            string pattern = $"'Fluid': The domain of {size} × {size} × {size} m needs [0-9,]+ cells for the neighbour search at a spacing of 0\\.05 m, but .*{owner}.*" +
+                "Use a smaller Domain Size, or a Particle Spacing of 0\\.[0-9]+ m or more";
+            Fails(simulation, FluidIssue.TooManyCells, pattern);
+            simulation.Spacing = CellRules.FittingSpacing(simulation);
+            Assert.That(simulation.Validate().Select(m => m.Issue), Has.No.Member(FluidIssue.TooManyCells));
+        }
+
+        [TestCase(64, true)]
+        [TestCase(63, false)]
+        [TestCase(1, false)]
+        public void TheCapHoldsItsNumberAndNoMore(int cap, bool starts)
+        {
+            rig.Profile.MaxParticles = cap;
+            FluidSimulation simulation = rig.Create();
+            if (!starts) LogAssert.Expect(LogType.Error, new Regex(@"\[SPH Fluid\] 'Fluid': The liquid needs 64 particles"));
+            Assert.That(simulation.StartSimulation(), Is.EqualTo(starts));
+            Assert.That(simulation.ParticleCount, Is.EqualTo(starts ? 64 : 0));
+        }
+
+        [Test]
+        public void FarMoreParticlesThanAnyMachineHoldsAreCountedNotMade()
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.Spacing = 1e-4f;
+            simulation.Method = FluidMethodKind.Standard;
+            LogAssert.Expect(LogType.Error, new Regex(@"\[SPH Fluid\] 'Fluid': The liquid needs 8\d{9} particles at a spacing of 0\.0001 m, but the profile 'Test Water' allows 1048576\..*Particle Spacing of 0\.00\d+ m or more"));
+            LogAssert.Expect(LogType.Error, new Regex(@"\[SPH Fluid\] 'Fluid': The domain .* cells"));
+            Assert.That(simulation.StartSimulation(), Is.False);
+            Assert.That(simulation.Messages.Select(m => m.Issue), Is.EqualTo(new[] { FluidIssue.TooManyParticles, FluidIssue.TooManyCells }));
+            Assert.That(simulation.GpuBytes, Is.Zero);
         }
 
         [Test]

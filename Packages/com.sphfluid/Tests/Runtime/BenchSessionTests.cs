@@ -1,7 +1,9 @@
 using System;
 using System.Collections;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
+using System.Linq;
 using NUnit.Framework;
 using SphFluid.Validation;
 using UnityEngine;
@@ -59,6 +61,34 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator SolversAreMeasuredSizeBySize()
+        {
+            using (BenchSession session = Create("--table", "solver", "--particles", "128,250"))
+            {
+                while (session.Step())
+                    yield return null;
+            }
+            string[][] lines = File.ReadAllLines(Path.Combine(folder, "solver.csv")).Select(CsvText.Split).ToArray();
+            string Cell(string[] line, string name) => line[Array.IndexOf(lines[0], name)];
+            double Number(string[] line, string name) => double.Parse(Cell(line, name), CultureInfo.InvariantCulture);
+            Assert.That(lines, Has.Length.EqualTo(1 + 2 * 7));
+            foreach (string[] line in lines.Skip(1))
+            {
+                string text = string.Join(",", line);
+                Assert.That(Cell(line, "samples"), Is.EqualTo("5"), text);
+                // 10 sorts and the 8 other blocks of the thesis; the Standard method's never depend on the size.
+                var dispatches = new Dictionary<string, double> { { "standard", 6 }, { "standard_search", 6 }, { "standard_2.25", 6 }, { "standard_unordered", 5 }, { "standard_mesh", 9 } };
+                Assert.That(Number(line, "dispatches"), Is.EqualTo(dispatches.TryGetValue(Cell(line, "config"), out double own) ? own : 18), text);
+                Assert.That(Number(line, "candidates_per_neighbour"), Is.GreaterThan(1.0), text);
+                Assert.That(Number(line, "blocks_over_step"), Is.InRange(0.5, 1.1), text);
+                Assert.That(Number(line, "roofline_fraction"), Is.InRange(0.0, 1.0), text);
+                Assert.That(Cell(line, "growth_exponent") == "", Is.EqualTo(Cell(line, "particles") == "128"), text);
+            }
+            IEnumerable<string> compared = lines.Skip(1).Where(l => Cell(l, "kappa") == "2" && Cell(l, "particles") == "250").Select(l => Cell(l, "neighbours_mean"));
+            Assert.That(compared.Distinct().Count(), Is.EqualTo(1), "the same k for all");
+        }
+
+        [UnityTest]
         public IEnumerator StoppedEarlyLeavesAValidFile()
         {
             using (BenchSession session = Create("--particles", "128", "--grids", "none"))
@@ -74,7 +104,7 @@ namespace SphFluid.Tests
         {
             var words = new List<string> { "player", "--", "--no-sweep", "--out", folder };
             words.AddRange(flags);
-            return new BenchSession(BenchArguments.Parse(words), TestAssets.Water.Shaders, new SessionProgress(said.Add, null));
+            return new BenchSession(BenchArguments.Parse(words), TestAssets.Water.Shaders, new SessionProgress(said.Add, null)) { SampleMilliseconds = 5.0 };
         }
     }
 }

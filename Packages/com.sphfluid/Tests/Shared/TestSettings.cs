@@ -8,8 +8,7 @@ namespace SphFluid.Tests
         /// <summary>Of the thesis method by rule for a box of liquid as high as the domain.</summary>
         public static FluidSolverSettings ByRule(Vector3 domainSize, float spacing)
         {
-            FluidRuleInput input = FluidRuleInput.Water;
-            input.Method = FluidMethodKind.Thesis;
+            FluidRuleInput input = FluidRuleInput.ThesisWater;
             input.DomainSize = domainSize;
             input.Spacing = spacing;
             input.LiquidHeight = domainSize.y;

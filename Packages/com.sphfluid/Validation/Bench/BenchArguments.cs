@@ -10,18 +10,24 @@ namespace SphFluid.Validation
         /// <summary>Fewest samples of a row: a median of fewer says little.</summary>
         public const int MinimumSamples = 5;
 
+        /// <summary>The thesis's tables 3 and 4.</summary>
+        public const string ThesisTable = "thesis";
+
+        /// <summary>The thesis's pipeline against the Standard method.</summary>
+        public const string SolverTable = "solver";
+
         const int MaximumSamples = 1000;
         const int MinimumParticles = 64;
         static readonly string[] flags = { "--table", "--particles", "--grids", "--repeat", "--out", "--sweep", "--no-sweep" };
-        static readonly string[] tables = { "thesis", "all" };
+        static readonly string[] tables = { ThesisTable, SolverTable, "all" };
 
-        int[] particles = { 16384, 32768, 65536 };
+        int[] particles;
         int[] grids = { 32, 64, 128, 256 };
 
-        /// <summary>The table: thesis, or all that there are.</summary>
-        public string Table { get; private set; } = "thesis";
+        /// <summary>The table: <see cref="ThesisTable"/>, <see cref="SolverTable"/>, or all.</summary>
+        public string Table { get; private set; } = ThesisTable;
 
-        /// <summary>Numbers of particles of the thesis's tables.</summary>
+        /// <summary>Numbers of particles; null leaves them to the table and the device.</summary>
         public IReadOnlyList<int> Particles => particles;
 
         /// <summary>Cells a side of the marching-cubes grids.</summary>

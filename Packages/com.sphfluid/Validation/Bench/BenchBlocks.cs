@@ -1,22 +1,33 @@
 using System.Collections.Generic;
+using System.Linq;
 
 namespace SphFluid.Validation
 {
-    /// <summary>The profiler markers that are measured: one a block of the thesis, and one a drawing.</summary>
+    /// <summary>The parts that are measured.</summary>
     static class BenchBlocks
     {
         public const string DrawParticles = "DrawParticles";
         public const string DrawSurface = "DrawSurface";
 
-        /// <summary>A whole frame of the benchmark; the blocks lie inside.</summary>
+        /// <summary>A whole frame of the benchmark; the parts lie inside.</summary>
         public const string Frame = "BenchFrame";
 
-        /// <summary>In the order of a frame.</summary>
-        public static readonly IReadOnlyList<string> Names = new[]
+        /// <summary>One a block of the thesis, and one a drawing, in the order of a frame.</summary>
+        public static readonly IReadOnlyList<BenchBlock> Thesis = new[]
         {
             "CalculateParticleCellValue", "BitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles",
             "CalculateDensity", "CalculateForce", "CalculateAcceleration", "CalculateNewPosition",
             "ResetMCGrid", "SetMCGridDensityFactors", DrawParticles, DrawSurface,
+        }.Select(name => new BenchBlock(name)).ToArray();
+
+        /// <summary>What a step of every method consists of.</summary>
+        public static readonly IReadOnlyList<BenchBlock> Step = new[]
+        {
+            new BenchBlock("sort", "CalculateParticleCellValue", "BitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles",
+                "ScanCells", "ScatterParticles"),
+            new BenchBlock("density", "CalculateDensity", "StandardDensity"),
+            new BenchBlock("motion", "CalculateForce", "CalculateAcceleration", "CalculateNewPosition", "MoveParticles"),
+            new BenchBlock("colliders", "GatherWalls", "Contacts"),
         };
     }
 }

@@ -17,72 +17,76 @@ namespace SphFluid.Validation
         public const int SettleSteps = 100;
 
         const double Volume = 0.25;
-        readonly FluidParticle[] saved;
+        readonly BenchMesh mesh;
 
-        public BenchLiquid(FluidShaderSet shaders, int count)
+        public BenchLiquid(FluidShaderSet shaders, BenchSolver kind, int count)
         {
-            FluidParticle[] block = Block(count, out float spacing, out float height);
-            FluidRuleInput rules = FluidRuleInput.Water;
-            rules.DomainSize = Vector3.one * Edge;
-            rules.Spacing = spacing;
-            rules.LiquidHeight = height;
-            rules.LiquidDepth = height;
-            Solver = new FluidSolver(FluidSolverSettings.FromRules(rules), shaders, block);
-            saved = new FluidParticle[count];
+            FluidParticle[] block = Block(count, kind.HasMesh, out float spacing, out float height);
+            Solver = new FluidSolver(kind.Settings(spacing, height), shaders, block);
+            if (!kind.HasMesh)
+                return;
+            mesh = new BenchMesh(Solver.Settings);
+            mesh.GiveTo(Solver);
         }
 
         public FluidSolver Solver { get; }
 
+        /// <summary>Number of triangles in the liquid.</summary>
+        public int TriangleCount => mesh?.TriangleCount ?? 0;
+
         /// <summary>Steps recorded of those to the saved state.</summary>
         public int SettledSteps { get; private set; }
 
-        /// <summary>Mean number of other particles within R in the saved state.</summary>
-        public double NeighboursMean { get; private set; }
+        /// <summary>What samples start from: settled by <see cref="Settle"/>, or another liquid's.</summary>
+        public BenchState State { get; set; }
 
         /// <summary>Records some of the steps to the saved state; false when all are done and the state is saved.</summary>
         public bool Settle(CommandBuffer cmd, int steps)
         {
             if (SettledSteps == SettleSteps)
             {
-                Save();
+                var particles = new FluidParticle[Solver.ParticleCount];
+                Solver.Particles.GetData(particles);
+                State = new BenchState(particles);
                 return false;
             }
             steps = Math.Min(steps, SettleSteps - SettledSteps);
             Solver.RecordSteps(cmd, steps);
             SettledSteps += steps;
+            if (SettledSteps == SettleSteps)
+                Solver.RecordNeighbourSetup(cmd); // gives out the particles
             return true;
         }
 
         /// <summary>Puts the saved state back. What the GPU still has to do with the old one is done first.</summary>
-        public void Restore() => Solver.SetParticles(saved);
+        public void Restore() => Solver.SetParticles(State.Particles);
 
-        public void Dispose() => Solver.Dispose();
+        public void Dispose()
+        {
+            Solver.Dispose();
+            mesh?.Dispose();
+        }
 
         /// <summary>Exactly <paramref name="count"/> particles, layer by layer from the floor; the top layer may be partly filled.</summary>
-        internal static FluidParticle[] Block(int count, out float spacing, out float height)
+        internal static FluidParticle[] Block(int count, bool roundMesh, out float spacing, out float height)
         {
             double dx = Math.Pow(Volume / count, 1.0 / 3.0);
             int across = Math.Max(1, (int)(0.5 * Edge / dx + 1e-3));
             int deep = Math.Max(1, (int)(Edge / dx + 1e-3));
             var particles = new FluidParticle[count];
-            for (int i = 0; i < count; i++)
-            {
-                int x = i % across, z = i / across % deep, y = i / (across * deep);
-                var cell = new Vector3(x + 0.5f, y + 0.5f, z + 0.5f);
-                particles[i] = new FluidParticle(cell * (float)dx - Vector3.one * (0.5f * Edge), Vector3.zero, (uint)i);
-            }
             spacing = (float)dx;
-            height = (float)(dx * ((count - 1) / (across * deep) + 1));
+            int filled = 0, site = 0;
+            for (; filled < count; site++)
+            {
+                int x = site % across, z = site / across % deep, y = site / (across * deep);
+                Vector3 position = new Vector3(x + 0.5f, y + 0.5f, z + 0.5f) * spacing - Vector3.one * (0.5f * Edge);
+                if (roundMesh && BenchMesh.Overlaps(position, spacing))
+                    continue;
+                particles[filled] = new FluidParticle(position, Vector3.zero, (uint)filled);
+                filled++;
+            }
+            height = (float)(dx * ((site - 1) / (across * deep) + 1));
             return particles;
-        }
-
-        void Save()
-        {
-            Solver.Particles.GetData(saved);
-            var positions = new Vector3[saved.Length];
-            for (int i = 0; i < saved.Length; i++)
-                positions[i] = saved[i].Position;
-            NeighboursMean = NeighbourCount.Of(positions, Solver.Settings.SupportRadius).Mean;
         }
     }
 }

@@ -32,6 +32,21 @@ namespace SphFluid.Validation
         /// <summary>Mean number of neighbours within R.</summary>
         public double NeighboursMean { get; set; }
 
+        /// <summary>Mean number of particles that the search looks at, the particle itself included.</summary>
+        public double CandidatesMean { get; set; }
+
+        /// <summary>Number of cells of the search.</summary>
+        public int Cells { get; set; }
+
+        /// <summary>Whether density listed the neighbours for the forces.</summary>
+        public bool IsListed { get; set; }
+
+        /// <summary>Number of triangles in the liquid.</summary>
+        public int Triangles { get; set; }
+
+        /// <summary>The device's copy speed before the samples, read and written [B/s].</summary>
+        public double CopySpeed { get; set; }
+
         /// <summary>Compute dispatches of a frame.</summary>
         public long Dispatches { get; set; }
 
@@ -59,6 +74,10 @@ namespace SphFluid.Validation
         /// <summary>GPU time of a block in a frame, median of the samples [ms].</summary>
         /// <param name="index">Number of the block.</param>
         public double Block(int index) => SampleStatistics.Of(samples.Select(s => s.Block(index)).ToList()).Median;
+
+        /// <summary>Part of a frame's GPU time that a block takes, median of the samples.</summary>
+        /// <param name="index">Number of the block.</param>
+        public double Share(int index) => SampleStatistics.Of(samples.Select(s => s.Block(index) / s.Frame).ToList()).Median;
 
         /// <summary>Adds a sample.</summary>
         /// <param name="times">Times of one frame or more.</param>

@@ -10,9 +10,6 @@ namespace SphFluid.Validation
     /// <summary>Records frames of the benchmark, one step each, and measures them. All waiting is by yielding a frame of the engine.</summary>
     sealed class BenchSampler : IDisposable
     {
-        /// <summary>Least GPU time of a sample [ms].</summary>
-        public const double SampleMilliseconds = 200.0;
-
         // One submission: bounded so that no driver takes it for a hang.
         const int MostFramesAtOnce = 128;
         const double SubmissionMilliseconds = 500.0;
@@ -22,23 +19,25 @@ namespace SphFluid.Validation
 
         readonly FluidShaderSet shaders;
         readonly Dictionary<int, SurfaceField> fields = new Dictionary<int, SurfaceField>();
-        readonly GpuClock clock = new GpuClock();
+        readonly GpuClock clock;
         readonly CommandBuffer cmd = new CommandBuffer { name = "Fluid Benchmark" };
         readonly BenchDrawing drawing;
 
-        public BenchSampler(FluidShaderSet shaders)
+        public BenchSampler(FluidShaderSet shaders, IReadOnlyList<BenchBlock> blocks)
         {
             this.shaders = shaders;
+            clock = new GpuClock(blocks);
             drawing = new BenchDrawing(shaders);
         }
+
+        /// <summary>Least GPU time of a sample [ms].</summary>
+        public double SampleMilliseconds { get; set; }
 
         /// <summary>Times of the last sample or submission.</summary>
         public BenchTimes Last { get; private set; }
 
         /// <summary>Compute dispatches of a frame of the last sample.</summary>
         public long Dispatches { get; private set; }
-
-        public bool HasSurface => drawing.HasSurface;
 
         /// <summary>Runs the steps before the saved state; <see cref="Last"/> then is their time.</summary>
         public IEnumerator Settle(BenchLiquid liquid)
@@ -52,7 +51,7 @@ namespace SphFluid.Validation
                 cmd.EndSample(frameMarker);
                 if (!more)
                     yield break;
-                yield return Submit(liquid.Solver, 1);
+                yield return Submit(() => liquid.Solver.ReadCountersNow(), 1);
                 steps = (int)Math.Max(1.0, Math.Min(MostFramesAtOnce, SampleMilliseconds * steps / Math.Max(1e-3, Last.Total)));
             }
         }
@@ -67,19 +66,36 @@ namespace SphFluid.Validation
             do
             {
                 liquid.Restore();
+                // What only the first frame behind a restored state does is no part of the others': the Standard method takes the
+                // particles in, and the sort of a surface serves the next step.
+                if (liquid.Solver.Kind == FluidMethodKind.Standard)
+                    yield return Prepare(liquid.Solver, () => liquid.Solver.RecordSteps(cmd, 1));
                 if (config.Grid > 0)
-                    yield return Prepare(liquid.Solver);
+                    yield return Prepare(liquid.Solver, () => liquid.Solver.RecordNeighbourSetup(cmd));
                 double missing = Math.Min(SubmissionMilliseconds, SampleMilliseconds - (sum?.Total ?? 0.0));
                 int frames = expected > 0.0 ? (int)Math.Max(1.0, Math.Min(MostFramesAtOnce, Math.Ceiling(1.05 * missing / expected))) : 1;
                 cmd.Clear();
                 for (int i = 0; i < frames; i++)
                     Record(liquid, config);
-                yield return Submit(liquid.Solver, frames);
+                yield return Submit(() => liquid.Solver.ReadCountersNow(), frames);
                 expected = Last.Frame;
                 sum = sum?.Plus(Last) ?? Last;
             }
             while (sum.Value.Total < SampleMilliseconds);
             Last = sum.Value;
+        }
+
+        /// <summary>Measures copies of a buffer; <see cref="Last"/> is then their time, each a frame.</summary>
+        public IEnumerator Copy(CopyBuffers buffers)
+        {
+            cmd.Clear();
+            for (int i = 0; i < CopyBuffers.CopiesPerSample; i++)
+            {
+                cmd.BeginSample(frameMarker);
+                buffers.Record(cmd);
+                cmd.EndSample(frameMarker);
+            }
+            return Submit(buffers.Wait, CopyBuffers.CopiesPerSample);
         }
 
         public void Dispose()
@@ -91,15 +107,13 @@ namespace SphFluid.Validation
             drawing.Dispose();
         }
 
-        // The surface sorts the particles after the step, and the next step makes use of that. So that a sample's first frame has
-        // one sort as every later one, the sort before it is not measured.
-        IEnumerator Prepare(FluidSolver solver)
+        IEnumerator Prepare(FluidSolver solver, Action record)
         {
             cmd.Clear();
             cmd.BeginSample(frameMarker);
-            solver.RecordNeighbourSetup(cmd);
+            record();
             cmd.EndSample(frameMarker);
-            return Submit(solver, 1);
+            return Submit(() => solver.ReadCountersNow(), 1);
         }
 
         void Record(BenchLiquid liquid, in BenchConfig config)
@@ -121,12 +135,12 @@ namespace SphFluid.Validation
             Dispatches = ComputeKernel.DispatchesRecorded - before;
         }
 
-        IEnumerator Submit(FluidSolver solver, int frames)
+        // Waits for the GPU by reading from it: a loop of empty frames would take a CPU that draws one of its cores.
+        IEnumerator Submit(Action read, int frames)
         {
             clock.Restart();
             Graphics.ExecuteCommandBuffer(cmd);
-            // Waits for the GPU: a loop of empty frames would take a CPU that draws one of its cores.
-            solver.ReadCountersNow();
+            read();
             for (int waited = 0; !clock.Collect(frames); waited++)
             {
                 if (waited == EngineFramesToWait)

@@ -3,6 +3,7 @@ using System.Collections;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using UnityEngine;
 
 namespace SphFluid.Validation
@@ -23,6 +24,7 @@ namespace SphFluid.Validation
         readonly List<BenchTable> tables = new List<BenchTable>();
         BenchSampler sampler;
         BenchTableRun run;
+        bool isDisposed;
 
         /// <summary>Prepares a benchmark; nothing is measured yet.</summary>
         /// <param name="arguments">What to measure.</param>
@@ -43,9 +45,11 @@ namespace SphFluid.Validation
                     "Run the benchmark with Direct3D 11 or 12.");
             }
             Directory.CreateDirectory(arguments.OutputFolder);
-            sampler = new BenchSampler(shaders);
             work = new SessionWork(Run());
         }
+
+        /// <summary>Least GPU time of a sample [ms].</summary>
+        internal double SampleMilliseconds { get; set; } = 200.0;
 
         /// <summary>Goes on; waits for the GPU by returning.</summary>
         /// <returns>False when all is measured and written.</returns>
@@ -56,14 +60,14 @@ namespace SphFluid.Validation
         /// <summary>Frees the GPU memory. An unfinished benchmark leaves the files of its last whole round, and says so.</summary>
         public void Dispose()
         {
-            if (sampler == null)
+            if (isDisposed)
                 return;
+            isDisposed = true;
             if (!work.IsDone)
                 progress.Say($"Stopped early. The files in '{arguments.OutputFolder}' hold whole rounds; their column samples says how many.");
             work.Clear();
             run?.Dispose();
-            sampler.Dispose();
-            sampler = null;
+            sampler?.Dispose();
         }
 
         /// <summary>4,096, 8,192, ... 1,048,576.</summary>
@@ -77,48 +81,52 @@ namespace SphFluid.Validation
 
         IEnumerator Run()
         {
-            if (!sampler.HasSurface && arguments.Grids.Count > 0)
-                progress.Say(GeometrySurface.MissingSupport() + " The rows with marching cubes are left out.");
-            yield return Measure("thesis", arguments.Particles, Configs());
-            if (arguments.Sweep ?? !SurfaceGridSizes.IsSoftwareDevice)
-                yield return Measure("sweep", SweepParticles(), new[] { BenchConfig.SphOnly });
+            foreach (BenchPlan plan in Plans())
+                yield return Measure(plan);
             foreach (BenchTable table in tables)
                 SayTable(table);
         }
 
-        IReadOnlyList<BenchConfig> Configs()
+        IEnumerable<BenchPlan> Plans()
         {
-            var configs = new List<BenchConfig> { BenchConfig.SphOnly, BenchConfig.SphParticles };
-            if (sampler.HasSurface)
+            if (arguments.Table != BenchArguments.SolverTable)
             {
-                foreach (int cells in arguments.Grids)
-                    configs.Add(BenchConfig.SphMarchingCubes(cells));
+                string missing = GeometrySurface.MissingSupport();
+                if (missing != null && arguments.Grids.Count > 0)
+                    progress.Say(missing + " The rows with marching cubes are left out.");
+                yield return BenchPlan.Thesis(arguments.Particles, missing == null ? arguments.Grids : Array.Empty<int>());
+                if (arguments.Sweep ?? !SurfaceGridSizes.IsSoftwareDevice)
+                    yield return BenchPlan.Sweep(SweepParticles());
             }
-            return configs;
+            if (arguments.Table != BenchArguments.ThesisTable)
+                yield return BenchPlan.Solver(arguments.Particles);
         }
 
-        IEnumerator Measure(string name, IReadOnlyList<int> particles, IReadOnlyList<BenchConfig> configs)
+        IEnumerator Measure(BenchPlan plan)
         {
             string date = DateTime.UtcNow.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture);
-            var table = new BenchTable(name, SystemInfo.graphicsDeviceName, date, BenchBlocks.Names);
+            var table = new BenchTable(plan.Name, SystemInfo.graphicsDeviceName, date, plan.Layout);
             tables.Add(table);
             table.Write(arguments.OutputFolder);
-            run = new BenchTableRun(table, sampler, arguments, progress);
-            yield return run.Run(shaders, particles, configs);
-            run.Dispose();
-            run = null;
+            sampler = new BenchSampler(shaders, plan.Blocks) { SampleMilliseconds = SampleMilliseconds };
+            IEnumerable<IReadOnlyList<int>> sizes = plan.SizeBySize ? plan.Particles.Select(n => (IReadOnlyList<int>)new[] { n }) : new[] { plan.Particles };
+            foreach (IReadOnlyList<int> particles in sizes)
+            {
+                run = new BenchTableRun(table, sampler, arguments, progress);
+                yield return run.Run(shaders, plan, particles);
+                run.Dispose();
+                run = null;
+            }
+            sampler.Dispose();
+            sampler = null;
         }
 
         void SayTable(BenchTable table)
         {
             progress.Say($"{Path.Combine(arguments.OutputFolder, table.Name + ".csv")}, {table.Device}:");
-            progress.Say($"{"",-16}{"particles",10}{"k",7}{"dispatches",12}{"GPU ms",10}{"1/s",10}{"GTX 580",10}{"GTX 430",10}{"blocks",8}");
+            progress.Say(table.Layout.Head);
             foreach (BenchRow row in table.Rows)
-            {
-                progress.Say(string.Format(CultureInfo.InvariantCulture, "{0,-16}{1,10}{2,7:F1}{3,12}{4,10:F3}{5,10:F1}{6,10}{7,10}{8,8:P0}  {9}",
-                    row.Config.Title, row.Particles, row.NeighboursMean, row.Dispatches, row.Frame.Median, row.FramesPerSecond,
-                    PublishedTables.System1(row.Config, row.Particles), PublishedTables.System2(row.Config, row.Particles), row.BlocksOverStep, row.Note));
-            }
+                progress.Say(table.Layout.Line(table, row));
         }
     }
 }

@@ -7,18 +7,20 @@ using System.Globalization;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Measures one table: settles the liquids, takes a sample of every row that is thrown away, then round after round one sample
-    /// of every row, so that a slow change of the machine meets all rows alike. The file is written after every round.
+    /// Measures rows of one table: settles the liquids, takes a sample of every row that is thrown away, then round after round one
+    /// sample of every row, so that a slow change of the machine meets all rows alike. The file is written after every round.
     /// </summary>
     sealed class BenchTableRun : IDisposable
     {
         readonly List<BenchLiquid> liquids = new List<BenchLiquid>();
+        readonly List<BenchRow> rows = new List<BenchRow>();
         readonly Dictionary<BenchRow, BenchLiquid> liquidOf = new Dictionary<BenchRow, BenchLiquid>();
         readonly Dictionary<BenchRow, (double Wall, double Frame)> costs = new Dictionary<BenchRow, (double, double)>();
         readonly BenchTable table;
         readonly BenchSampler sampler;
         readonly BenchArguments arguments;
         readonly SessionProgress progress;
+        double copySpeed;
 
         public BenchTableRun(BenchTable table, BenchSampler sampler, BenchArguments arguments, SessionProgress progress)
         {
@@ -28,39 +30,30 @@ namespace SphFluid.Validation
             this.progress = progress;
         }
 
-        public IEnumerator Run(FluidShaderSet shaders, IReadOnlyList<int> particles, IReadOnlyList<BenchConfig> configs)
+        public IEnumerator Run(FluidShaderSet shaders, BenchPlan plan, IReadOnlyList<int> particles)
         {
             var clock = Stopwatch.StartNew();
-            progress.Say($"{table.Name}: {particles.Count * configs.Count} rows on {table.Device}; letting {string.Join(", ", particles)} particles fall first.");
+            progress.Say($"{table.Name}: {particles.Count * plan.Configs.Count} rows on {table.Device}; letting {string.Join(", ", particles)} particles fall first.");
+            if (plan.NeedsCopySpeed)
+                yield return MeasureCopy();
             foreach (int count in particles)
+                yield return MakeRows(shaders, plan, count);
+            for (int i = 0; i < rows.Count; i++)
             {
-                var liquid = new BenchLiquid(shaders, count);
-                liquids.Add(liquid);
-                IEnumerator fall = sampler.Settle(liquid);
-                while (fall.MoveNext())
-                {
-                    progress.Show(0.0, null, $"{liquid.SettledSteps} of {BenchLiquid.SettleSteps} steps of the fall of {count} particles");
-                    yield return fall.Current;
-                }
-                foreach (BenchConfig config in configs)
-                    AddRow(liquid, config);
-            }
-            for (int i = 0; i < table.Rows.Count; i++)
-            {
-                progress.Show(0.0, null, $"warming up row {i + 1} of {table.Rows.Count}, {Title(table.Rows[i])}");
-                yield return Measure(table.Rows[i], false);
+                progress.Show(0.0, null, $"warming up row {i + 1} of {rows.Count}, {Title(rows[i])}");
+                yield return Measure(rows[i], false);
             }
             TimeSpan estimate = TimeFor(arguments.Samples, 0, 0);
             progress.Say($"{table.Name}: about {SessionProgress.Duration(estimate)} for {arguments.Samples} samples of each row, after {SessionProgress.Duration(clock.Elapsed)} of warming up.");
             clock.Restart();
             for (int round = 0; round < arguments.Samples; round++)
             {
-                for (int i = 0; i < table.Rows.Count; i++)
+                for (int i = 0; i < rows.Count; i++)
                 {
                     TimeSpan left = TimeFor(arguments.Samples, round, i);
                     double share = clock.Elapsed.TotalSeconds / (clock.Elapsed + left).TotalSeconds;
-                    progress.Show(share, left, $"round {round + 1} of {arguments.Samples}, {Title(table.Rows[i])}");
-                    yield return Measure(table.Rows[i], true);
+                    progress.Show(share, left, $"round {round + 1} of {arguments.Samples}, {Title(rows[i])}");
+                    yield return Measure(rows[i], true);
                 }
                 table.Write(arguments.OutputFolder);
             }
@@ -72,18 +65,63 @@ namespace SphFluid.Validation
                 liquid.Dispose();
         }
 
+        IEnumerator MeasureCopy()
+        {
+            using (var buffers = new CopyBuffers())
+            {
+                yield return sampler.Copy(buffers); // thrown away
+                for (int i = 0; i < CopyBuffers.Samples; i++)
+                {
+                    yield return sampler.Copy(buffers);
+                    buffers.Add(sampler.Last.Frame);
+                }
+                copySpeed = buffers.Speed;
+            }
+        }
+
+        // The first solver's liquid settles, and all rows start from its state: the same neighbours for all.
+        IEnumerator MakeRows(FluidShaderSet shaders, BenchPlan plan, int count)
+        {
+            var liquidsOfSize = new Dictionary<BenchSolver, BenchLiquid>();
+            BenchState state = null;
+            foreach (BenchSolver solver in plan.Solvers)
+            {
+                var liquid = new BenchLiquid(shaders, solver, count);
+                liquids.Add(liquid);
+                liquidsOfSize.Add(solver, liquid);
+                if (state == null)
+                {
+                    IEnumerator fall = sampler.Settle(liquid);
+                    while (fall.MoveNext())
+                    {
+                        progress.Show(0.0, null, $"{liquid.SettledSteps} of {BenchLiquid.SettleSteps} steps of the fall of {count} particles");
+                        yield return fall.Current;
+                    }
+                    state = liquid.State;
+                }
+                liquid.State = state;
+            }
+            foreach (BenchConfig config in plan.Configs)
+                AddRow(liquidsOfSize[config.Solver], config);
+        }
+
         void AddRow(BenchLiquid liquid, BenchConfig config)
         {
-            FluidSolverSettings settings = liquid.Solver.Settings;
+            FluidSolver solver = liquid.Solver;
             bool limited = config.Grid > 0 && !SurfaceGridSizes.IsSoftwareDevice;
-            var row = new BenchRow(config, liquid.Solver.ParticleCount)
+            var row = new BenchRow(config, solver.ParticleCount)
             {
-                Spacing = settings.Spacing,
-                Support = settings.SupportRadius,
-                NeighboursMean = liquid.NeighboursMean,
+                Spacing = solver.Settings.Spacing,
+                Support = solver.Settings.SupportRadius,
+                NeighboursMean = liquid.State.NeighboursMean(solver.Settings.SupportRadius),
+                CandidatesMean = liquid.State.CandidatesMean(solver),
+                Cells = solver.Kind == FluidMethodKind.Standard ? solver.State.Cells.CellCount : solver.Grid.CellCount,
+                Triangles = liquid.TriangleCount,
+                CopySpeed = copySpeed,
                 Note = limited ? "graphics-limited" : "",
             };
             table.Rows.Add(row);
+            rows.Add(row);
             liquidOf.Add(row, liquid);
         }
 
@@ -93,6 +131,7 @@ namespace SphFluid.Validation
             costs.TryGetValue(row, out (double Wall, double Frame) cost);
             yield return sampler.Sample(liquidOf[row], row.Config, cost.Frame);
             row.Dispatches = sampler.Dispatches;
+            row.IsListed = liquidOf[row].Solver.State.Standard?.List != null;
             if (keep)
                 row.Add(sampler.Last);
             double wall = clock.Elapsed.TotalSeconds;
@@ -103,8 +142,8 @@ namespace SphFluid.Validation
         TimeSpan TimeFor(int rounds, int round, int next)
         {
             double seconds = 0;
-            for (int i = 0; i < table.Rows.Count; i++)
-                seconds += costs[table.Rows[i]].Wall * (rounds - round - (i < next ? 1 : 0));
+            for (int i = 0; i < rows.Count; i++)
+                seconds += costs[rows[i]].Wall * (rounds - round - (i < next ? 1 : 0));
             return TimeSpan.FromSeconds(seconds);
         }
 

@@ -14,16 +14,22 @@ namespace SphFluid.Validation
         const ProfilerRecorderOptions Options = ProfilerRecorderOptions.Default | ProfilerRecorderOptions.GpuRecorder | ProfilerRecorderOptions.StartImmediately;
 
         readonly List<ProfilerRecorderSample> samples = new List<ProfilerRecorderSample>();
-        readonly ProfilerRecorder[] recorders; // the blocks, then the frame
+        readonly List<ProfilerRecorder> recorders = new List<ProfilerRecorder>();
+        readonly List<int> blockOf = new List<int>(); // of each recorder; the frame comes after the blocks
         readonly long[] nanoseconds;
+        readonly int blockCount;
         long frames;
 
-        public GpuClock()
+        public GpuClock(IReadOnlyList<BenchBlock> blocks)
         {
-            recorders = new ProfilerRecorder[BenchBlocks.Names.Count + 1];
-            nanoseconds = new long[recorders.Length];
-            for (int i = 0; i < recorders.Length; i++)
-                recorders[i] = new ProfilerRecorder(ComputeKernel.CreateMarker(i < BenchBlocks.Names.Count ? BenchBlocks.Names[i] : BenchBlocks.Frame), Capacity, Options);
+            blockCount = blocks.Count;
+            nanoseconds = new long[blockCount + 1];
+            for (int i = 0; i < blockCount; i++)
+            {
+                foreach (string marker in blocks[i].Markers)
+                    Listen(marker, i);
+            }
+            Listen(BenchBlocks.Frame, blockCount);
         }
 
         /// <summary>Forgets what came so far.</summary>
@@ -37,13 +43,13 @@ namespace SphFluid.Validation
         /// <summary>Takes in what came since the last call; whether the times of that many benchmark frames are there.</summary>
         public bool Collect(int expectedFrames)
         {
-            for (int i = 0; i < recorders.Length; i++)
+            for (int i = 0; i < recorders.Count; i++)
             {
                 recorders[i].CopyTo(samples, true);
                 foreach (ProfilerRecorderSample sample in samples)
                 {
-                    nanoseconds[i] += sample.Value;
-                    frames += i == recorders.Length - 1 ? sample.Count : 0;
+                    nanoseconds[blockOf[i]] += sample.Value;
+                    frames += blockOf[i] == blockCount ? sample.Count : 0;
                 }
             }
             return frames >= expectedFrames;
@@ -52,16 +58,22 @@ namespace SphFluid.Validation
         /// <summary>The times that are in.</summary>
         public BenchTimes Times(int frameCount)
         {
-            var blocks = new double[BenchBlocks.Names.Count];
+            var blocks = new double[blockCount];
             for (int i = 0; i < blocks.Length; i++)
                 blocks[i] = nanoseconds[i] * 1e-6;
-            return new BenchTimes(frameCount, nanoseconds[blocks.Length] * 1e-6, blocks);
+            return new BenchTimes(frameCount, nanoseconds[blockCount] * 1e-6, blocks);
         }
 
         public void Dispose()
         {
-            for (int i = 0; i < recorders.Length; i++)
-                recorders[i].Dispose();
+            foreach (ProfilerRecorder recorder in recorders)
+                recorder.Dispose();
+        }
+
+        void Listen(string marker, int block)
+        {
+            recorders.Add(new ProfilerRecorder(ComputeKernel.CreateMarker(marker), Capacity, Options));
+            blockOf.Add(block);
         }
     }
 }

@@ -70,8 +70,8 @@ namespace SphFluid.Validation
             return particles;
         }
 
-        // Box & Muller 1958.
-        static float Normal(System.Random random)
+        /// <summary>A normally distributed number (Box &amp; Muller 1958).</summary>
+        internal static float Normal(System.Random random)
         {
             double radius = Math.Sqrt(-2.0 * Math.Log(1.0 - random.NextDouble()));
             return (float)(radius * Math.Cos(2.0 * Math.PI * random.NextDouble()));

@@ -6,11 +6,12 @@ namespace SphFluid.Validation
     /// <summary>A method under its name on the command line and in tables.</summary>
     public sealed class CaseMethod
     {
-        CaseMethod(string name, string title, FluidMethodKind kind)
+        CaseMethod(string name, string title, FluidMethodKind kind, double supportRatio)
         {
             Name = name;
             Title = title;
             Kind = kind;
+            SupportRatio = supportRatio;
         }
 
         /// <summary>Name, for instance "thesis".</summary>
@@ -22,12 +23,15 @@ namespace SphFluid.Validation
         /// <summary>What the solver is given.</summary>
         public FluidMethodKind Kind { get; }
 
+        /// <summary>κ = R/dx that cases sweep about: what the method is best run with.</summary>
+        public double SupportRatio { get; }
+
         /// <summary>All methods, the best last.</summary>
         public static IReadOnlyList<CaseMethod> All { get; } = new[]
         {
-            new CaseMethod("thesis-printed", "thesis, as printed", FluidMethodKind.ThesisPrinted),
-            new CaseMethod("thesis", "thesis, corrected", FluidMethodKind.Thesis),
-            new CaseMethod("standard", "standard", FluidMethodKind.Standard),
+            new CaseMethod("thesis-printed", "thesis, as printed", FluidMethodKind.ThesisPrinted, 2.0),
+            new CaseMethod("thesis", "thesis, corrected", FluidMethodKind.Thesis, 2.0),
+            new CaseMethod("standard", "standard", FluidMethodKind.Standard, 2.25),
         };
 
         /// <summary>The method of a kind.</summary>

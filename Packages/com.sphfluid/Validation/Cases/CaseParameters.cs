@@ -24,7 +24,7 @@ namespace SphFluid.Validation
         /// <summary>Standard deviation of the start's jitter over dx; 0.01 in the chart.</summary>
         public double Jitter;
 
-        /// <summary>The point that cases sweep about: κ = 2, three quarters of the stable step, the first seed.</summary>
+        /// <summary>The point that cases sweep about: the method's own κ, three quarters of the stable step, the first seed.</summary>
         /// <param name="method">The method.</param>
         /// <param name="resolution">Particles along the case's length.</param>
         /// <param name="soundSpeedRatio">Speed of sound over the case's own speed.</param>
@@ -33,7 +33,7 @@ namespace SphFluid.Validation
         {
             Method = method,
             Resolution = resolution,
-            SupportRatio = 2.0,
+            SupportRatio = method.SupportRatio,
             TimeStepFraction = 0.75,
             SoundSpeedRatio = soundSpeedRatio,
             Seed = 1,

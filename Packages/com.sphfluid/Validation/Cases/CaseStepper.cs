@@ -30,7 +30,7 @@ namespace SphFluid.Validation
         public CaseStepper(FluidSolver solver, bool timed)
         {
             this.solver = solver;
-            clock = timed ? new GpuClock() : null;
+            clock = timed ? new GpuClock(Array.Empty<BenchBlock>()) : null;
         }
 
         /// <summary>GPU time of a step [ms]; not a number when there is none.</summary>

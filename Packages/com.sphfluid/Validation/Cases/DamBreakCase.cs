@@ -6,7 +6,8 @@ namespace SphFluid.Validation
     /// <summary>
     /// Martin and Moyce's falling column of 1952, twice as high as wide: a = 0.05715 m as in the experiment (in units of a and
     /// √(a/g) the size does not matter, to the cost of a simulated second it does). A slab as thin as the neighbour grid allows,
-    /// periodic across, in a tank 7 a long, so that the front meets no wall; the other faces push and do not rub.
+    /// periodic across, in a tank 7 a long, so that the front meets no wall; the other faces push and do not rub. The column starts
+    /// compressed by its own weight, as it stands behind the gate: else its fall begins with a blow.
     /// </summary>
     public sealed class DamBreakCase : ValidationCase
     {
@@ -75,11 +76,13 @@ namespace SphFluid.Validation
         {
             var random = new System.Random(parameters.Seed);
             int wide = parameters.Resolution, layer = wide * rows;
+            double depth = 2.0 * wide * dx, m = (double)settings.SoundSpeed * settings.SoundSpeed / (Gravity * depth);
             Vector3 low = -0.5f * settings.DomainSize;
             var particles = new FluidParticle[layer * 2 * wide];
             for (int i = 0; i < particles.Length; i++)
             {
-                var place = new Vector3((float)((i % wide + 0.5) * dx), (float)((i / layer + 0.5) * dx), (float)((i / wide % rows + 0.5) * dx));
+                double height = WallCaseSetup.Settled((i / layer + 0.5) * dx, depth, m);
+                var place = new Vector3((float)((i % wide + 0.5) * dx), (float)height, (float)((i / wide % rows + 0.5) * dx));
                 particles[i] = WallCaseSetup.Particle(low + place, (uint)i, parameters.Jitter * dx, random, settings);
             }
             return particles;

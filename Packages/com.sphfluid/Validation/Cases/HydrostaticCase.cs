@@ -6,9 +6,9 @@ namespace SphFluid.Validation
 {
     /// <summary>
     /// A column of water at rest, 1 m deep, 8 particles wide. It stands on the floor of the domain and is periodic across, which
-    /// leaves the law of pressure over depth alone. Between four walls instead, 28 of a layer's 64 particles would lie at a wall,
-    /// and the column would show the walls: the thesis method has no particles in them, so that density is missing there and
-    /// the column sinks by a fifth.
+    /// leaves the law of pressure over depth alone. Between four walls (<see cref="Walls"/>) it is 12 wide, so that there is liquid three
+    /// spacings from each; 44 of a layer's 144 particles lie at a wall, and the column shows the walls: the thesis method has no
+    /// particles in them, so that density is missing there and the column sinks.
     /// </summary>
     public sealed class HydrostaticCase : ValidationCase
     {
@@ -28,7 +28,7 @@ namespace SphFluid.Validation
         public override string Title => "Column at rest";
 
         /// <inheritdoc/>
-        public override string Source => "p = ρ g d; height m ln(1 + 1/m) H of p = c² (ρ − ρ0), c² = m g H";
+        public override string Source => "p = ρ0 c² (e^(g d/c²) − 1) ≈ ρ g d; height m ln(1 + 1/m) H of p = c² (ρ − ρ0), c² = m g H";
 
         /// <inheritdoc/>
         public override string ErrorName => HydrostaticMetric.ErrorName;
@@ -67,7 +67,7 @@ namespace SphFluid.Validation
             return new HydrostaticMetric(setup.Settings, Depth, width * width, Settles * Math.Sqrt(Depth / Gravity));
         }
 
-        static int Width(in CaseParameters parameters) => Math.Max(8, WallCaseSetup.PeriodicCount(parameters));
+        int Width(in CaseParameters parameters) => Walls ? 12 : Math.Max(8, WallCaseSetup.PeriodicCount(parameters));
 
         // Compressed as the equation of state has it at rest, so that there is little to settle.
         static FluidParticle[] Column(in CaseParameters parameters, Vector3 domain, int width, double dx)

@@ -1,22 +1,26 @@
 using System;
 using System.Collections.Generic;
+using UnityEngine;
 
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Averages a column at rest over the end of its run: pressure over depth, height, what still moves, density. Layers of
-    /// three spacings at the surface and at the floor are left out of pressure and density.
+    /// Averages a column at rest over the end of its run: pressure over depth, pressure on the floor, height, what still moves,
+    /// density. Layers of three spacings at the surface, at the floor and at side walls are left out of the slope and of density.
     /// </summary>
     public sealed class HydrostaticMetric : CaseMetric
     {
-        /// <summary>Spacings left out at the surface and at the floor.</summary>
-        public const double LeftOut = 3.0;
+        /// <summary>Spacings left out at the surface, at the floor and at side walls.</summary>
+        public const double LeftOut = FloorPressure.Edge;
 
         internal const string ErrorName = "slope of the pressure over depth";
+        internal const string FaceName = "pressure on the floor/(ρgH)";
+        internal const string EdgesName = "pressure on the floor's edges/(ρgH)";
 
         readonly FluidSolverSettings settings;
         readonly double depth, gravity, begin;
         readonly int layer;
+        readonly FloorPressure floorPressure;
         readonly LineFit line = new LineFit();
         readonly double[] binSums;
         readonly int[] binCounts;
@@ -36,6 +40,7 @@ namespace SphFluid.Validation
             this.layer = layer;
             this.begin = begin;
             gravity = -settings.Gravity.y;
+            floorPressure = new FloorPressure(settings);
             int bins = Math.Max(1, (int)Math.Round(depth / settings.Spacing));
             binSums = new double[bins];
             binCounts = new int[bins];
@@ -50,17 +55,19 @@ namespace SphFluid.Validation
         {
             double dx = settings.Spacing;
             double floor = -0.5 * settings.DomainSize.y;
-            double height = SurfaceHeight(state, floor);
+            double height = Height(state, floor);
             if (!(height > (2.0 * LeftOut + 2.0) * dx))
                 Failure = FormattableString.Invariant($"the column has sunk to {height / dx:0.#} dx of height; nothing is left to measure");
             if (time < begin || Failure != null)
                 return;
             samples++;
             heights += height;
+            floorPressure.Sample(state);
             for (int i = 0; i < state.Count; i++)
             {
                 speedSquares += state.Velocities[i].sqrMagnitude;
-                double above = state.LocalPositions[i].y - floor;
+                Vector3 position = state.LocalPositions[i];
+                double above = position.y - floor;
                 double below = height - above;
                 int bin = (int)Math.Floor(below / dx);
                 if (bin >= 0 && bin < binSums.Length)
@@ -68,32 +75,35 @@ namespace SphFluid.Validation
                     binSums[bin] += state.Pressures[i];
                     binCounts[bin]++;
                 }
-                if (above < LeftOut * dx || below < LeftOut * dx)
+                if (above < LeftOut * dx || below < LeftOut * dx || FloorPressure.IsNearSide(settings, position))
                     continue;
-                line.Add(below, state.Pressures[i]);
+                line.Add(Exact(below), state.Pressures[i]);
                 densityErrors += Math.Abs(state.Densities[i] / (double)settings.RestDensity - 1.0);
             }
             particles += state.Count;
         }
 
         /// <summary>
-        /// |slope/(ρ g) − 1| of the pressure as it is read; the slope itself, as read and as it pushes (half of it with the ½ of
-        /// the thesis's equation (13)); height lost beyond the equation of state's; v_rms/√(gH); mean |ρ/ρ0 − 1|.
+        /// |slope/(ρ g) − 1| of the pressure as it is read, ρ as the equation of state has it at that depth; the slope itself, as read and as it
+        /// pushes (half of it with the ½ of the thesis's equation (13)); pressure on the floor over the liquid's weight, as it pushes, on the face
+        /// and, with side walls, at the edges; height lost beyond the equation of state's; v_rms/√(gH); mean |ρ/ρ0 − 1|.
         /// </summary>
         public override IReadOnlyList<CaseError> Evaluate()
         {
-            double slope = line.Slope / (settings.RestDensity * gravity);
-            double m = (double)settings.SoundSpeed * settings.SoundSpeed / (gravity * depth);
-            double height = heights / samples / depth;
-            return new[]
+            double slope = line.Slope, weight = settings.RestDensity * gravity * depth;
+            var errors = new List<CaseError>
             {
                 new CaseError(ErrorName, Math.Abs(slope - 1.0)),
                 new CaseError("slope/(ρg), as read", slope),
-                new CaseError("slope/(ρg), as it pushes", settings.PressureHalf ? 0.5 * slope : slope),
-                new CaseError("height lost beyond the equation of state's", HeightRatio(m) - height),
-                new CaseError("v_rms/√(gH)", Math.Sqrt(speedSquares / particles / (gravity * depth))),
-                new CaseError("mean |ρ/ρ0 − 1|", densityErrors / line.Count),
+                new CaseError("slope/(ρg), as it pushes", Share * slope),
+                new CaseError(FaceName, Share * floorPressure.Face / weight),
             };
+            if (floorPressure.HasEdges)
+                errors.Add(new CaseError(EdgesName, Share * floorPressure.Edges / weight));
+            errors.Add(new CaseError("height lost beyond the equation of state's", HeightRatio(M) - heights / samples / depth));
+            errors.Add(new CaseError("v_rms/√(gH)", Math.Sqrt(speedSquares / particles / (gravity * depth))));
+            errors.Add(new CaseError("mean |ρ/ρ0 − 1|", densityErrors / line.Count));
+            return errors;
         }
 
         /// <inheritdoc/>
@@ -101,9 +111,9 @@ namespace SphFluid.Validation
         {
             double unit = settings.RestDensity * gravity * depth;
             double bin = depth / binSums.Length;
-            var exact = new CaseSeries("ρ g d", true);
-            exact.Add(0.0, 0.0);
-            exact.Add(1.0, 1.0);
+            var exact = new CaseSeries("equation of state", true);
+            for (int b = 0; b <= binSums.Length; b++)
+                exact.Add(b * bin / depth, Exact(b * bin) / unit);
             var read = new CaseSeries("pressure as read");
             var pushes = new CaseSeries("pressure as it pushes");
             for (int b = 0; b < binSums.Length; b++)
@@ -112,22 +122,31 @@ namespace SphFluid.Validation
                     continue;
                 double pressure = binSums[b] / binCounts[b] / unit;
                 read.Add((b + 0.5) * bin / depth, pressure);
-                pushes.Add((b + 0.5) * bin / depth, 0.5 * pressure);
+                pushes.Add((b + 0.5) * bin / depth, Share * pressure);
             }
             return settings.PressureHalf ? new[] { exact, read, pushes } : new[] { exact, read };
         }
 
-        // Half a spacing above the median of the highest layer's worth of particles: a few that fly do not count.
-        double SurfaceHeight(FluidSnapshot state, double floor)
+        // c²/(g H).
+        double M => (double)settings.SoundSpeed * settings.SoundSpeed / (gravity * depth);
+
+        // Of the pressure as it is read, what pushes.
+        double Share => settings.PressureHalf ? 0.5 : 1.0;
+
+        // ρ0 c² (e^x − 1), x = g d/c²: ρ g d of liquid that its own weight compresses. The hyperbolic sine keeps the digits of a small x.
+        double Exact(double below)
         {
-            var heights = new double[state.Count];
-            for (int i = 0; i < heights.Length; i++)
-                heights[i] = state.LocalPositions[i].y - floor;
-            Array.Sort(heights);
-            int count = Math.Min(layer, heights.Length);
-            int first = heights.Length - count;
-            double median = 0.5 * (heights[first + (count - 1) / 2] + heights[first + count / 2]);
-            return median + 0.5 * settings.Spacing;
+            double square = (double)settings.SoundSpeed * settings.SoundSpeed;
+            double half = 0.5 * gravity * below / square;
+            return settings.RestDensity * square * 2.0 * Math.Sinh(half) * Math.Exp(half);
+        }
+
+        double Height(FluidSnapshot state, double floor)
+        {
+            var above = new double[state.Count];
+            for (int i = 0; i < above.Length; i++)
+                above[i] = state.LocalPositions[i].y - floor;
+            return LiquidSurface.Height(above, layer, settings.Spacing);
         }
     }
 }

@@ -19,7 +19,7 @@ namespace SphFluid.Validation
         /// <summary>−Σ m g·x + ½ Σ m ω² (x − centre)², zero at the centre of the domain.</summary>
         public double Potential { get; }
 
-        /// <summary>Σ m c² (ln(ρ/ρ0) + ρ0/ρ − 1) of p = c² (ρ − ρ0), where pressure acts.</summary>
+        /// <summary>Σ m c² (ln(ρ/ρ0) + ρ0/ρ − 1) of p = c² (ρ − ρ0), where pressure acts; c is the speed at which waves run.</summary>
         public double Elastic { get; }
 
         /// <summary>All three.</summary>
@@ -45,8 +45,18 @@ namespace SphFluid.Validation
                 bool acts = settings.PressureClamp ? ratio > 1.0 : ratio > 0.0;
                 elastic += acts ? Math.Log(ratio) + 1.0 / ratio - 1.0 : 0.0;
             }
-            double sound = settings.SoundSpeed;
+            double sound = EffectiveSound(settings);
             return new LiquidEnergy(settings.ParticleMass * kinetic, settings.ParticleMass * potential, settings.ParticleMass * sound * sound * elastic);
         }
+
+        /// <summary>
+        /// What the force is multiplied with: 6.3.3 as printed multiplies the force density by m where the equation divides by ρ, which is m ρ
+        /// times the acceleration; 1 else.
+        /// </summary>
+        internal static double ForceFactor(in FluidSolverSettings settings) =>
+            settings.ForceTimesMass ? (double)settings.ParticleMass * settings.RestDensity : 1.0;
+
+        /// <summary>Speed at which waves run [m/s].</summary>
+        internal static double EffectiveSound(in FluidSolverSettings settings) => settings.SoundSpeed * Math.Sqrt(ForceFactor(settings));
     }
 }

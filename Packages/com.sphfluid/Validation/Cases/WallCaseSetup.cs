@@ -39,7 +39,7 @@ namespace SphFluid.Validation
         /// <summary>A particle at rest on a place of the start, jittered, and inside the domain: wrapped along periodic axes, kept from walls.</summary>
         public static FluidParticle Particle(Vector3 place, uint id, double deviation, System.Random random, in FluidSolverSettings settings)
         {
-            Vector3 position = place + (float)deviation * new Vector3(Normal(random), Normal(random), Normal(random));
+            Vector3 position = place + (float)deviation * new Vector3(CaseLattice.Normal(random), CaseLattice.Normal(random), CaseLattice.Normal(random));
             FluidAxes periodic = settings.Boundaries.Periodic;
             for (int axis = 0; axis < 3; axis++)
             {
@@ -51,10 +51,6 @@ namespace SphFluid.Validation
             }
             return new FluidParticle(position, Vector3.zero, id);
         }
-
-        // Box & Muller 1958.
-        static float Normal(System.Random random) =>
-            (float)(Math.Sqrt(-2.0 * Math.Log(1.0 - random.NextDouble())) * Math.Cos(2.0 * Math.PI * random.NextDouble()));
 
         /// <summary>Jitters positions and makes particles at rest of them.</summary>
         public static FluidParticle[] AtRest(List<Vector3> positions, in CaseParameters parameters, double spacing, Vector3 domainSize)

@@ -30,6 +30,9 @@ namespace SphFluid.Validation
             List<IReadOnlyList<ChartPoint>> fronts = groups.Select(g => ParetoFront.Of(g[0].Points)).ToList();
             ParetoFront.Write(folder, fronts.SelectMany(f => f));
             SayFronts(groups, fronts);
+            List<EqualCost.Comparison> comparisons = groups.SelectMany(g => EqualCost.Of(g[0].Points, g[0].Case.Floor)).ToList();
+            EqualCost.Write(folder, comparisons);
+            SayComparisons(comparisons);
             string date = table.Rows.Max(r => r.Date);
             CsvText.WriteWhole(Path.Combine(folder, ChartScript.FileName), new ChartScript(groups, table.Device, date).Lines());
             string trouble = Gnuplot.Draw(Path.Combine(folder, ChartScript.FileName));
@@ -41,8 +44,24 @@ namespace SphFluid.Validation
                 CsvText.WriteWhole(Path.Combine(folder, script.FileName), script.Lines());
                 trouble = trouble ?? Gnuplot.Draw(Path.Combine(folder, script.FileName));
             }
-            progress.Say(trouble ?? $"{Path.Combine(folder, "accuracy.png")}, accuracy.svg, {ChartTable.FileName}, {ParetoFront.FileName} and case-*.png are written.");
+            progress.Say(trouble ?? $"{Path.Combine(folder, "accuracy.png")}, accuracy.svg, {ChartTable.FileName}, {ParetoFront.FileName}, {EqualCost.FileName} and case-*.png are written.");
         }
+
+        // A line for each case and pair of methods: from the least ratio to the greatest, at the times of both methods' points.
+        void SayComparisons(IEnumerable<EqualCost.Comparison> comparisons)
+        {
+            progress.Say("Error over another method's at equal GPU time, along both fronts:");
+            foreach (var pair in comparisons.GroupBy(c => (c.Point.Case, Later: Later(c.Point.Method, c.Other), Earlier: Earlier(c.Point.Method, c.Other))))
+            {
+                List<double> ratios = pair.Select(c => c.Point.Method == pair.Key.Later ? c.Ratio : 1.0 / c.Ratio).ToList();
+                progress.Say(string.Format(CultureInfo.InvariantCulture, "{0,-18}{1,-32}{2:G3} to {3:G3}", pair.Key.Case, $"{pair.Key.Later} / {pair.Key.Earlier}",
+                    ratios.Min(), ratios.Max()));
+            }
+        }
+
+        static string Later(string a, string b) => CaseMethod.All.Last(m => m.Name == a || m.Name == b).Name;
+
+        static string Earlier(string a, string b) => CaseMethod.All.First(m => m.Name == a || m.Name == b).Name;
 
         void SayFronts(List<IReadOnlyList<ChartPanel>> groups, List<IReadOnlyList<ChartPoint>> fronts)
         {

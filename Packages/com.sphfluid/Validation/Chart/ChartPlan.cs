@@ -30,6 +30,12 @@ namespace SphFluid.Validation
         static readonly double[] timeSteps = { 0.25, 0.5, 0.75 };
         static readonly double[] soundSpeeds = { 0.5, 2.0 };
 
+        // From fine to coarse.
+        static readonly double[] quickSpacings = { 0.67, 0.5 };
+
+        // κ of the Standard method that a user chooses among; of the thesis method one besides its base.
+        static readonly double[] standardSupports = { 2.0, 2.25, 2.5 }, thesisSupports = { 2.5 };
+
         readonly List<ChartRun> runs = new List<ChartRun>();
         readonly List<ChartConfig> unbuildable = new List<ChartConfig>();
         readonly List<ChartRun> leftOut = new List<ChartRun>();
@@ -77,7 +83,8 @@ namespace SphFluid.Validation
 
         /// <summary>
         /// The most telling runs that fit into the budget: the bases first, or where a base would take more than its share, the
-        /// finest coarser spacing that does not; then spacing, a point of each other factor, and further seeds of the bases.
+        /// finest coarser spacing that does not; then the Standard method's supports, among which its users choose, spacings, a point of each
+        /// other factor, and further seeds of the bases. The thesis as printed has its base alone.
         /// </summary>
         /// <param name="cases">The cases.</param>
         /// <param name="methods">The methods.</param>
@@ -88,8 +95,8 @@ namespace SphFluid.Validation
             double share = budget / Math.Max(1, cases.Count * methods.Count);
             List<ChartConfig> bases = plan.Buildable(Bases(cases, methods));
             List<ChartConfig> others = plan.Buildable(RoundRobin(cases, methods, QuickSweeps));
-            List<ChartConfig> first = bases.Select(b => Affordable(b, others, share)).ToList();
-            IEnumerable<ChartRun> wanted = Seeded(first, 1, 1).Concat(Seeded(others, 1, 1)).Concat(Seeded(bases, 1, QuickBaseSeeds));
+            List<ChartConfig> first = bases.Select(b => Affordable(b, share)).ToList();
+            IEnumerable<ChartRun> wanted = Seeded(first, 1, 1).Concat(Seeded(others, 1, 1)).Concat(Seeded(bases.Where(IsSwept), 1, QuickBaseSeeds));
             var taken = new HashSet<string>();
             double cost = 0.0;
             foreach (ChartRun run in wanted.Where(r => taken.Add(r.Config.Key + "|" + r.Seed)))
@@ -101,15 +108,15 @@ namespace SphFluid.Validation
             return plan;
         }
 
-        static ChartConfig Affordable(ChartConfig start, IEnumerable<ChartConfig> others, double share)
+        static ChartConfig Affordable(ChartConfig start, double share)
         {
             if (new ChartRun(start, 1).Cost <= share)
                 return start;
-            List<ChartConfig> coarser = others
-                .Where(c => c.Case == start.Case && c.Method == start.Method && c.Factor == ChartFactor.Spacing)
-                .OrderBy(c => c.Spacing).ToList();
+            List<ChartConfig> coarser = Points(start.Case, start.Parameters(1), ChartFactor.Spacing, quickSpacings).Where(c => c.Problem == null).ToList();
             return coarser.FirstOrDefault(c => new ChartRun(c, 1).Cost <= share) ?? coarser.LastOrDefault() ?? start;
         }
+
+        static bool IsSwept(ChartConfig config) => config.Method.Kind != FluidMethodKind.ThesisPrinted;
 
         List<ChartConfig> Buildable(IEnumerable<ChartConfig> configs)
         {
@@ -147,9 +154,13 @@ namespace SphFluid.Validation
         static IEnumerable<ChartConfig> QuickSweeps(ValidationCase validationCase, CaseMethod method)
         {
             CaseParameters start = validationCase.Base(method);
-            return Points(validationCase, start, ChartFactor.Spacing, 0.67, 0.5)
-                .Concat(Points(validationCase, start, ChartFactor.Support, 2.5, 2.0).Take(1))
-                .Concat(Points(validationCase, start, ChartFactor.SoundSpeed, 0.5))
+            if (method.Kind == FluidMethodKind.ThesisPrinted)
+                return Enumerable.Empty<ChartConfig>();
+            IEnumerable<ChartConfig> spacing = Points(validationCase, start, ChartFactor.Spacing, quickSpacings);
+            IEnumerable<ChartConfig> leading = method.Kind == FluidMethodKind.Standard
+                ? Points(validationCase, start, ChartFactor.Support, standardSupports).Concat(spacing)
+                : spacing.Concat(Points(validationCase, start, ChartFactor.Support, thesisSupports));
+            return leading.Concat(Points(validationCase, start, ChartFactor.SoundSpeed, 0.5))
                 .Concat(Points(validationCase, start, ChartFactor.TimeStep, 0.5, 0.75).Take(1));
         }
 

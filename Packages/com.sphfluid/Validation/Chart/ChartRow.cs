@@ -114,22 +114,20 @@ namespace SphFluid.Validation
         /// <exception cref="FormatException">It does not have the columns.</exception>
         public static ChartRow FromLine(string line)
         {
-            string[] cells = CsvText.Split(line);
-            if (cells.Length != Columns.Count)
-                throw new FormatException($"{cells.Length} cells instead of {Columns.Count}");
+            string[] cells = ResumedTable.Cells(line, Columns.Count);
             return new ChartRow
             {
                 Case = cells[0],
                 Method = cells[1],
-                Spacing = Number(cells[2]),
-                SupportRatio = Number(cells[3]),
-                TimeStepFraction = Number(cells[4]),
-                SoundSpeedRatio = Number(cells[5]),
+                Spacing = ResumedTable.Number(cells[2]),
+                SupportRatio = ResumedTable.Number(cells[3]),
+                TimeStepFraction = ResumedTable.Number(cells[4]),
+                SoundSpeedRatio = ResumedTable.Number(cells[5]),
                 Particles = int.Parse(cells[6], CultureInfo.InvariantCulture),
                 Seed = int.Parse(cells[7], CultureInfo.InvariantCulture),
-                GpuMsPerSecond = Number(cells[8]),
-                CpuMsPerSecond = Number(cells[9]),
-                Error = Number(cells[10]),
+                GpuMsPerSecond = ResumedTable.Number(cells[8]),
+                CpuMsPerSecond = ResumedTable.Number(cells[9]),
+                Error = ResumedTable.Number(cells[10]),
                 ErrorName = cells[11],
                 Failed = cells[12] == "1",
                 Reason = cells[13],
@@ -138,7 +136,5 @@ namespace SphFluid.Validation
                 Steps = long.Parse(cells[16], CultureInfo.InvariantCulture),
             };
         }
-
-        static double Number(string cell) => cell.Length == 0 ? double.NaN : double.Parse(cell, NumberStyles.Float, CultureInfo.InvariantCulture);
     }
 }

@@ -32,28 +32,8 @@ namespace SphFluid.Validation
         /// <exception cref="CommandLineException">The file has other columns, a broken line, or another device's runs.</exception>
         public static ChartTable Load(string folder, string device)
         {
-            const string cure = "Choose another folder with --out, or move the file away.";
             var table = new ChartTable(device);
-            string file = Path.Combine(folder, FileName);
-            if (!File.Exists(file))
-                return table;
-            string[] lines = File.ReadAllLines(file);
-            if (lines.Length == 0 || lines[0] != CsvText.Join(ChartRow.Columns))
-                throw new CommandLineException($"'{file}' does not have the columns of this version's accuracy.csv. {cure}");
-            for (int i = 1; i < lines.Length; i++)
-            {
-                try
-                {
-                    table.rows.Add(ChartRow.FromLine(lines[i]));
-                }
-                catch (Exception exception) when (exception is FormatException || exception is OverflowException)
-                {
-                    throw new CommandLineException($"'{file}' has a broken line {i + 1}: {exception.Message}. Remove the line, and its run is done again.");
-                }
-            }
-            ChartRow other = table.rows.FirstOrDefault(r => r.Device != device);
-            if (other != null)
-                throw new CommandLineException($"'{file}' has runs of '{other.Device}', and this is '{device}': their times do not compare. {cure}");
+            table.rows.AddRange(ResumedTable.Load(Path.Combine(folder, FileName), ChartRow.Columns, ChartRow.FromLine, r => r.Device, device));
             return table;
         }
 

@@ -42,8 +42,8 @@ namespace SphFluid.Validation
         }
 
         /// <summary>
-        /// Measures the tables of the thesis on this device: the flags --table, --particles, --grids, --repeat, --out, --sweep and
-        /// --no-sweep; see <see cref="BenchArguments"/>. The program ends with it. A wrong flag ends it with exit code 2.
+        /// Measures the tables of the thesis, or the methods' steps against each other, on this device: the flags --table, --particles,
+        /// --grids, --repeat, --out, --sweep and --no-sweep; see <see cref="BenchArguments"/>. The program ends with it. A wrong flag ends it with exit code 2.
         /// </summary>
         public static void Bench() =>
             Measure((words, progress) => new BenchSession(BenchArguments.Parse(words), SessionAssets.FindShaders(), progress));
@@ -61,6 +61,13 @@ namespace SphFluid.Validation
         /// </summary>
         public static void Stability() =>
             Measure((words, progress) => new StabilitySession(StabilityArguments.Parse(words), SessionAssets.FindShaders(), progress));
+
+        /// <summary>
+        /// Plays the scenes that nothing may leak from: the flags --scene and --out; see <see cref="LeakArguments"/>. The program ends
+        /// with it. A wrong flag ends it with exit code 2.
+        /// </summary>
+        public static void Leaks() =>
+            Measure((words, progress) => new LeakSession(LeakArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         internal static void Prepare(PlayArguments arguments)
         {

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.Linq;
 
 namespace SphFluid.Validation
 {
@@ -11,7 +12,6 @@ namespace SphFluid.Validation
     public sealed class PlayArguments
     {
         static readonly string[] flags = { "--method", "--surface", "--particles", "--seed", "--state", "--mesh", "--record" };
-        static readonly string[] methods = { "thesis", "thesis-printed", "standard" };
         static readonly string[] surfaces = { "particles", "cubes", "marching-cubes-gs", "none" };
 
         /// <summary>Method for every simulation; null keeps the scene's.</summary>
@@ -65,7 +65,7 @@ namespace SphFluid.Validation
             switch (flag)
             {
                 case "--method":
-                    CommandLineWords.RequireOneOf(flag, value, methods);
+                    CommandLineWords.RequireOneOf(flag, value, CaseMethod.All.Select(m => m.Name).ToArray());
                     Method = CaseMethod.Find(value).Kind;
                     break;
                 case "--surface":

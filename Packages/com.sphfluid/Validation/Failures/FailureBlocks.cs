@@ -12,8 +12,7 @@ namespace SphFluid.Validation
         /// <summary>Constants by rule for c_eff = <see cref="Sound"/>, all guards of the corrected form on.</summary>
         public static FluidSolverSettings Settings(Vector3 domain, float ratio = 2f, FluidAxes periodic = FluidAxes.None, float spacing = Spacing)
         {
-            FluidRuleInput input = FluidRuleInput.Water;
-            input.Method = FluidMethodKind.Thesis;
+            FluidRuleInput input = FluidRuleInput.ThesisWater;
             input.DomainSize = domain;
             input.Spacing = spacing;
             input.SupportRatio = ratio;
@@ -51,8 +50,7 @@ namespace SphFluid.Validation
         {
             Vector3 domain = Spacing * new Vector3(counts.x, 1.25f * counts.y, counts.z);
             double height = counts.y * Spacing, fall = Math.Sqrt(2.0 * gravity * height);
-            FluidRuleInput input = FluidRuleInput.Water;
-            input.Method = FluidMethodKind.Thesis;
+            FluidRuleInput input = FluidRuleInput.ThesisWater;
             input.DomainSize = domain;
             input.Spacing = Spacing;
             input.Gravity = new Vector3(0f, -gravity, 0f);

@@ -15,7 +15,7 @@ namespace SphFluid.Validation
         readonly FluidSolver solver;
         readonly FluidVitalsMeter meter;
         readonly FluidDetectors detectors;
-        readonly FailureSheets sheets;
+        readonly CaseObstacles sheets;
 
         public FailureRunner(FailureRun run, FluidShaderSet shaders, ComputeShader audit)
         {
@@ -25,7 +25,7 @@ namespace SphFluid.Validation
             solver = new FluidSolver(run.Settings, shaders, run.Start);
             meter = new FluidVitalsMeter(shaders, solver);
             detectors = new FluidDetectors(run.Settings, realViscosity: run.RealViscosity);
-            sheets = new FailureSheets(run.Sheets);
+            sheets = new CaseObstacles(run.Sheets, false);
             sheets.GiveTo(solver);
         }
 

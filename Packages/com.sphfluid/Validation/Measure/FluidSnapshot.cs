@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using System.Security.Cryptography;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -6,7 +7,7 @@ using UnityEngine.Rendering;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// A simulation's particles at one moment, read back from the GPU and ordered by id: world space, SI units. Reading
+    /// A simulation's particles at one moment, without those that left the domain, read back from the GPU and ordered by id: world space, SI units. Reading
     /// waits for the GPU; it is for tools and tests.
     /// </summary>
     public sealed class FluidSnapshot
@@ -76,12 +77,10 @@ namespace SphFluid.Validation
 
         internal static FluidSnapshot FromParticles(FluidParticle[] particles, float[] densities, float[] pressures, Matrix4x4 localToWorld)
         {
-            var order = new int[particles.Length];
-            for (int i = 0; i < order.Length; i++)
-                order[i] = i;
+            int[] order = Enumerable.Range(0, particles.Length).Where(i => !particles[i].IsRemoved).ToArray();
             Array.Sort(order, (a, b) => particles[a].Id.CompareTo(particles[b].Id));
 
-            var snapshot = new FluidSnapshot(particles.Length);
+            var snapshot = new FluidSnapshot(order.Length);
             for (int i = 0; i < order.Length; i++)
             {
                 FluidParticle particle = particles[order[i]];

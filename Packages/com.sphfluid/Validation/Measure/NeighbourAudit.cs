@@ -139,6 +139,7 @@ namespace SphFluid.Validation
         {
             var particles = new FluidParticle[solver.ParticleCount];
             solver.Particles.GetData(particles);
+            particles = Array.FindAll(particles, p => !p.IsRemoved); // those stand behind all others
             Vector3[] positions = Array.ConvertAll(particles, p => p.Position);
             var times = new byte[positions.Length, positions.Length];
             for (int i = 0; i < positions.Length; i++)

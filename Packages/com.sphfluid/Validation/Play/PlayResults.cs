@@ -65,6 +65,7 @@ namespace SphFluid.Validation
                 .Add("method", CaseMethod.Of(simulation.Method).Name)
                 .Add("surface", PlayOverrides.SurfaceOf(simulation))
                 .Add("particles", simulation.ParticleCount)
+                .Add("removed_particles", counters.Removed)
                 .Add("spacing_m", settings.Spacing)
                 .Add("support_radius_m", settings.SupportRadius)
                 .Add("time_step_s", simulation.TimeStep)

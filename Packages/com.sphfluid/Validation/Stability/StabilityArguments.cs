@@ -18,10 +18,7 @@ namespace SphFluid.Validation
         /// <summary>The maps.</summary>
         public IReadOnlyList<StabilityMap> Maps => maps;
 
-        /// <summary>The methods that the maps' constants are made for: the two forms of the thesis's.</summary>
-        static readonly CaseMethod[] Mapped = { CaseMethod.Find("thesis-printed"), CaseMethod.Find("thesis") };
-
-        /// <summary>The methods; "thesis" alone where the short plan is not told.</summary>
+        /// <summary>The methods; without the printed one where the short plan is not told.</summary>
         public IReadOnlyList<CaseMethod> Methods => methods;
 
         /// <summary>Whether the borders are bisected: in every session that draws all maps.</summary>
@@ -75,7 +72,7 @@ namespace SphFluid.Validation
                         if (flag == "--map")
                             CommandLineWords.Choose(maps, flag, name, StabilityMaps.All, m => m.Name);
                         else
-                            CommandLineWords.Choose(methods, flag, name, Mapped, m => m.Name);
+                            CommandLineWords.Choose(methods, flag, name, CaseMethod.All, m => m.Name);
                     }
                     break;
             }
@@ -87,7 +84,7 @@ namespace SphFluid.Validation
             if (maps.Count == 0)
                 maps.AddRange(StabilityMaps.All);
             if (methods.Count == 0)
-                methods.AddRange(Quick ? new[] { CaseMethod.Find("thesis") } : Mapped);
+                methods.AddRange(CaseMethod.All.Where(m => !Quick || m.Kind != FluidMethodKind.ThesisPrinted));
         }
     }
 }

@@ -34,7 +34,8 @@ namespace SphFluid.Validation
 
         readonly StabilityCriteria criteria;
         bool begun;
-        StabilityEnergy first;
+        LiquidMotion first;
+        double firstEnergy;
         double speedSquares, heights, clumped, drift, scale;
         int settled;
 
@@ -48,17 +49,19 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public override void Sample(double time, FluidSnapshot state)
         {
-            StabilityEnergy now = StabilityEnergy.Of(state, criteria.Settings);
+            LiquidMotion now = LiquidMotion.Of(state, criteria.Settings);
+            LiquidEnergy energy = LiquidEnergy.Of(state, criteria.Settings);
+            double total = energy.Total + Lowest * criteria.Settings.ParticleMass * state.Count;
             if (!begun)
-                first = now;
+                (first, firstEnergy) = (now, total);
             begun = true;
-            FailBy(now, state);
+            FailBy(now, total, state);
             if (Failure != null)
                 return;
             scale = Math.Max(scale, now.MomentumScale);
             drift = Math.Max(drift, (now.Momentum - first.Momentum).Length);
             if (time >= criteria.SettledFrom)
-                Settle(now, state);
+                Settle(energy.Kinetic, state);
         }
 
         /// <summary>v_rms/rest speed, share of close particles, height loss and momentum drift, as far as they are judged.</summary>
@@ -102,22 +105,32 @@ namespace SphFluid.Validation
             {
                 if (criteria.Depth <= 0.0 || settled == 0)
                     return double.NaN;
-                double sound = StabilityConstants.EffectiveSound(criteria.Settings);
+                double sound = LiquidEnergy.EffectiveSound(criteria.Settings);
                 double m = sound * sound / (criteria.Settings.Gravity.magnitude * criteria.Depth);
                 return HydrostaticMetric.HeightRatio(m) - heights / settled / criteria.Depth;
             }
         }
 
-        void FailBy(in StabilityEnergy now, FluidSnapshot state)
+        // Gravity's potential at the lowest corner of the domain is −this [J/kg]: with it energies start at zero there.
+        double Lowest
         {
-            double start = Math.Max(first.Total, criteria.EnergyScale);
+            get
+            {
+                Vector3 g = criteria.Settings.Gravity, size = criteria.Settings.DomainSize;
+                return 0.5 * (Math.Abs((double)g.x) * size.x + Math.Abs((double)g.y) * size.y + Math.Abs((double)g.z) * size.z);
+            }
+        }
+
+        void FailBy(in LiquidMotion now, double energy, FluidSnapshot state)
+        {
+            double start = Math.Max(firstEnergy, criteria.EnergyScale), growth = energy - firstEnergy;
             double escaped = EscapedNow(state);
-            if (!(now.Total < double.PositiveInfinity) || !(now.MaxSpeed < double.PositiveInfinity))
+            if (!(energy < double.PositiveInfinity) || !(now.MaxSpeed < double.PositiveInfinity))
                 Fail(StabilityCause.NotFinite, "a position or velocity is not finite");
             else if (now.MaxSpeed > SpeedRatio * criteria.ReferenceSpeed)
                 Fail(StabilityCause.Speed, FormattableString.Invariant($"a particle has {now.MaxSpeed / criteria.ReferenceSpeed:G3} v_ref"));
-            else if (now.Total - first.Total > EnergyGrowth * start)
-                Fail(StabilityCause.Energy, FormattableString.Invariant($"the energy grew by {(now.Total - first.Total) / start:P1} of {(start > first.Total ? "½ M v_ref²" : "the start's")}"));
+            else if (growth > EnergyGrowth * start)
+                Fail(StabilityCause.Energy, FormattableString.Invariant($"the energy grew by {growth / start:P1} of {(start > firstEnergy ? "½ M v_ref²" : "the start's")}"));
             else if (escaped > EscapedShare)
                 Fail(StabilityCause.Escape, FormattableString.Invariant($"{escaped:P2} of the particles are beyond a wall by dx/2"));
             else if (now.MeanCompression - first.MeanCompression > Compression)
@@ -143,10 +156,10 @@ namespace SphFluid.Validation
             return escaped / (double)Math.Max(1, state.Count);
         }
 
-        void Settle(in StabilityEnergy now, FluidSnapshot state)
+        void Settle(double kinetic, FluidSnapshot state)
         {
             settled++;
-            speedSquares += 2.0 * now.Kinetic / (criteria.Settings.ParticleMass * (double)state.Count);
+            speedSquares += 2.0 * kinetic / (criteria.Settings.ParticleMass * (double)state.Count);
             clumped = Math.Max(clumped, ClosePairs.Share(state, criteria.Settings, 0.5 * criteria.Settings.Spacing));
             if (criteria.Depth > 0.0)
                 heights += ColumnHeight.Of(state, criteria.Settings, criteria.Depth);

@@ -32,20 +32,31 @@ namespace SphFluid.Validation
         const int WallSteps = 300;
         const double WallGrowth = 300.0;
 
-        public static IReadOnlyList<StabilityLimit> All { get; } = Acoustic(2.0, 2.5, 3.0, 4.0).Concat(Viscous(1.7, 2.0, 3.0, 4.0)).Concat(Walls(0.0, 0.5, 1.0)).ToArray();
+        static readonly StabilityLimit[] thesis =
+            Acoustic(1.35, 1.40, 2.0, 2.5, 3.0, 4.0).Concat(Viscous(0.115, 0.131, 1.7, 2.0, 3.0, 4.0)).Concat(Walls(0.0, 0.5, 1.0)).ToArray();
 
-        public static IReadOnlyList<StabilityLimit> Quick { get; } = Acoustic(2.0, 3.0, 4.0).Concat(Viscous(1.7, 2.0, 3.0)).Concat(Walls(0.0, 1.0)).ToArray();
+        static readonly StabilityLimit[] thesisQuick =
+            Acoustic(1.35, 1.40, 2.0, 3.0, 4.0).Concat(Viscous(0.115, 0.131, 1.7, 2.0, 3.0)).Concat(Walls(0.0, 1.0)).ToArray();
 
-        // Research and derivation: Documentation~/stability.md. Müller's force and viscosity on a cubic lattice.
-        static IEnumerable<StabilityLimit> Acoustic(params double[] kappas) => kappas.Select(kappa =>
-            new StabilityLimit("dt·c/R", kappa, 1.35, 1.40, AcousticGrowth, (value, method) =>
+        static readonly StabilityLimit[] standard =
+            Acoustic(0.86, 0.89, 2.0, 2.25, 2.5, 3.0).Concat(Viscous(0.072, 0.077, 2.0, 2.25, 2.5, 3.0)).ToArray();
+
+        /// <summary>The borders of a method.</summary>
+        /// <param name="method">The method.</param>
+        /// <param name="quick">Whether for the short plan.</param>
+        public static IReadOnlyList<StabilityLimit> Of(CaseMethod method, bool quick) =>
+            StabilityTheory.Of(method) == StabilityTheory.Standard ? standard : quick ? thesisQuick : thesis;
+
+        // Ranges by von Neumann over all waves and κ = 2 to 4; derivation: Documentation~/stability.md.
+        static IEnumerable<StabilityLimit> Acoustic(double low, double high, params double[] kappas) => kappas.Select(kappa =>
+            new StabilityLimit("dt·c/R", kappa, low, high, AcousticGrowth, (value, method) =>
             {
                 double radius = kappa * StabilityConstants.Spacing;
                 return Box(method, kappa, value * radius / Sound, 0.001 * Sound * radius, AcousticSteps, Disturbance);
             }));
 
-        static IEnumerable<StabilityLimit> Viscous(params double[] kappas) => kappas.Select(kappa =>
-            new StabilityLimit("ν·dt/R²", kappa, 0.115, 0.131, ViscousGrowth, (value, method) =>
+        static IEnumerable<StabilityLimit> Viscous(double low, double high, params double[] kappas) => kappas.Select(kappa =>
+            new StabilityLimit("ν·dt/R²", kappa, low, high, ViscousGrowth, (value, method) =>
             {
                 double radius = kappa * StabilityConstants.Spacing, step = 0.01 * radius / Sound;
                 return Box(method, kappa, step, value * radius * radius / step, ViscousSteps, ViscousDisturbance);
@@ -55,7 +66,7 @@ namespace SphFluid.Validation
         static IEnumerable<StabilityLimit> Walls(params double[] ratios) => ratios.Select(ratio =>
         {
             double border = 2.0 * (Math.Sqrt(ratio * ratio + 1.0) - ratio);
-            return new StabilityLimit(FormattableString.Invariant($"√k_w·dt, damping ratio {ratio}"), StabilityConstants.SupportRatio, border, border, WallGrowth,
+            return new StabilityLimit(FormattableString.Invariant($"√k_w·dt, damping ratio {ratio}"), StabilityTheory.Thesis.SupportRatio, border, border, WallGrowth,
                 (value, method) => Wall(method, value, ratio));
         });
 
@@ -70,7 +81,7 @@ namespace SphFluid.Validation
             setup.Settings.DomainSize = domain;
             List<Vector3> positions = CaseLattice.Box(new Vector3Int(side, side, side), StabilityConstants.Spacing, -0.5f * domain);
             CaseLattice.Jitter(positions, Disturbance * StabilityConstants.Spacing, Seed, 0.4999f * domain);
-            return Finish(setup, positions, mach * Sound / Math.Sqrt(2.0), timeStep, steps);
+            return Finish(setup, positions, mach * Sound * StabilityTheory.Of(method).WaveSpeedRatio, timeStep, steps);
         }
 
         // Each alone on the floor, near the depth in the wall at which it carries them.
@@ -83,7 +94,7 @@ namespace SphFluid.Validation
             double distance = 0.5 * StabilityConstants.Spacing, gravity = rate * rate * depth * distance, step = value / rate;
             FluidSolverSettings settings = new StabilityConstants
             {
-                Method = method, DomainSize = domain, Support = StabilityConstants.SupportRatio, Sound = 0.1, Viscosity = 0.0,
+                Method = method, DomainSize = domain, Support = StabilityTheory.Thesis.SupportRatio, Sound = 0.1, Viscosity = 0.0,
                 TimeStep = step, Speed = 1.0, Gravity = new Vector3(0f, -(float)gravity, 0f),
             }.Settings();
             settings.WallStiffness = (float)(rate * rate);
@@ -95,7 +106,7 @@ namespace SphFluid.Validation
                 positions.Add(new Vector3((float)((i % side + 0.5) * apart - 0.5 * width), (float)((1.0 - depth) * distance - 0.5),
                     (float)((i / side + 0.5) * apart - 0.5 * width)));
             }
-            var setup = new CaseSetup { Method = StabilityConstants.Runner, Settings = settings };
+            var setup = new CaseSetup { Settings = settings };
             return Finish(setup, positions, Disturbance * rate * distance, step, WallSteps, Vector3.up);
         }
 

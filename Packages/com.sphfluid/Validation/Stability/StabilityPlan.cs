@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Which cells are run, in their order, and which borders are bisected: maps without clamps, borders, maps with clamps.</summary>
+    /// <summary>Which cells are run, in their order, and which borders are bisected: maps without clamps, borders, maps with clamps. The short plan has none with.</summary>
     public sealed class StabilityPlan
     {
         const int FullSeeds = 3;
@@ -40,35 +40,28 @@ namespace SphFluid.Validation
             var plan = new StabilityPlan();
             double mostSteps = arguments.Quick ? QuickSteps : software ? SoftwareSteps : FullSteps;
             int seeds = arguments.Quick ? 1 : FullSeeds;
-            foreach (bool clamps in new[] { false, true })
+            foreach (bool clamps in arguments.Quick ? new[] { false } : new[] { false, true })
             {
                 for (int seed = 1; seed <= seeds; seed++)
                 {
                     foreach (StabilityMap map in arguments.Maps)
                     {
                         (int x, int y) = (arguments.Quick ? quickCells : fullCells)[map.Name];
-                        foreach (CaseMethod method in arguments.Methods)
+                        foreach (CaseMethod method in arguments.Methods.Where(m => !clamps || StabilityTheory.Of(m).HasAccelerationLimit))
                             (clamps ? plan.clamped : plan.runs).AddRange(Cells(map, method, x, y, seed, clamps, mostSteps));
                     }
                 }
             }
-            if (arguments.Quick)
-                plan.clamped.RemoveAll(r => !quickClamped.Contains(r.Map.Name));
             if (arguments.Limits)
-            {
-                IReadOnlyList<StabilityLimit> known = arguments.Quick ? StabilityLimits.Quick : StabilityLimits.All;
-                plan.limits.AddRange(from method in arguments.Methods from limit in known select (limit, method));
-            }
+                plan.limits.AddRange(from method in arguments.Methods from limit in StabilityLimits.Of(method, arguments.Quick) select (limit, method));
             return plan;
         }
 
         /// <summary>Most steps of a run of the short plan.</summary>
-        public const double QuickSteps = 1000.0;
+        public const double QuickSteps = 700.0;
 
         // On a device that is a CPU, and on others.
         const double SoftwareSteps = 4000.0, FullSteps = 100000.0;
-
-        static readonly HashSet<string> quickClamped = new HashSet<string> { "M1", "M3" };
 
         static IEnumerable<StabilityRun> Cells(StabilityMap map, CaseMethod method, int columns, int rows, int seed, bool clamps, double mostSteps) =>
             from y in map.Y.Values(rows)

@@ -11,23 +11,24 @@ namespace SphFluid.Validation
         const double Gravity = 9.81;
         const double Jitter = 0.01; // standard deviation over dx
         const double Dx = StabilityConstants.Spacing;
-        const double Kappa = StabilityConstants.SupportRatio;
 
         // A box at rest: what it does to itself is compared with a flow at this part of c_eff, that of 1 % compression.
         const double BoxMach = 0.1;
 
-        /// <summary>M1: 6 × 10 × 6 particles on the floor, periodic across, compressed as they rest: x = dt·c/R, y = c/√(gH).</summary>
+        /// <summary>M1: 6 × 10 × 6 particles or more on the floor, periodic across, compressed as they rest: x = dt·c/R, y = c/√(gH).</summary>
         public static StabilityScenario Column(StabilityRun run)
         {
-            const int across = 6, layers = 10;
+            const int layers = 10;
+            StabilityTheory theory = StabilityTheory.Of(run.Method);
+            int across = PeriodicSide(theory.SupportRatio);
             double depth = layers * Dx, fall = Math.Sqrt(2.0 * Gravity * depth), sound = run.Y * Math.Sqrt(Gravity * depth);
             var domain = new Vector3((float)(across * Dx), (float)(depth + 6.0 * Dx), (float)(across * Dx));
             FluidSolverSettings settings = new StabilityConstants
             {
-                Method = run.Method, DomainSize = domain, Support = Kappa, Sound = sound, Viscosity = double.NaN, Clamps = run.Clamps,
-                TimeStep = run.X * Kappa * Dx / sound, Speed = fall, Gravity = new Vector3(0f, -(float)Gravity, 0f), Periodic = FluidAxes.X | FluidAxes.Z,
+                Method = run.Method, DomainSize = domain, Support = theory.SupportRatio, Sound = sound, Viscosity = double.NaN, Clamps = run.Clamps,
+                TimeStep = run.X * theory.SupportRatio * Dx / sound, Speed = fall, Gravity = new Vector3(0f, -(float)Gravity, 0f), Periodic = FluidAxes.X | FluidAxes.Z,
             }.Settings();
-            double m = 0.5 * run.Y * run.Y; // c_eff² = c²/2
+            double m = Math.Pow(run.Y * theory.WaveSpeedRatio, 2.0); // c_eff² = m g H
             List<Vector3> positions = CaseLattice.Box(new Vector3Int(across, layers, across), Dx, new Vector3(-0.5f * domain.x, 0f, -0.5f * domain.z));
             for (int i = 0; i < positions.Count; i++)
                 positions[i] = new Vector3(positions[i].x, (float)WallCaseSetup.Settled(positions[i].y, depth, m) - 0.5f * domain.y, positions[i].z);
@@ -41,16 +42,18 @@ namespace SphFluid.Validation
         public static StabilityScenario ViscousBox(StabilityRun run)
         {
             const double sound = 10.0;
-            double radius = Kappa * Dx, step = run.Y * radius / sound;
-            return Box(run, Kappa, sound, step, run.X * radius * radius / step, 0.0);
+            double kappa = StabilityTheory.Of(run.Method).SupportRatio, radius = kappa * Dx, step = run.Y * radius / sound;
+            return Box(run, kappa, sound, step, run.X * radius * radius / step, 0.0);
         }
 
-        /// <summary>M4: a periodic box of liquid under pressure or suction: x = P/(ρc²), y = κ; half of the border's step, ν = 0.02 c_eff R.</summary>
+        /// <summary>M4: a periodic box of liquid under pressure or suction: x = P/(ρc²), y = κ; half of the border's step, twice the viscosity of the rules.</summary>
         public static StabilityScenario PressedBox(StabilityRun run)
         {
             const double sound = 10.0;
-            double radius = run.Y * Dx;
-            return Box(run, run.Y, sound, 0.5 * StabilityMaps.ThesisBorder * radius / sound, 0.02 * sound / Math.Sqrt(2.0) * radius, run.X);
+            StabilityTheory theory = StabilityTheory.Of(run.Method);
+            StabilityScenario scene = Box(run, run.Y, sound, 0.5 * theory.AcousticBorder * run.Y * Dx / sound, double.NaN, run.X);
+            scene.Setup.Settings.Viscosity *= 2f;
+            return scene;
         }
 
         /// <summary>M3: two cubes of 6³ particles meet at ±v without gravity: x = dt·v/dx, y = c/v.</summary>
@@ -62,7 +65,7 @@ namespace SphFluid.Validation
             var domain = new Vector3((float)(8.0 * length), (float)(8.0 * length), (float)(8.0 * length));
             FluidSolverSettings settings = new StabilityConstants
             {
-                Method = run.Method, DomainSize = domain, Support = Kappa, Sound = sound, Viscosity = double.NaN, Clamps = run.Clamps,
+                Method = run.Method, DomainSize = domain, Support = StabilityTheory.Of(run.Method).SupportRatio, Sound = sound, Viscosity = double.NaN, Clamps = run.Clamps,
                 TimeStep = run.X * Dx / speed, Speed = speed,
             }.Settings();
             float half = (float)(0.5 * length), gap = (float)Dx;
@@ -82,7 +85,7 @@ namespace SphFluid.Validation
             var domain = new Vector3((float)width, (float)(2.0 * Math.Max(below, height + 2.0 * Dx)), (float)width);
             FluidSolverSettings settings = new StabilityConstants
             {
-                Method = run.Method, DomainSize = domain, Support = Kappa, Sound = speed, Viscosity = double.NaN, Clamps = run.Clamps,
+                Method = run.Method, DomainSize = domain, Support = StabilityTheory.Of(run.Method).SupportRatio, Sound = speed, Viscosity = double.NaN, Clamps = run.Clamps,
                 TimeStep = run.X * Dx / speed, Speed = speed,
             }.Settings();
             var positions = new List<Vector3>();
@@ -107,8 +110,8 @@ namespace SphFluid.Validation
         /// <summary>A periodic box of liquid at rest.</summary>
         public static StabilityScenario Box(StabilityRun run, double kappa, double sound, double timeStep, double viscosity, double pressure)
         {
-            int side = Math.Max(6, (int)Math.Ceiling(3.0 * kappa - 1e-6)); // three cells of R
-            double mach = BoxMach * sound / Math.Sqrt(2.0);
+            int side = PeriodicSide(kappa);
+            double mach = BoxMach * sound * StabilityTheory.Of(run.Method).WaveSpeedRatio;
             var domain = Vector3.one * (float)(side * Dx);
             FluidSolverSettings settings = new StabilityConstants
             {
@@ -124,12 +127,15 @@ namespace SphFluid.Validation
             });
         }
 
+        // Three cells of R.
+        static int PeriodicSide(double kappa) => Math.Max(6, (int)Math.Ceiling(3.0 * kappa - 1e-6));
+
         static StabilityScenario Scene(in FluidSolverSettings settings, FluidParticle[] particles, double duration, StabilityCriteria criteria)
         {
             criteria.Settings = settings;
             return new StabilityScenario
             {
-                Setup = new CaseSetup { Method = StabilityConstants.Runner, Settings = settings, Particles = particles, Duration = duration },
+                Setup = new CaseSetup { Settings = settings, Particles = particles, Duration = duration },
                 Criteria = criteria,
             };
         }

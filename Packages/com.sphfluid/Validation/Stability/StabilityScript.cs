@@ -114,8 +114,9 @@ namespace SphFluid.Validation
                     $"title '{((StabilityVerdict)v).ToString().ToLowerInvariant()}'";
             }
             yield return $"{data} using 1:2:8 with labels font ',12' tc rgb '#303030' notitle";
-            for (int b = 0; b < map.Borders.Count; b++)
-                yield return $"$border{b} using 1:2 with lines {lines[b % lines.Length]} title {Gnuplot.Quote(map.Borders[b].Title)}";
+            int style = 0;
+            foreach (int b in Enumerable.Range(0, map.Borders.Count).Where(i => map.Borders[i].Theory == StabilityTheory.Of(method)))
+                yield return $"$border{b} using 1:2 with lines {lines[style++ % lines.Length]} title {Gnuplot.Quote(map.Borders[b].Title)}";
         }
 
         IEnumerable<string> Cells(CaseMethod method)

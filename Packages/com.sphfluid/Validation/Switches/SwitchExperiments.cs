@@ -134,8 +134,7 @@ namespace SphFluid.Validation
                 var offset = new Vector3((float)random.NextDouble() - 0.5f, (float)random.NextDouble() - 0.5f, (float)random.NextDouble() - 0.5f);
                 particles[i] = new FluidParticle(spacing * cell + 2f * jitter * offset + height * Vector3.up, Vector3.zero, (uint)i);
             }
-            FluidRuleInput input = FluidRuleInput.Water;
-            input.Method = FluidMethodKind.Thesis;
+            FluidRuleInput input = FluidRuleInput.ThesisWater;
             input.DomainSize = domain;
             input.Spacing = spacing;
             input.LiquidHeight = 0.5f * domain.y + height + 0.5f * counts.y * spacing;

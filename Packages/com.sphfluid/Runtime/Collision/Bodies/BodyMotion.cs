@@ -13,12 +13,16 @@ namespace SphFluid
         public BodyMotion(ColliderSolid solid)
         {
             Solid = solid;
+            Friction = solid.State.Friction;
             referenceInverse = solid.State.ToSimulation.inverse;
             Rotation0 = Rotation1 = Quaternion.identity;
         }
 
         /// <summary>The collider with the triangles of the reference.</summary>
         public ColliderSolid Solid { get; }
+
+        /// <summary>0 free slip to 1 no slip; negative: as the domain's faces.</summary>
+        public float Friction { get; private set; }
 
         public Quaternion Rotation0 { get; private set; }
         public Vector3 Position0 { get; private set; }
@@ -35,7 +39,7 @@ namespace SphFluid
             Position0 = Position1;
         }
 
-        /// <summary>Sets the end of the motion.</summary>
+        /// <summary>Sets the end of the motion, and the friction.</summary>
         /// <returns>False when the change is not rigid, so that the triangles have to be made anew.</returns>
         public bool MoveTo(in ColliderState state)
         {
@@ -43,6 +47,7 @@ namespace SphFluid
             Matrix4x4 motion = state.ToSimulation * referenceInverse;
             Vector3 x = motion.GetColumn(0), y = motion.GetColumn(1), z = motion.GetColumn(2);
             if (!IsRotation(x, y, z)) return false;
+            Friction = state.Friction;
             Rotation1 = Quaternion.LookRotation(z, y);
             Position1 = motion.GetColumn(3);
             return true;

@@ -1,20 +1,18 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
     /// <summary>
-    /// The scene's triangles for methods that prove every motion free: what rests is one body, each collider that has moved is one
-    /// of its own. Lists are made anew only when the set of bodies changes; motion changes poses.
+    /// The scene's triangles for methods that prove every motion free: what rests and rubs alike is one body, each collider that
+    /// has moved is one of its own. Lists are made anew only when the set of bodies changes; motion changes poses.
     /// </summary>
     internal sealed class CollisionBodies : IDisposable
     {
         static readonly int BodiesId = Shader.PropertyToID("_Bodies");
-        static readonly int TrianglesId = Shader.PropertyToID("_BodyTriangles");
-        static readonly int CellsId = Shader.PropertyToID("_BodyCells");
-        static readonly int ReferencesId = Shader.PropertyToID("_CellTriangles");
         static readonly int PoseStartId = Shader.PropertyToID("_PoseStart");
         static readonly int PartsId = Shader.PropertyToID("_BodyPartsPerMetre");
         static readonly int PoseEndId = Shader.PropertyToID("_PoseEnd");
@@ -23,24 +21,23 @@ namespace SphFluid
         const float JumpOverReach = 64f;
 
         readonly float reach;
-        readonly Bounds domain;
+        readonly Bounds domain; // beyond it no particle is in a step
+        readonly BodyGeometry geometry;
         readonly Dictionary<Collider, BodyMotion> movers = new Dictionary<Collider, BodyMotion>();
         readonly List<CollisionBody> bodies = new List<CollisionBody>();
-        readonly List<BodyMotion> motions = new List<BodyMotion>(); // of the bodies; null for the one at rest
-        readonly List<BodyTriangle> triangles = new List<BodyTriangle>();
-        readonly List<uint> cells = new List<uint>();
-        readonly List<uint> references = new List<uint>();
+        readonly List<BodyMotion> motions = new List<BodyMotion>(); // of the bodies; null for those at rest
         readonly HashSet<ColliderState> resting = new HashSet<ColliderState>();
         readonly List<ColliderSolid> lastSolids = new List<ColliderSolid>();
         bool stale;
-        GraphicsBuffer bodyBuffer, triangleBuffer, cellBuffer, referenceBuffer;
+        GraphicsBuffer bodyBuffer;
 
-        /// <param name="supportRadius">R: how far a cell looks [m].</param>
-        /// <param name="domainSize">Beyond this no particle is [m].</param>
-        public CollisionBodies(float supportRadius, Vector3 domainSize)
+        /// <summary>No bodies yet.</summary>
+        /// <param name="settings">The liquid's: cells look as far as its support radius, particles are in its domain.</param>
+        public CollisionBodies(in FluidSolverSettings settings)
         {
-            reach = supportRadius;
-            domain = new Bounds(Vector3.zero, domainSize);
+            reach = settings.SupportRadius;
+            domain = new Bounds(Vector3.zero, settings.DomainSize + 2f * BeyondFaces(settings));
+            geometry = new BodyGeometry(reach);
         }
 
         /// <summary>Number of bodies.</summary>
@@ -49,14 +46,17 @@ namespace SphFluid
         /// <summary>Grows whenever the set of bodies was made anew.</summary>
         public int Version { get; private set; }
 
-        /// <summary>Number of triangles.</summary>
-        public int TriangleCount => triangles.Count;
+        /// <summary>Whether a body has a friction of its own that is not zero.</summary>
+        public bool HoldLiquid { get; private set; }
 
-        /// <summary>Triangles left out because a corner is not finite. Those without area stay: as edges they close cracks.</summary>
-        public int LeftOut { get; private set; }
+        /// <summary>Number of triangles.</summary>
+        public int TriangleCount => geometry.TriangleCount;
+
+        /// <summary>Triangles left out because a corner is not finite.</summary>
+        public int LeftOut => geometry.LeftOut;
 
         /// <summary>Bytes of the GPU buffers.</summary>
-        public long Bytes => bodyBuffer == null ? 0 : GpuBuffers.Size(bodyBuffer, triangleBuffer, cellBuffer, referenceBuffer);
+        public long Bytes => bodyBuffer == null ? 0 : GpuBuffers.Size(bodyBuffer) + geometry.Bytes;
 
         /// <summary>Whether a body still has a way to go: its motion of the frame was not stepped through.</summary>
         public bool IsUnderWay { get; private set; }
@@ -107,17 +107,13 @@ namespace SphFluid
             kernel.SetFloat(cmd, PoseEndId, end);
             kernel.SetFloat(cmd, PartsId, 1f / (1.7f * reach));
             kernel.SetBuffer(cmd, BodiesId, bodyBuffer);
-            kernel.SetBuffer(cmd, TrianglesId, triangleBuffer);
-            kernel.SetBuffer(cmd, CellsId, cellBuffer);
-            kernel.SetBuffer(cmd, ReferencesId, referenceBuffer);
+            geometry.Bind(cmd, kernel);
         }
 
         public void Dispose()
         {
             GpuBuffers.Dispose(ref bodyBuffer);
-            GpuBuffers.Dispose(ref triangleBuffer);
-            GpuBuffers.Dispose(ref cellBuffer);
-            GpuBuffers.Dispose(ref referenceBuffer);
+            geometry.Dispose();
         }
 
         // Whether the set of bodies changed. A collider that rested and is elsewhere now becomes a body of its own for good.
@@ -132,6 +128,7 @@ namespace SphFluid
                 present.Add(collider);
                 if (movers.TryGetValue(collider, out BodyMotion motion))
                 {
+                    stale |= motion.Friction != solid.State.Friction;
                     if (motion.MoveTo(solid.State)) continue;
                     movers[collider] = new BodyMotion(solid);
                     changed = true;
@@ -140,7 +137,7 @@ namespace SphFluid
                 {
                     changed = true;
                     ColliderSolid before = lastSolids.Find(s => ReferenceEquals(s.State.Collider, collider));
-                    if (before == null) continue;
+                    if (before == null || before.State.HasTrianglesOf(solid.State)) continue;
                     motion = new BodyMotion(before);
                     movers[collider] = motion.MoveTo(solid.State) ? motion : new BodyMotion(solid);
                 }
@@ -168,66 +165,35 @@ namespace SphFluid
         {
             bodies.Clear();
             motions.Clear();
-            triangles.Clear();
-            cells.Clear();
-            references.Clear();
+            geometry.Clear();
             resting.Clear();
-            LeftOut = 0;
-            int first = 0;
-            foreach (ColliderSolid solid in solids)
+            foreach (IGrouping<float, ColliderSolid> alike in solids.Where(s => !movers.ContainsKey(s.State.Collider)).GroupBy(s => s.State.Friction))
             {
-                if (movers.ContainsKey(solid.State.Collider)) continue;
-                resting.Add(solid.State);
-                AddTriangles(solid.Mesh, true);
+                foreach (ColliderSolid solid in alike)
+                {
+                    resting.Add(solid.State);
+                    geometry.Add(solid.Mesh, domain);
+                }
+                AddBody(null, alike.Key);
             }
-            AddBody(first, null);
             foreach (ColliderSolid solid in solids)
             {
                 if (!movers.TryGetValue(solid.State.Collider, out BodyMotion motion)) continue;
-                first = triangles.Count;
-                AddTriangles(motion.Solid.Mesh, false);
-                AddBody(first, motion);
+                geometry.Add(motion.Solid.Mesh, null);
+                AddBody(motion, motion.Friction);
             }
             stale = true;
             Version++;
-            if (bodies.Count == 0) return;
-            Upload(ref triangleBuffer, "BodyTriangles", triangles.ToArray(), BodyTriangle.Stride);
-            Upload(ref cellBuffer, "BodyCells", cells.ToArray(), sizeof(uint));
-            Upload(ref referenceBuffer, "CellTriangles", references.ToArray(), sizeof(uint));
+            if (bodies.Count > 0) geometry.Upload();
         }
 
-        void AddTriangles(TriangleMesh mesh, bool atRest)
+        void AddBody(BodyMotion motion, float friction)
         {
-            Vector3 half = domain.extents + reach * Vector3.one;
-            for (int t = 0; t < mesh.TriangleCount; t++)
-            {
-                mesh.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
-                if (!AffineMath.IsFinite(a) || !AffineMath.IsFinite(b) || !AffineMath.IsFinite(c)) LeftOut++;
-                else if (!atRest || TriangleMath.MayOverlap(Vector3.zero, half, a, b, c)) triangles.Add(BodyTriangle.Of(a, b, c));
-            }
-        }
-
-        void AddBody(int first, BodyMotion motion)
-        {
-            int count = triangles.Count - first;
-            if (count == 0) return;
-            var grid = new BodyGrid(triangles, first, count, reach, motion == null ? domain : (Bounds?)null);
-            bodies.Add(new CollisionBody
-            {
-                Rotation0 = Quaternion.identity,
-                Rotation1 = Quaternion.identity,
-                FirstCell = (uint)cells.Count,
-                Flags = motion != null ? CollisionBody.Moves : 0u,
-                GridOrigin = grid.Origin,
-                CellSide = grid.Side,
-                GridCounts = grid.Counts,
-                BoundsMin = grid.BoundsMin,
-                BoundsMax = grid.BoundsMax,
-            });
+            if (!geometry.TryEndBody(motion == null ? domain : (Bounds?)null, out CollisionBody body)) return;
+            body.Flags = motion != null ? CollisionBody.Moves : 0u;
+            body.Friction = friction;
+            bodies.Add(body);
             motions.Add(motion);
-            uint offset = (uint)references.Count;
-            foreach (uint start in grid.Starts) cells.Add(start + offset);
-            references.AddRange(grid.References);
         }
 
         void UploadBodies()
@@ -239,6 +205,7 @@ namespace SphFluid
                 body.BodyCount = (uint)bodies.Count;
                 if (motions[i] != null)
                 {
+                    body.Friction = motions[i].Friction;
                     body.Rotation0 = motions[i].Rotation0;
                     body.Position0 = motions[i].Position0;
                     body.Rotation1 = motions[i].Rotation1;
@@ -246,17 +213,18 @@ namespace SphFluid
                 }
                 bodies[i] = body;
             }
-            if (bodies.Count > 0) Upload(ref bodyBuffer, "Bodies", bodies.ToArray(), CollisionBody.Stride);
+            HoldLiquid = bodies.Exists(b => b.Friction > 0f);
+            if (bodies.Count == 0) return;
+            GpuBuffers.Reserve(ref bodyBuffer, "Bodies", bodies.Count, CollisionBody.Stride);
+            bodyBuffer.SetData(bodies);
         }
 
-        static void Upload<T>(ref GraphicsBuffer buffer, string name, T[] data, int stride) where T : struct
+        // A step may leave a periodic face before it is brought in at the other.
+        static Vector3 BeyondFaces(in FluidSolverSettings settings)
         {
-            if (buffer == null || buffer.count < data.Length)
-            {
-                GpuBuffers.Dispose(ref buffer);
-                buffer = GpuBuffers.Create(name, data.Length, stride);
-            }
-            if (data.Length > 0) buffer.SetData(data);
+            Vector3 period = settings.PeriodLength;
+            float way = MeshContact.LongestWay(settings);
+            return new Vector3(period.x > 0f ? way : 0f, period.y > 0f ? way : 0f, period.z > 0f ? way : 0f);
         }
     }
 }

@@ -23,9 +23,9 @@ namespace SphFluid
         public Vector3Int GridCounts;
         public uint BodyCount;
         public Vector3 BoundsMin;
-        public float Pad1;
+        public float Friction;
         public Vector3 BoundsMax;
-        public float Pad2;
+        public float Pad;
     }
 
     /// <summary>A triangle of a body's frame [m]; mirrored by BodyTriangle in Shaders/Collision/Bodies.hlsl.</summary>

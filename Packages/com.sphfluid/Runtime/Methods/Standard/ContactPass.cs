@@ -5,19 +5,17 @@ namespace SphFluid
 {
     /// <summary>
     /// Proves every step free of every triangle and changes those that are not (Shaders/Methods/Standard/{FindContacts,ResolveContacts}.compute):
-    /// three dispatches, the last as large as there are such steps.
+    /// two dispatches, the second as large as there are such steps.
     /// </summary>
     internal sealed class ContactPass
     {
         static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("Contacts");
 
-        readonly ComputeKernel clear;
         readonly ComputeKernel find;
         readonly ComputeKernel resolve;
 
         public ContactPass(FluidShaderSet shaders)
         {
-            clear = new ComputeKernel(shaders.FindContacts, "ClearContacts");
             find = new ComputeKernel(shaders.FindContacts, "FindContacts");
             resolve = new ComputeKernel(shaders.ResolveContacts, "ResolveContacts");
         }
@@ -27,11 +25,7 @@ namespace SphFluid
             FluidSolverSettings settings = state.Settings;
             MeshWallBuffers walls = state.Standard.Walls;
             cmd.BeginSample(Marker);
-            clear.SetBuffer(cmd, StandardShaderIds.ContactArguments, walls.ContactArguments);
-            clear.DispatchThreads(cmd, 1);
-
             Bind(cmd, find, state);
-            find.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
             find.SetFloat(cmd, StandardShaderIds.LongestWay, MeshContact.LongestWay(settings));
             find.SetBuffer(cmd, StandardShaderIds.ContactList, walls.ContactList);
             find.SetBuffer(cmd, StandardShaderIds.ContactArguments, walls.ContactArguments);
@@ -40,7 +34,6 @@ namespace SphFluid
             Bind(cmd, resolve, state);
             resolve.SetFloat(cmd, FluidShaderIds.TimeStep, timeStep);
             resolve.SetFloat(cmd, StandardShaderIds.Friction, 0f);
-            resolve.SetVector(cmd, StandardShaderIds.DomainInside, 0.5f * settings.DomainSize - MeshContact.Distance(settings) * UnityEngine.Vector3.one);
             resolve.SetBuffer(cmd, StandardShaderIds.ContactListIn, walls.ContactList);
             resolve.SetBuffer(cmd, StandardShaderIds.ContactArgumentsIn, walls.ContactArguments);
             resolve.SetBuffer(cmd, StandardShaderIds.NewVelocitiesOut, state.Standard.NewVelocities);
@@ -50,7 +43,9 @@ namespace SphFluid
 
         static void Bind(CommandBuffer cmd, ComputeKernel kernel, FluidState state)
         {
-            CellRowsBinding.Set(cmd, kernel, state.Cells);
+            CellRowsBinding.Set(cmd, kernel, state.Cells, state.Standard.CellStart);
+            DomainFaces.Set(cmd, kernel, state.Settings, MeshContact.Distance(state.Settings));
+            kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
             DomainBindings.SetPeriodic(cmd, kernel, state.Settings);
             MeshContact.Set(cmd, kernel, state.Settings);
             state.Bodies.Bind(cmd, kernel, state.BodyStep.x, state.BodyStep.y);

@@ -3,19 +3,17 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>The walls of triangles near each particle (Shaders/Methods/Standard/GatherWalls.compute): two dispatches.</summary>
+    /// <summary>The walls of triangles near each particle (Shaders/Methods/Standard/GatherWalls.compute): one dispatch.</summary>
     internal sealed class GatherWallsPass
     {
         const string Keyword = "FLUID_MESH_WALLS";
 
         static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("GatherWalls");
 
-        readonly ComputeKernel clear;
         readonly ComputeKernel gather;
 
         public GatherWallsPass(FluidShaderSet shaders)
         {
-            clear = new ComputeKernel(shaders.GatherWalls, "ClearWalls");
             gather = new ComputeKernel(shaders.GatherWalls, "GatherWalls");
         }
 
@@ -23,8 +21,6 @@ namespace SphFluid
         {
             MeshWallBuffers walls = state.Standard.Walls;
             cmd.BeginSample(Marker);
-            clear.SetBuffer(cmd, StandardShaderIds.WallCount, walls.WallCount);
-            clear.DispatchThreads(cmd, 1);
             StandardWallBinding.Set(cmd, gather, state.Settings);
             MeshContact.Set(cmd, gather, state.Settings);
             state.Bodies.Bind(cmd, gather, state.BodyStep.x, state.BodyStep.y);
@@ -33,7 +29,7 @@ namespace SphFluid
             gather.SetBuffer(cmd, StandardShaderIds.Positions, state.Standard.Positions);
             gather.SetBuffer(cmd, StandardShaderIds.WallSlotOut, walls.WallSlot);
             gather.SetBuffer(cmd, StandardShaderIds.NearWallsOut, walls.NearWalls);
-            gather.SetBuffer(cmd, StandardShaderIds.WallCount, walls.WallCount);
+            gather.SetBuffer(cmd, StandardShaderIds.ContactArguments, walls.ContactArguments);
             gather.DispatchThreads(cmd, state.ParticleCount);
             cmd.EndSample(Marker);
         }

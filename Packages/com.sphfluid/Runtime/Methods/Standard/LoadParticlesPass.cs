@@ -21,9 +21,9 @@ namespace SphFluid
         public void Record(CommandBuffer cmd, FluidState state)
         {
             cmd.BeginSample(Marker);
-            clear.SetInt(cmd, StandardShaderIds.CellTotal, state.Cells.CellCount);
+            clear.SetInt(cmd, StandardShaderIds.CellTotal, state.Standard.CellCount.count);
             clear.SetBuffer(cmd, StandardShaderIds.CellCount, state.Standard.CellCount);
-            clear.DispatchThreads(cmd, state.Cells.CellCount);
+            clear.DispatchThreads(cmd, state.Standard.CellCount.count);
             CellRowsBinding.Set(cmd, load, state.Cells);
             load.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
             load.SetBuffer(cmd, FluidShaderIds.Particles, state.Buffers.Particles);

@@ -6,10 +6,10 @@ namespace SphFluid
     /// <summary>What the Standard method needs only where there are triangles: walls near particles, and the list of contacts.</summary>
     internal sealed class MeshWallBuffers : IDisposable
     {
-        /// <summary>Bytes of NearWall in Shaders/Methods/Standard/MeshWalls.hlsl.</summary>
-        public const int WallStride = 96;
+        /// <summary>Bytes of PackedWall in Shaders/Methods/Standard/NearWall.hlsl.</summary>
+        public const int WallStride = 48;
 
-        GraphicsBuffer wallSlot, nearWalls, wallCount, contactList, contactArguments;
+        GraphicsBuffer wallSlot, nearWalls, contactList, contactArguments;
 
         public MeshWallBuffers(int particleCount)
         {
@@ -17,7 +17,6 @@ namespace SphFluid
             {
                 wallSlot = GpuBuffers.Create("WallSlot", particleCount, 4);
                 nearWalls = GpuBuffers.Create("NearWalls", particleCount, WallStride);
-                wallCount = GpuBuffers.Create("WallCount", 1, 4);
                 contactList = GpuBuffers.Create("ContactList", particleCount, 4);
                 contactArguments = GpuBuffers.Create("ContactArguments", 4, 4, GraphicsBuffer.Target.IndirectArguments);
             }
@@ -31,11 +30,8 @@ namespace SphFluid
         /// <summary>Of each particle 1 + the place of its walls in <see cref="NearWalls"/>, or 0.</summary>
         public GraphicsBuffer WallSlot => wallSlot;
 
-        /// <summary>NearWall each.</summary>
+        /// <summary>PackedWall each.</summary>
         public GraphicsBuffer NearWalls => nearWalls;
-
-        /// <summary>Number of those.</summary>
-        public GraphicsBuffer WallCount => wallCount;
 
         /// <summary>Particles whose step is not free.</summary>
         public GraphicsBuffer ContactList => contactList;
@@ -44,13 +40,12 @@ namespace SphFluid
         public GraphicsBuffer ContactArguments => contactArguments;
 
         /// <summary>Bytes of all buffers.</summary>
-        public long Bytes => GpuBuffers.Size(wallSlot, nearWalls, wallCount, contactList, contactArguments);
+        public long Bytes => GpuBuffers.Size(wallSlot, nearWalls, contactList, contactArguments);
 
         public void Dispose()
         {
             GpuBuffers.Dispose(ref wallSlot);
             GpuBuffers.Dispose(ref nearWalls);
-            GpuBuffers.Dispose(ref wallCount);
             GpuBuffers.Dispose(ref contactList);
             GpuBuffers.Dispose(ref contactArguments);
         }

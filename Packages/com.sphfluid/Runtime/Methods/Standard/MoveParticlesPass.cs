@@ -6,9 +6,6 @@ namespace SphFluid
     /// <summary>Forces, leapfrog, walls and the count of the state.Cells, in one dispatch (Shaders/Methods/Standard/MoveParticles.compute).</summary>
     internal sealed class MoveParticlesPass
     {
-        // No slip at a plane: 1.5 times the half-space's drag leaves 1.3 % of the speed at the wall.
-        const float NoSlipFactor = 1.5f;
-
         // No particle comes nearer to a wall by its own speed, over dx; a settled liquid stays farther.
         const float Shell = 0.25f;
 
@@ -25,18 +22,24 @@ namespace SphFluid
         {
             FluidSolverSettings settings = state.Settings;
             float viscosity = settings.Viscosity / settings.RestDensity;
+            double moment = WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing);
+            float friction = settings.Boundaries.Friction;
+            bool rub = friction > 0f || state.HasBodies && state.Bodies.HoldLiquid;
             cmd.BeginSample(Marker);
             CellRowsBinding.Set(cmd, kernel, state.Cells, state.Standard.CellStart);
             DomainBindings.SetPeriodic(cmd, kernel, settings);
             DomainBindings.SetBodyForce(cmd, kernel, settings.BodyForce);
-            DomainBindings.SetNoSlip(cmd, kernel, settings.Boundaries);
+            DomainBindings.SetWallVelocities(cmd, kernel, settings.Boundaries, rub);
             StandardWallBinding.Set(cmd, kernel, settings);
             GatherWallsPass.SetWalls(cmd, kernel, state);
+            NeighbourList.Set(cmd, kernel, state.Standard.List);
             kernel.SetFloat(cmd, StandardShaderIds.FaceDistance, MeshContact.Distance(settings));
             kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-            kernel.SetFloat(cmd, StandardShaderIds.SlopeFactor, (float)(settings.ParticleMass * WendlandKernel.SlopeFactor(settings.SupportRadius)));
+            kernel.SetFloat(cmd, StandardShaderIds.SlopeFactor, (float)(settings.ParticleMass * WendlandKernel.SlopeFactor(settings.SupportRadius) / moment));
+            kernel.SetFloat(cmd, StandardShaderIds.WallPush, (float)(settings.RestDensity / moment));
             kernel.SetFloat(cmd, StandardShaderIds.ViscosityFactor, 2f * viscosity / settings.RestDensity);
-            kernel.SetFloat(cmd, StandardShaderIds.WallViscosity, NoSlipFactor * viscosity);
+            kernel.SetFloat(cmd, StandardShaderIds.WallViscosity, friction * viscosity);
+            kernel.SetFloat(cmd, StandardShaderIds.NoSlipViscosity, viscosity);
             kernel.SetFloat(cmd, StandardShaderIds.ShellDistance, Shell * settings.Spacing);
             kernel.SetVector(cmd, FluidShaderIds.Gravity, settings.Gravity);
             kernel.SetFloat(cmd, FluidShaderIds.TimeStep, step.Length);

@@ -9,6 +9,7 @@ namespace SphFluid
     /// </summary>
     internal sealed class StandardBuffers : IDisposable
     {
+        readonly long bytes;
         GraphicsBuffer positions, velocities, newPositions, newVelocities, density, cellCount, cellStart, blockSum, rank, order;
 
         public StandardBuffers(int particleCount, int cellCount)
@@ -22,9 +23,10 @@ namespace SphFluid
                 density = GpuBuffers.Create("DensityAndPressureTerm", particleCount, 8);
                 rank = GpuBuffers.Create("Rank", particleCount, 4);
                 order = GpuBuffers.Create("Order", particleCount, 4);
-                this.cellCount = GpuBuffers.Create("CellCount", cellCount, 4);
-                cellStart = GpuBuffers.Create("CellStart", cellCount + 1L, 4);
-                blockSum = GpuBuffers.Create("BlockSum", CellScanPass.Groups(cellCount), 4);
+                this.cellCount = GpuBuffers.Create("CellCount", cellCount + 1L, 4);
+                cellStart = GpuBuffers.Create("CellStart", cellCount + 2L, 4);
+                blockSum = GpuBuffers.Create("BlockSum", CellScanPass.Groups(cellCount + 1), 4);
+                bytes = GpuBuffers.Size(positions, velocities, newPositions, newVelocities, density, this.cellCount, cellStart, blockSum, rank, order);
             }
             catch
             {
@@ -48,10 +50,10 @@ namespace SphFluid
         /// <summary>ρ [kg/m³] and p/ρ² in the order of the last sort, float2.</summary>
         public GraphicsBuffer Density => density;
 
-        /// <summary>Particles of each cell after the step.</summary>
+        /// <summary>Particles of each cell after the step, and those that left the domain in it.</summary>
         public GraphicsBuffer CellCount => cellCount;
 
-        /// <summary>First particle of each cell, and the end of the last.</summary>
+        /// <summary>First particle of each cell, first of those that left the domain, and the end.</summary>
         public GraphicsBuffer CellStart => cellStart;
 
         /// <summary>Sums of the scan's groups.</summary>
@@ -69,21 +71,31 @@ namespace SphFluid
         /// <summary>Makes <see cref="Walls"/>, if they are not there.</summary>
         public void RequireWalls() => Walls ??= new MeshWallBuffers(positions.count);
 
-        /// <summary>Bytes of all buffers.</summary>
-        public long Bytes
+        /// <summary>Neighbours of the last density pass; null for a step that searches twice.</summary>
+        public NeighbourList List { get; private set; }
+
+        /// <summary>Makes <see cref="List"/>, or frees it, as the settings have it.</summary>
+        public void RequireList(in FluidSolverSettings settings)
         {
-            get
+            if (settings.NeighbourList && List == null)
             {
-                long bytes = Walls?.Bytes ?? 0;
-                foreach (GraphicsBuffer buffer in new[] { positions, velocities, newPositions, newVelocities, density, cellCount, cellStart, blockSum, rank, order })
-                    bytes += (long)buffer.count * buffer.stride;
-                return bytes;
+                int length = NeighbourList.LengthFor(settings);
+                if (NeighbourList.Fits(positions.count, length)) List = new NeighbourList(positions.count, length);
+            }
+            else if (!settings.NeighbourList && List != null)
+            {
+                List.Dispose();
+                List = null;
             }
         }
+
+        /// <summary>Bytes of all buffers.</summary>
+        public long Bytes => bytes + (Walls?.Bytes ?? 0) + (List?.Bytes ?? 0);
 
         public void Dispose()
         {
             Walls?.Dispose();
+            List?.Dispose();
             GpuBuffers.Dispose(ref positions);
             GpuBuffers.Dispose(ref velocities);
             GpuBuffers.Dispose(ref newPositions);

@@ -23,8 +23,9 @@ namespace SphFluid
             DomainBindings.SetPeriodic(cmd, kernel, settings);
             StandardWallBinding.Set(cmd, kernel, settings);
             GatherWallsPass.SetWalls(cmd, kernel, state);
-            kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
+            NeighbourList.SetOut(cmd, kernel, state.Standard.List);
             kernel.SetFloat(cmd, StandardShaderIds.DensityFactor, (float)(settings.ParticleMass * WendlandKernel.Factor(settings.SupportRadius)));
+            kernel.SetFloat(cmd, StandardShaderIds.InverseMoment, (float)(1.0 / WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing)));
             kernel.SetFloat(cmd, StandardShaderIds.SoundSpeedSquared, settings.SoundSpeed * settings.SoundSpeed);
             kernel.SetFloat(cmd, StandardShaderIds.SuctionFloor, settings.PressureClamp ? 0f : -settings.RestDensity);
             kernel.SetBuffer(cmd, StandardShaderIds.Positions, state.Standard.Positions);

@@ -4,8 +4,8 @@ namespace SphFluid
 {
     /// <summary>
     /// Weakly compressible SPH with one Wendland C2 kernel for density and force, walls that carry density, and five dependent
-    /// dispatches a step: ScanReduce, ScanApply, Scatter, StandardDensity, MoveParticles. Triangles add five: two before the
-    /// density find the walls near particles, three after the motion prove it free of them.
+    /// dispatches a step: ScanReduce, ScanApply, Scatter, StandardDensity, MoveParticles; the stable order makes Scatter two.
+    /// Triangles add three: GatherWalls before the density, FindContacts and ResolveContacts after the motion.
     /// </summary>
     internal sealed class StandardMethod : IFluidMethod
     {
@@ -54,6 +54,7 @@ namespace SphFluid
                 gatherWalls.Record(cmd, state);
             }
 
+            state.Standard.RequireList(state.Settings);
             density.Record(cmd, state);
         }
 

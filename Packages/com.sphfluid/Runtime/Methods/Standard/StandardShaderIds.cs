@@ -30,7 +30,6 @@ namespace SphFluid
         public static readonly int WallSlotOut = Shader.PropertyToID("_WallSlotOut");
         public static readonly int NearWalls = Shader.PropertyToID("_NearWalls");
         public static readonly int NearWallsOut = Shader.PropertyToID("_NearWallsOut");
-        public static readonly int WallCount = Shader.PropertyToID("_WallCount");
         public static readonly int FaceDistance = Shader.PropertyToID("_FaceDistance");
 
         public static readonly int ContactList = Shader.PropertyToID("_ContactList");
@@ -43,23 +42,25 @@ namespace SphFluid
         public static readonly int ContactTolerance = Shader.PropertyToID("_ContactTolerance");
         public static readonly int LongestWay = Shader.PropertyToID("_LongestWay");
         public static readonly int Friction = Shader.PropertyToID("_Friction");
-        public static readonly int DomainInside = Shader.PropertyToID("_DomainInside");
 
         public static readonly int InverseSupport = Shader.PropertyToID("_InverseSupport");
         public static readonly int DensityFactor = Shader.PropertyToID("_DensityFactor");
+        public static readonly int InverseMoment = Shader.PropertyToID("_InverseMoment");
         public static readonly int SoundSpeedSquared = Shader.PropertyToID("_SoundSpeedSquared");
         public static readonly int SuctionFloor = Shader.PropertyToID("_SuctionFloor");
         public static readonly int SlopeFactor = Shader.PropertyToID("_SlopeFactor");
+        public static readonly int WallPush = Shader.PropertyToID("_WallPush");
         public static readonly int ViscosityFactor = Shader.PropertyToID("_ViscosityFactor");
 
         public static readonly int SupportRatio = Shader.PropertyToID("_SupportRatio");
         public static readonly int MirrorSpacing = Shader.PropertyToID("_MirrorSpacing");
         public static readonly int DomainHalf = Shader.PropertyToID("_DomainHalf");
-        public static readonly int WallAxes = Shader.PropertyToID("_WallAxes");
         public static readonly int ShellDistance = Shader.PropertyToID("_ShellDistance");
         public static readonly int KickStep = Shader.PropertyToID("_KickStep");
         public static readonly int FirstStep = Shader.PropertyToID("_FirstStep");
+        public static readonly int Damping = Shader.PropertyToID("_Damping");
         public static readonly int WallViscosity = Shader.PropertyToID("_WallViscosity");
+        public static readonly int NoSlipViscosity = Shader.PropertyToID("_NoSlipViscosity");
         public static readonly int WallVelocities = Shader.PropertyToID("_WallVelocities");
         public static readonly int BodyForceCentre = Shader.PropertyToID("_BodyForceCentre");
         public static readonly int BodyForceRate = Shader.PropertyToID("_BodyForceRate");

@@ -14,7 +14,7 @@ float3 MeshShell(NearWall wall, float3 velocity)
     for (int turn = 0; turn < 2; turn++)
     {
         [unroll]
-        for (int k = 0; k < 3; k++)
+        for (int k = 0; k < WALL_PLANES; k++)
         {
             const float least = wall.Approach[k] - max(0.0, wall.Planes[k].w - _ShellDistance) / _TimeStep;
             velocity += max(0.0, least - dot(wall.Planes[k].xyz, velocity)) * wall.Planes[k].xyz;
@@ -25,18 +25,21 @@ float3 MeshShell(NearWall wall, float3 velocity)
 
 #if defined(FLUID_NO_SLIP)
 
+float _NoSlipViscosity; // m^2/s
+
 float3 MeshFriction(NearWall wall, float3 velocity)
 {
     float3 drag = float3(0.0, 0.0, 0.0);
     const uint rubs = (wall.Flags >> 4u) & 3u;
     [unroll]
-    for (uint k = 0u; k < 3u; k++)
+    for (uint k = 0u; k < uint(WALL_PLANES); k++)
     {
         if (k == rubs)
         {
             const float3 n = wall.Planes[k].xyz;
             const float3 relative = velocity - wall.Velocity;
-            drag = -_WallViscosity * HalfSpaceDrag(wall.Planes[k].www).x * (relative - n * dot(n, relative));
+            const float viscosity = wall.Friction < 0.0 ? _WallViscosity : wall.Friction * _NoSlipViscosity;
+            drag = -viscosity * MirrorDrag(wall.Planes[k].www).x * (relative - n * dot(n, relative));
         }
     }
     return drag;

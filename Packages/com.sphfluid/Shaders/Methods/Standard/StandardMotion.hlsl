@@ -23,9 +23,9 @@ struct Motion
 // Velocities only: pushing positions in dense liquid would add energy.
 float3 Shell(float3 position, float3 velocity)
 {
-    const float3 low = -max(position + _DomainHalfSize - _ShellDistance, 0.0) / _TimeStep;
-    const float3 high = max(_DomainHalfSize - position - _ShellDistance, 0.0) / _TimeStep;
-    return velocity + WhereWalls(clamp(velocity, low, high) - velocity);
+    const float3 low = -max(position - _WallsLow - _ShellDistance, 0.0) / _TimeStep;
+    const float3 high = max(_WallsHigh - position - _ShellDistance, 0.0) / _TimeStep;
+    return clamp(velocity, low, high);
 }
 
 // Leapfrog with the velocity half a step after the position's last force; a step of another length kicks by the mean.
@@ -42,10 +42,9 @@ Motion Leapfrog(float3 position, float3 kicked)
     }
     motion.Position = WrapPosition(motion.Position);
 #if defined(FLUID_MESH_WALLS)
-    const float3 limit = _DomainHalfSize - WhereWalls(_FaceDistance.xxx);
-    const float3 inside = clamp(motion.Position, -limit, limit);
+    const float3 inside = clamp(motion.Position, _WallsLow + _FaceDistance, _WallsHigh - _FaceDistance);
 #else
-    const float3 inside = clamp(motion.Position, -_DomainHalfSize, _DomainHalfSize);
+    const float3 inside = clamp(motion.Position, _WallsLow, _WallsHigh);
 #endif
     if (any(inside != motion.Position))
     {

@@ -2,6 +2,7 @@
 #define SPHFLUID_STANDARD_WALLS
 
 #include "Wendland.hlsl"
+#include "../DomainFaces.hlsl"
 
 // A wall adds the density of the particle's own mirror layers, and pushes by the gradient of just that, so that walls hold
 // energy as the liquid does: the usual forms do not, and a pool boils on them. Profile of a plane at distance d:
@@ -11,7 +12,6 @@
 float _SupportRatio;     // kappa = R/dx
 float _MirrorSpacing;    // dx/R
 float3 _DomainHalfSize;  // m
-float3 _WallAxes;        // 1 along axes whose faces are walls, 0 along periodic ones
 
 struct WallDensity
 {
@@ -40,17 +40,16 @@ WallDensity DomainWalls(float3 position)
     WallDensity walls;
     walls.Value = 0.0;
     walls.Gradient = float3(0.0, 0.0, 0.0);
-    const float3 near = _DomainHalfSize - abs(position);
     const float reach = 0.5 / _InverseSupport;
-    if (any(near < reach && _WallAxes > 0.0))
+    if (any(min(position - _WallsLow, _WallsHigh - position) < reach))
     {
         float3 open = float3(1.0, 1.0, 1.0);
         float3 slope = float3(0.0, 0.0, 0.0);
         [unroll]
         for (int axis = 0; axis < 3; axis++)
         {
-            const float2 low = _WallAxes[axis] * MirrorProfile(_DomainHalfSize[axis] + position[axis]);
-            const float2 high = _WallAxes[axis] * MirrorProfile(_DomainHalfSize[axis] - position[axis]);
+            const float2 low = MirrorProfile(position[axis] - _WallsLow[axis]);
+            const float2 high = MirrorProfile(_WallsHigh[axis] - position[axis]);
             open[axis] = (1.0 - low.x) * (1.0 - high.x);
             slope[axis] = high.y * (1.0 - low.x) - low.y * (1.0 - high.x);
         }

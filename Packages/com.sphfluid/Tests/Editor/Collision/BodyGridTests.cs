@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
@@ -27,13 +28,72 @@ namespace SphFluid.Tests
 
         static HashSet<int> Listed(BodyGrid grid, Vector3 position)
         {
-            var found = new HashSet<int>();
-            Vector3 p = (position - grid.Origin) / grid.Side;
-            var cell = new Vector3Int(Mathf.FloorToInt(p.x), Mathf.FloorToInt(p.y), Mathf.FloorToInt(p.z));
-            if (cell.x < 0 || cell.y < 0 || cell.z < 0 || cell.x >= grid.Counts.x || cell.y >= grid.Counts.y || cell.z >= grid.Counts.z) return found;
-            int index = cell.x + grid.Counts.x * (cell.y + grid.Counts.y * cell.z);
-            for (uint r = grid.Starts[index]; r < grid.Starts[index + 1]; r++) found.Add((int)grid.References[(int)r]);
-            return found;
+            BodyCells cells = grid.Cells;
+            Vector3 p = (position - cells.Origin) / cells.Side;
+            int x = Mathf.FloorToInt(p.x), y = Mathf.FloorToInt(p.y), z = Mathf.FloorToInt(p.z);
+            bool inside = x >= 0 && y >= 0 && z >= 0 && x < cells.CountX && y < cells.CountY && z < cells.CountZ;
+            return new HashSet<int>(inside ? List(grid, x + cells.CountX * (y + cells.CountY * z)) : Enumerable.Empty<int>());
+        }
+
+        static IEnumerable<int> List(BodyGrid grid, int cell)
+        {
+            for (uint r = grid.Starts[cell]; r < grid.Starts[cell + 1]; r++) yield return (int)grid.References[(int)r];
+        }
+
+        // Whether a cell of one axis is among those that a triangle's corners, inflated, reach.
+        static bool Spans(double low, double high, double origin, double side, int cell, int count)
+        {
+            int first = (int)Math.Floor((low - origin) / side), last = (int)Math.Floor((high - origin) / side);
+            return cell >= Mathf.Clamp(first, 0, count - 1) && cell <= Mathf.Clamp(last, 0, count - 1);
+        }
+
+        static bool Meets(BodyCells cells, BodyTriangle tri, int x, int y, int z)
+        {
+            double inflate = cells.Reach * (1.0 + 1e-4);
+            var cell = new Vector3Int(x, y, z);
+            var counts = new Vector3Int(cells.CountX, cells.CountY, cells.CountZ);
+            double across = 0.0, spread = 0.0;
+            for (int axis = 0; axis < 3; axis++)
+            {
+                double low = Mathf.Min(tri.A[axis], Mathf.Min(tri.B[axis], tri.C[axis])), high = Mathf.Max(tri.A[axis], Mathf.Max(tri.B[axis], tri.C[axis]));
+                if (!Spans(low - inflate, high + inflate, cells.Origin[axis], cells.Side, cell[axis], counts[axis])) return false;
+                double normal = axis == 0 ? tri.NormalX : axis == 1 ? tri.NormalY : tri.NormalZ;
+                across += (cells.Origin[axis] + (cell[axis] + 0.5) * cells.Side - tri.A[axis]) * normal;
+                spread += Math.Abs(normal);
+            }
+            return Math.Abs(across) <= (0.5 * cells.Side + inflate) * spread + 1e-4 * cells.Side;
+        }
+
+        [TestCase(1, false)]
+        [TestCase(2, true)]
+        [TestCase(101, false)]
+        [TestCase(101, true)]
+        public void TheJobsListWhatEachCellMeetsInTheTrianglesOrder(int count, bool within)
+        {
+            BodyTriangle[] triangles = Soup(count, 11).ToArray();
+            Bounds? bounds = within ? new Bounds(Vector3.zero, new Vector3(0.6f, 0.8f, 1f)) : (Bounds?)null;
+            using (var grid = new BodyGrid(triangles, 4f * Reach, bounds, 1000u, 77u))
+            {
+                BodyCells cells = grid.Cells;
+                Assert.That(grid.Starts.Length, Is.EqualTo(cells.Count + 1));
+                Assert.That(grid.Starts[0], Is.EqualTo(77u));
+                Assert.That(grid.Starts[cells.Count] - 77u, Is.EqualTo((uint)grid.References.Length));
+                for (int cell = 0; cell < cells.Count; cell++)
+                {
+                    int x = cell % cells.CountX, y = cell / cells.CountX % cells.CountY, z = cell / cells.CountX / cells.CountY;
+                    uint[] expected = Enumerable.Range(0, count).Where(t => Meets(cells, triangles[t], x, y, z)).Select(t => 1000u + (uint)t).ToArray();
+                    int first = (int)(grid.Starts[cell] - 77u), length = (int)(grid.Starts[cell + 1] - grid.Starts[cell]);
+                    Assert.That(grid.References.GetSubArray(first, length).ToArray(), Is.EqualTo(expected), $"cell {x}, {y}, {z}");
+                }
+            }
+        }
+
+        [Test]
+        public void CellsGrowUntilTheyAreFewEnough()
+        {
+            BodyCells cells = BodyCells.Over(-5f * Vector3.one, 5f * Vector3.one, 0.1f, 1000);
+            Assert.That(cells.Count, Is.LessThanOrEqualTo(1000).And.GreaterThan(200));
+            Assert.That(cells.CountX * cells.Side, Is.GreaterThanOrEqualTo(10f));
         }
 
         [TestCase(false)]
@@ -42,7 +102,7 @@ namespace SphFluid.Tests
         {
             List<BodyTriangle> triangles = Soup(211, 5);
             var domain = new Bounds(Vector3.zero, new Vector3(0.6f, 0.8f, 1f));
-            var grid = new BodyGrid(triangles, 0, triangles.Count, Reach, within ? domain : (Bounds?)null);
+            using var grid = new BodyGrid(triangles.ToArray(), Reach, within ? domain : (Bounds?)null);
             var random = new System.Random(6);
             int near = 0;
             for (int i = 0; i < 10000; i++)
@@ -50,7 +110,7 @@ namespace SphFluid.Tests
                 Vector3 p = within ? Vector3.Scale(ParticleSets.RandomVector(random), domain.size) : 1.4f * ParticleSets.RandomVector(random);
                 if (within && i % 10 == 0) p.x = domain.max.x; // a particle on a face
                 if (i % 3 == 0) // on the cells' borders
-                    p.y = grid.Origin.y + grid.Side * Mathf.Floor((p.y - grid.Origin.y) / grid.Side);
+                    p.y = grid.Cells.Origin.y + grid.Cells.Side * Mathf.Floor((p.y - grid.Cells.Origin.y) / grid.Cells.Side);
                 if (within) p = Vector3.Max(domain.min, Vector3.Min(domain.max, p));
                 HashSet<int> listed = Listed(grid, p);
                 for (int t = 0; t < triangles.Count; t++)
@@ -67,7 +127,7 @@ namespace SphFluid.Tests
         public void TheMiddlesOfAWaysPartsListAllThatItMeets()
         {
             List<BodyTriangle> triangles = Soup(97, 8);
-            var grid = new BodyGrid(triangles, 0, triangles.Count, Reach, null);
+            using var grid = new BodyGrid(triangles.ToArray(), Reach, null);
             var random = new System.Random(9);
             for (int i = 0; i < 3000; i++)
             {

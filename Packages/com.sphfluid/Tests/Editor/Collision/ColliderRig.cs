@@ -19,6 +19,7 @@ namespace SphFluid.Tests
         public Quaternion Rotation { get; set; } = Quaternion.identity;
         public Vector3 DomainSize { get; set; } = new Vector3(4f, 4f, 4f);
         public float Spacing { get; set; } = 0.1f;
+        public FluidSimulation Simulation { get; set; }
 
         public T Add<T>(string name = "collider") where T : Collider
         {
@@ -40,6 +41,7 @@ namespace SphFluid.Tests
             Physics.SyncTransforms();
             return Scene.Gather(new CollisionQuery
             {
+                Simulation = Simulation,
                 Scene = Physics.defaultPhysicsScene,
                 Position = Position,
                 Rotation = Rotation,

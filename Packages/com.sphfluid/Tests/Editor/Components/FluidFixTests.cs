@@ -71,6 +71,15 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void TooManyCells()
+        {
+            simulation.Method = FluidMethodKind.Standard;
+            simulation.DomainSize = new Vector3(20f, 5f, 20f);
+            simulation.Spacing = 0.02f;
+            Cure(FluidIssue.TooManyCells);
+        }
+
+        [Test]
         public void WrongFacesAndForces()
         {
             simulation.BodyForce = new FluidBodyForce { RateSquared = Vector3.one };

@@ -47,14 +47,16 @@ namespace SphFluid.Tests
             Assert.That(profile.MaxParticles, Is.EqualTo(1));
         }
 
-        [Test]
-        public void ShippedAssetsAreComplete()
+        [TestCase("WaterProfile", 2.25f)]
+        [TestCase("ThesisWaterProfile", 2f)]
+        public void ShippedAssetsAreComplete(string name, float supportRatio)
         {
-            var water = AssetDatabase.LoadAssetAtPath<FluidProfile>(Assets + "WaterProfile.asset");
+            var water = AssetDatabase.LoadAssetAtPath<FluidProfile>(Assets + name + ".asset");
             Assert.That(water, Is.Not.Null);
             Assert.That(water.Shaders, Is.Not.Null);
             Assert.That(water.Shaders.Validate(), Is.Empty);
             Assert.That(water.RestDensity, Is.EqualTo(1000f));
+            Assert.That(water.SupportRatio, Is.EqualTo(supportRatio));
             Assert.That(water.ThesisSwitches, Is.EqualTo(ThesisSwitches.Corrected));
             Assert.That(water.Version, Is.EqualTo(1));
         }
@@ -65,7 +67,8 @@ namespace SphFluid.Tests
             var set = ScriptableObject.CreateInstance<FluidShaderSet>();
             try
             {
-                Assert.That(set.MissingForSimulation(), Does.Contain("bitonicSort").And.Contain("calculateNewPosition").And.Not.Contain("particleShader"));
+                Assert.That(set.MissingFor(FluidMethodKind.Thesis), Does.Contain("bitonicSort").And.Contain("calculateNewPosition").And.Not.Contain("moveParticles"));
+                Assert.That(set.MissingFor(FluidMethodKind.Standard), Does.Contain("moveParticles").And.Not.Contain("bitonicSort").And.Not.Contain("particleShader"));
                 Assert.That(set.Validate(), Does.Contain("particleShader").And.Contain("surfaceMesh"));
             }
             finally

@@ -77,7 +77,7 @@ namespace SphFluid.Tests
             Assert.That(result.Particles.Count, Is.EqualTo(5 * 4 * 4));
             Assert.That(result.Tallies[0].OutsideShare, Is.EqualTo(0.5).Within(0.02));
 
-            request.Boxes = new[] { Box(new Vector3(3f, 0f, 0f), new Vector3(1f, 0.4f, 0.4f)) };
+            request.Shapes = new[] { Box(new Vector3(3f, 0f, 0f), new Vector3(1f, 0.4f, 0.4f)) };
             result = FluidSpawner.Fill(request);
             Assert.That(result.Particles, Is.Empty);
             Assert.That(result.Tallies[0].OutsideShare, Is.EqualTo(1.0));
@@ -186,7 +186,7 @@ namespace SphFluid.Tests
         }
 
         static SpawnRequest Request(float spacing, params LiquidBox[] boxes) =>
-            new SpawnRequest { DomainSize = new Vector3(2f, 2f, 2f), Spacing = spacing, Boxes = boxes };
+            new SpawnRequest { DomainSize = new Vector3(2f, 2f, 2f), Spacing = spacing, Shapes = boxes };
 
         static LiquidBox Box(Vector3 center, Vector3 size, Vector3 velocity = default) =>
             new LiquidBox("box", Matrix4x4.TRS(center, Quaternion.identity, size), velocity);

@@ -18,13 +18,18 @@ namespace SphFluid.Tests
             simulation.Method = FluidMethodKind.Thesis;
             simulation.ColliderLayers = 0;
             simulation.UseSceneGravity = false;
-            simulation.Profile = AssetDatabase.LoadAssetAtPath<FluidProfile>("Packages/com.sphfluid/Runtime/Assets/WaterProfile.asset");
+            simulation.Profile = Object.Instantiate(AssetDatabase.LoadAssetAtPath<FluidProfile>("Packages/com.sphfluid/Runtime/Assets/WaterProfile.asset"));
+            simulation.Profile.SupportRatio = 2f;
             var volume = new GameObject("Liquid").AddComponent<FluidVolume>();
             volume.transform.SetParent(simulation.transform, false);
         }
 
         [TearDown]
-        public void TearDown() => Object.DestroyImmediate(simulation.gameObject);
+        public void TearDown()
+        {
+            Object.DestroyImmediate(simulation.Profile);
+            Object.DestroyImmediate(simulation.gameObject);
+        }
 
         [Test]
         public void AutomaticTakesSixTenthsOfTheLimitAtRest()
@@ -32,6 +37,7 @@ namespace SphFluid.Tests
             // v = √(2 · 9.81 · 0.75) = 3.836 m/s, c = 5 v = 19.18 m/s, k = 735.8; at rest 1.35 · 0.05/√k = 2.489 ms, at v 2.074 ms.
             TimeStepText text = Text();
             Assert.That(Value(text, "Speed of sound c"), Is.EqualTo("19.18 m/s"));
+            Assert.That(Value(text, "Compression allowed"), Is.EqualTo("4 % at 3.84 m/s"));
             Assert.That(Value(text, "Stiffness k"), Is.EqualTo("735.8 m²/s²"));
             Assert.That(Value(text, "Viscosity ν"), Is.EqualTo("0.00959 m²/s"));
             Assert.That(Value(text, "Time step"), Is.EqualTo("1.49 ms"));

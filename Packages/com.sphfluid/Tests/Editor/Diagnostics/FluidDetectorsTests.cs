@@ -66,6 +66,31 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void TheStandardMethodIsNotAskedForTheThesissSettings()
+        {
+            foreach ((FluidFailure failure, string name, Action<VitalsSeries> make) in Cases)
+            {
+                VitalsSeries series = VitalsSeries.Healthy().OfStandard();
+                make(series);
+                foreach (FluidFinding finding in series.Run().SelectMany(found => found))
+                {
+                    Assert.That(failure, Is.Not.EqualTo(FluidFailure.Pairing).And.Not.EqualTo(FluidFailure.KernelMismatch), "Wendland's kernel does not pair, and there is one");
+                    bool ofSwitch = finding.Failure == FluidFailure.TensileClumping || finding.Failure == FluidFailure.SelfTermMissing || finding.Failure == FluidFailure.DensityDeficiency || finding.Failure == FluidFailure.ClampActs;
+                    if (!ofSwitch) Assert.That(finding.Cure, Does.Not.Contain("Wall Stiffness").And.Not.Contain("Wall Distance").And.Not.Contain("Thesis"), name);
+                }
+            }
+        }
+
+        // Over 1.35 R/c; Wendland on the lattice has 0.9 R/c.
+        [TestCase(0.55f, false)]
+        [TestCase(0.75f, true)]
+        public void TheStandardMethodHasItsOwnBorder(float factor, bool named)
+        {
+            IEnumerable<FluidFailure> found = VitalsSeries.Healthy().OfStandard().Step(factor).Run().SelectMany(f => f).Select(f => f.Failure);
+            Assert.That(found.Contains(FluidFailure.TimeStepTooLong), Is.EqualTo(named));
+        }
+
+        [Test]
         public void HealthyLiquidHasNoFindings()
         {
             VitalsSeries series = VitalsSeries.Healthy();

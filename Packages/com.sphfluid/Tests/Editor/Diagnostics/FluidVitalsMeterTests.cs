@@ -15,7 +15,7 @@ namespace SphFluid.Tests
         FluidShaderSet shaders;
 
         [SetUp]
-        public void SetUp() => shaders = TestShaders.CreateThesisSet();
+        public void SetUp() => shaders = TestShaders.CreateSet();
 
         [TearDown]
         public void TearDown() => UnityEngine.Object.DestroyImmediate(shaders);

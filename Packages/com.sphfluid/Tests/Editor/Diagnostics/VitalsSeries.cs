@@ -11,7 +11,6 @@ namespace SphFluid.Tests
 
         public FluidSolverSettings Settings = TestSettings.ByRule(new Vector3(1f, 1f, 1f), 0.04f);
         public double RealViscosity = double.NaN;
-        public FluidMethodKind Kind = FluidMethodKind.Thesis;
         public readonly List<FluidVitals> Vitals = new List<FluidVitals>();
         public readonly List<FluidCounters> Counters = new List<FluidCounters>();
 
@@ -79,7 +78,22 @@ namespace SphFluid.Tests
             return this;
         }
 
-        public FluidDetectors Detectors() => new FluidDetectors(Settings, Kind, RealViscosity);
+        /// <summary>The same motion by the Standard method.</summary>
+        public VitalsSeries OfStandard()
+        {
+            double before = Settings.TimeStep;
+            FluidRuleInput input = FluidRuleInput.Water;
+            input.Method = FluidMethodKind.Standard;
+            input.DomainSize = Settings.DomainSize;
+            input.Spacing = Settings.Spacing;
+            input.LiquidHeight = Settings.DomainSize.y;
+            input.LiquidDepth = 0.5f * Settings.DomainSize.y;
+            Settings = FluidSolverSettings.FromRules(input);
+            double ratio = Settings.TimeStep / before;
+            return From(0, v => { v.Time *= ratio; return v; });
+        }
+
+        public FluidDetectors Detectors() => new FluidDetectors(Settings, RealViscosity);
 
         /// <summary>The findings of each measurement.</summary>
         public List<IReadOnlyList<FluidFinding>> Run()

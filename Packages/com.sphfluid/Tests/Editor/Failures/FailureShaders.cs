@@ -8,7 +8,7 @@ namespace SphFluid.Tests
         /// <summary>The thesis method and the vitals; destroy it after use.</summary>
         public static FluidShaderSet Create()
         {
-            FluidShaderSet set = TestShaders.CreateThesisSet();
+            FluidShaderSet set = TestShaders.CreateSet();
             set.MeasureVitals = TestShaders.Load("Shaders/Diagnostics/MeasureVitals.compute");
             return set;
         }

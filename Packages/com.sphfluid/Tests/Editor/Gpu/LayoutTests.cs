@@ -31,9 +31,9 @@ namespace SphFluid.Tests
                 Position = new Vector3(1f, 2f, 3f),
                 Id = 4,
                 VelT0 = new Vector3(5f, 6f, 7f),
-                Pad0 = 8f,
+                Removed = 8f,
                 VelT1 = new Vector3(9f, 10f, 11f),
-                Pad1 = 12f,
+                Pad = 12f,
             };
             using (GraphicsBuffer particles = GpuBuffers.Create("Particles", 2, FluidParticle.Stride))
             using (GraphicsBuffer values = GpuBuffers.Create("Values", 12, sizeof(float)))

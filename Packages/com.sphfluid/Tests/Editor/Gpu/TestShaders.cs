@@ -9,8 +9,8 @@ namespace SphFluid.Tests
     {
         const string Package = "Packages/com.sphfluid/";
 
-        /// <summary>A shader set with the thesis method's blocks; destroy it after use.</summary>
-        public static FluidShaderSet CreateThesisSet()
+        /// <summary>A shader set with the blocks of both methods; destroy it after use.</summary>
+        public static FluidShaderSet CreateSet()
         {
             GpuTest.Require();
             var set = ScriptableObject.CreateInstance<FluidShaderSet>();
@@ -32,6 +32,7 @@ namespace SphFluid.Tests
             set.GatherWalls = Load("Shaders/Methods/Standard/GatherWalls.compute");
             set.FindContacts = Load("Shaders/Methods/Standard/FindContacts.compute");
             set.ResolveContacts = Load("Shaders/Methods/Standard/ResolveContacts.compute");
+            set.DampVelocities = Load("Shaders/Methods/Standard/DampVelocities.compute");
             set.PublishParticles = Load("Shaders/Methods/Standard/PublishParticles.compute");
             return set;
         }

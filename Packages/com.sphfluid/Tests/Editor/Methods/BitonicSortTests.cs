@@ -65,7 +65,7 @@ namespace SphFluid.Tests
 
         static void CheckSort(ulong[] pairs)
         {
-            FluidShaderSet shaders = TestShaders.CreateThesisSet();
+            FluidShaderSet shaders = TestShaders.CreateSet();
             int padded = BitonicSortPass.PaddedCount(pairs.Length);
             using (GraphicsBuffer data = GpuBuffers.Create("Data", padded, 8))
             using (GraphicsBuffer temp = GpuBuffers.Create("Temp", padded, 8))

@@ -43,7 +43,7 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = Settings();
             settings.TimeStep = 1f / 512f;
-            FluidShaderSet shaders = TestShaders.CreateThesisSet();
+            FluidShaderSet shaders = TestShaders.CreateSet();
             try
             {
                 var start = new FluidParticle(Centre + new Vector3(0.5f, 0f, 0f), Vector3.zero, 0);

@@ -31,7 +31,7 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = Settings();
             settings.Boundaries.LowZ = Along;
-            Refused(settings, "LowZ", "Set NoSlip");
+            Refused(settings, "LowZ", "Set Boundaries.Friction");
         }
 
         [Test]
@@ -77,7 +77,7 @@ namespace SphFluid.Tests
         [Test]
         public void PeriodicAxesCannotChangeWhileTheLiquidRunsButWallsAndForceCan()
         {
-            FluidShaderSet shaders = TestShaders.CreateThesisSet();
+            FluidShaderSet shaders = TestShaders.CreateSet();
             try
             {
                 using (var solver = new FluidSolver(Settings(), shaders, new[] { new FluidParticle(Vector3.zero, Vector3.zero, 0) }))
@@ -97,6 +97,27 @@ namespace SphFluid.Tests
             {
                 UnityEngine.Object.DestroyImmediate(shaders);
             }
+        }
+
+        [TestCase(-0.1f)]
+        [TestCase(1.5f)]
+        [TestCase(float.NaN)]
+        public void AFrictionOutOfRangeIsRefused(float friction)
+        {
+            FluidSolverSettings settings = Settings();
+            settings.Boundaries.Friction = friction;
+            Refused(settings, "Boundaries.Friction", "from 0 (free slip) to 1 (no slip)");
+        }
+
+        [Test]
+        public void NoSlipIsFrictionOne()
+        {
+            var walls = new FluidBoundaries { NoSlip = true };
+            Assert.That(walls.Friction, Is.EqualTo(1f));
+            walls.Friction = 0.5f;
+            Assert.That(walls.NoSlip, Is.False);
+            walls.NoSlip = false;
+            Assert.That(walls.IsDefault);
         }
 
         static FluidSolverSettings Settings() => TestSettings.ByRule(Vector3.one, 0.05f);

@@ -106,8 +106,7 @@ namespace SphFluid.Tests
 
         static FluidRuleInput Example()
         {
-            FluidRuleInput input = FluidRuleInput.Water;
-            input.Method = FluidMethodKind.Thesis;
+            FluidRuleInput input = FluidRuleInput.ThesisWater;
             input.DomainSize = new Vector3(1.8f, 1.2f, 0.8f);
             input.Spacing = 0.025f;
             input.LiquidHeight = 0.8f;

@@ -13,7 +13,7 @@ namespace SphFluid.Tests
 
         public ThesisRig(in FluidSolverSettings settings, FluidParticle[] particles)
         {
-            shaders = TestShaders.CreateThesisSet();
+            shaders = TestShaders.CreateSet();
             State = new FluidState(settings, particles.Length);
             State.SetTriangles(null, null, 0);
             if (particles.Length > 0)

@@ -119,7 +119,7 @@ namespace SphFluid.Tests
 
         static FluidParticle[] RunGpu(in FluidSolverSettings settings, int steps)
         {
-            FluidShaderSet shaders = TestShaders.CreateThesisSet();
+            FluidShaderSet shaders = TestShaders.CreateSet();
             try
             {
                 using (var solver = new FluidSolver(settings, shaders, Start()))

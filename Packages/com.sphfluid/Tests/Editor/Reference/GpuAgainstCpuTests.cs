@@ -95,7 +95,7 @@ namespace SphFluid.Tests
 
         static FluidParticle[] RunGpu(in FluidSolverSettings settings, FluidParticle[] initial, ReferenceMesh mesh, int steps)
         {
-            FluidShaderSet shaders = TestShaders.CreateThesisSet();
+            FluidShaderSet shaders = TestShaders.CreateSet();
             try
             {
                 using (var buffers = new CollisionBuffers())

@@ -52,19 +52,38 @@ namespace SphFluid.Tests
             for (int axis = 0; axis < 3; axis++)
             {
                 if (period[axis] > 0f) continue;
-                open *= 1.0 - Mirror(low[axis], settings.SupportRadius, settings.Spacing);
-                open *= 1.0 - Mirror(high[axis], settings.SupportRadius, settings.Spacing);
+                int faces = (int)settings.Boundaries.Open >> 2 * axis;
+                if ((faces & 1) == 0) open *= 1.0 - Mirror(low[axis], settings.SupportRadius, settings.Spacing);
+                if ((faces & 2) == 0) open *= 1.0 - Mirror(high[axis], settings.SupportRadius, settings.Spacing);
             }
             return 1.0 - open;
         }
 
-        /// <summary>Density [kg/m³].</summary>
+        /// <summary>By how much of a compression the density by summation of a cubic lattice grows: compressed by ±10⁻⁴.</summary>
+        public static double Response(in FluidSolverSettings settings)
+        {
+            const double strain = 1e-4;
+            double radius = settings.SupportRadius, dx = settings.Spacing;
+            double Sum(double scale)
+            {
+                int reach = (int)Math.Ceiling(radius / dx) + 1;
+                double sum = 0.0;
+                for (int z = -reach; z <= reach; z++)
+                for (int y = -reach; y <= reach; y++)
+                for (int x = -reach; x <= reach; x++)
+                    sum += Kernel(dx * new Double3(scale * x, y, z).Length, radius);
+                return sum;
+            }
+            return (Sum(1.0 - strain) - Sum(1.0 + strain)) / (2.0 * strain * Sum(1.0));
+        }
+
+        /// <summary>Density as the equation of state sees it [kg/m³].</summary>
         public static double Density(IReadOnlyList<FluidParticle> particles, int i, in FluidSolverSettings settings)
         {
             double sum = settings.RestDensity * Walls(particles[i].Position, settings);
             for (int j = 0; j < particles.Count; j++)
                 sum += settings.ParticleMass * Kernel(ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength).Length, settings.SupportRadius);
-            return sum;
+            return settings.RestDensity + (sum - settings.RestDensity) / Response(settings);
         }
 
         /// <summary>Acceleration without contact [m/s²].</summary>
@@ -72,7 +91,7 @@ namespace SphFluid.Tests
         {
             double radius = settings.SupportRadius, rest = settings.RestDensity, c2 = settings.SoundSpeed * (double)settings.SoundSpeed;
             double Term(int k) => Math.Max(0.0, c2 * (density[k] - rest)) / (density[k] * density[k]);
-            Double3 sum = settings.Gravity;
+            var sum = new Double3();
             for (int j = 0; j < particles.Count; j++)
             {
                 Double3 d = ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength);
@@ -87,7 +106,7 @@ namespace SphFluid.Tests
                 Walls(p + new Double3(step, 0, 0), settings) - Walls(p - new Double3(step, 0, 0), settings),
                 Walls(p + new Double3(0, step, 0), settings) - Walls(p - new Double3(0, step, 0), settings),
                 Walls(p + new Double3(0, 0, step), settings) - Walls(p - new Double3(0, 0, step), settings));
-            return sum - rest * Term(i) / (2.0 * step) * gradient;
+            return settings.Gravity + 1.0 / Response(settings) * (sum - rest * Term(i) / (2.0 * step) * gradient);
         }
     }
 }

@@ -15,7 +15,7 @@ namespace SphFluid.Tests
             Settings = settings;
             colliders.DomainSize = settings.DomainSize;
             colliders.Spacing = settings.Spacing;
-            Bodies = new CollisionBodies(settings.SupportRadius, settings.DomainSize);
+            Bodies = new CollisionBodies(settings);
         }
 
         public FluidSolverSettings Settings { get; }

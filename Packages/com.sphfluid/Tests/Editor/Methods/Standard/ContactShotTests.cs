@@ -73,7 +73,8 @@ namespace SphFluid.Tests
             var centre = new Vector3(offset, 0f, 0f);
             int shots = 0, escapes = 0, moved = 0;
             var random = new System.Random(17 + kind);
-            FluidShaderSet set = TestShaders.CreateThesisSet();
+            FluidShaderSet set = TestShaders.CreateSet();
+            var walls = new GatherWallsPass(set);
             var contact = new ContactPass(set);
             for (int scene = 0; scene < 5; scene++)
             {
@@ -86,13 +87,17 @@ namespace SphFluid.Tests
                     for (int i = 0; i < Shots; i++) Shoot(corners, random, out from[i], out to[i]);
                     rig.Start(from.Select((p, i) => new FluidParticle(p, Vector3.zero, (uint)i)).ToArray());
                     FluidState state = rig.Solver.State;
-                    state.Standard.RequireWalls();
+                    rig.Setup();
                     for (int round = 0; round < 2; round++) // the second from where the first came to rest
                     {
                         state.Standard.Positions.SetData(from);
                         state.Standard.NewPositions.SetData(to);
                         state.Standard.NewVelocities.SetData(from.Select((p, i) => (to[i] - p) / settings.TimeStep).ToArray());
-                        GpuTest.Run(cmd => contact.Record(cmd, state, settings.TimeStep));
+                        GpuTest.Run(cmd =>
+                        {
+                            walls.Record(cmd, state);
+                            contact.Record(cmd, state, settings.TimeStep);
+                        });
                         Vector4[] end = GpuTest.Read<Vector4>(state.Standard.NewPositions, Shots);
                         for (int i = 0; i < Shots; i++)
                         {

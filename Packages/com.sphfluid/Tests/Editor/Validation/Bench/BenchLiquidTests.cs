@@ -15,7 +15,7 @@ namespace SphFluid.Tests
         [TestCase(65536)]
         public void BlockHasEveryParticleOnceInsideTheDomain(int count)
         {
-            FluidParticle[] block = BenchLiquid.Block(count, out float spacing, out float height);
+            FluidParticle[] block = BenchLiquid.Block(count, false, out float spacing, out float height);
 
             Assert.That(block, Has.Length.EqualTo(count));
             Assert.That(count * spacing * spacing * spacing, Is.EqualTo(0.25f).Within(1e-4f), "a quarter of a cubic metre");
@@ -35,7 +35,7 @@ namespace SphFluid.Tests
         [Test]
         public void EverySampleStartsFromOneState()
         {
-            using (var liquid = new BenchLiquid(SurfaceTestScene.LoadShaders(), 300))
+            using (var liquid = new BenchLiquid(SurfaceTestScene.LoadShaders(), BenchSolver.ThesisOctant, 300))
             {
                 while (Settle(liquid))
                 {
@@ -46,7 +46,7 @@ namespace SphFluid.Tests
                 liquid.Restore();
                 FluidParticle[] second = StepAndRead(liquid, 3);
 
-                Assert.That(liquid.NeighboursMean, Is.InRange(10.0, 40.0));
+                Assert.That(liquid.State.NeighboursMean(liquid.Solver.Settings.SupportRadius), Is.InRange(10.0, 40.0));
                 Assert.That(second.Select(p => p.Position), Is.EqualTo(first.Select(p => p.Position)));
             }
         }
@@ -56,7 +56,7 @@ namespace SphFluid.Tests
         [TestCase(3000, 10 + 8 + 8)]
         public void DispatchesOfAStepAreCounted(int count, int expected)
         {
-            using (var liquid = new BenchLiquid(SurfaceTestScene.LoadShaders(), count))
+            using (var liquid = new BenchLiquid(SurfaceTestScene.LoadShaders(), BenchSolver.ThesisOctant, count))
             {
                 long before = ComputeKernel.DispatchesRecorded;
                 GpuTest.Run(cmd => liquid.Solver.RecordSteps(cmd, 1));
@@ -69,7 +69,7 @@ namespace SphFluid.Tests
         public void BothDrawingsShowTheLiquid()
         {
             FluidShaderSet shaders = SurfaceTestScene.LoadShaders();
-            using (var liquid = new BenchLiquid(shaders, 512))
+            using (var liquid = new BenchLiquid(shaders, BenchSolver.ThesisOctant, 512))
             using (var field = new SurfaceField(shaders, new SurfaceGrid(Vector3.one * -0.5f, Vector3.one, 16)))
             using (var drawing = new BenchDrawing(shaders))
             {

@@ -56,7 +56,7 @@ namespace SphFluid.Tests
             string folder = Path.Combine(Path.GetTempPath(), "sphfluid-bench-" + Guid.NewGuid().ToString("N"));
             try
             {
-                new BenchTable("thesis", "device", "2026-11-21", new[] { "First" }).Write(folder);
+                new BenchTable("thesis", "device", "2026-11-21", new ThesisLayout(new[] { "First" })).Write(folder);
                 string file = Table().Write(folder);
 
                 Assert.That(File.ReadAllLines(file), Has.Length.EqualTo(2));
@@ -131,7 +131,7 @@ namespace SphFluid.Tests
             row.Add(new BenchTimes(1, 8.0, new[] { 2.0, 4.0 }));
             row.Add(new BenchTimes(4, 16.0, new[] { 4.0, 8.0 }));
             row.Add(new BenchTimes(1, 2.0, new[] { 0.5, 1.0 }));
-            var table = new BenchTable("thesis", "A \"fast\" one, with 2 cores", "2026-11-21", new[] { "First", "Second" });
+            var table = new BenchTable("thesis", "A \"fast\" one, with 2 cores", "2026-11-21", new ThesisLayout(new[] { "First", "Second" }));
             table.Rows.Add(row);
             table.Rows.Add(new BenchRow(BenchConfig.SphOnly, 16384));
             return table;

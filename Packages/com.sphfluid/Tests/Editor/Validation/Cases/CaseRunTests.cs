@@ -15,7 +15,7 @@ namespace SphFluid.Tests
         FluidShaderSet shaders;
 
         [SetUp]
-        public void CreateShaders() => shaders = TestShaders.CreateThesisSet();
+        public void CreateShaders() => shaders = TestShaders.CreateSet();
 
         [TearDown]
         public void DestroyShaders() => UnityEngine.Object.DestroyImmediate(shaders);

@@ -16,7 +16,7 @@ namespace SphFluid.Tests
         [TestCase(7, 3f)]
         public void OfAFallAreExact(int steps, float ratio)
         {
-            FluidShaderSet shaders = TestShaders.CreateThesisSet();
+            FluidShaderSet shaders = TestShaders.CreateSet();
             FluidSolverSettings settings = TestSettings.ByRule(Vector3.one, 0.05f);
             settings.Gravity = Gravity;
             settings.TimeStep = 0.01f;

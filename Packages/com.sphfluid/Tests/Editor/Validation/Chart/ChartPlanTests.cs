@@ -64,17 +64,24 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void QuickPlanHasEveryFactorAndThreeSeedsAtBases()
+        public void QuickPlanSweepsAllButThePrintedMethodAndHasThreeSeedsAtTheirBases()
         {
             ChartPlan plan = ChartPlan.Quick(cases, CaseMethod.All, double.PositiveInfinity);
 
             Assert.That(plan.LeftOut, Is.Empty);
             foreach (IGrouping<string, ChartRun> runs in plan.Runs.GroupBy(r => r.Config.Case.Name + r.Config.Method.Name))
             {
-                Assert.That(runs.Count(r => r.Config.Factor == ChartFactor.Base), Is.EqualTo(3), runs.Key);
-                Assert.That(runs.Where(r => r.Config.Factor != ChartFactor.Base).Select(r => r.Config.Factor),
-                    Is.EquivalentTo(new[] { ChartFactor.Spacing, ChartFactor.Spacing, ChartFactor.Support, ChartFactor.TimeStep, ChartFactor.SoundSpeed }));
-                Assert.That(runs.Where(r => r.Config.Factor != ChartFactor.Base).All(r => r.Seed == 1), Is.True);
+                FluidMethodKind kind = runs.First().Config.Method.Kind;
+                List<ChartRun> sweep = runs.Where(r => r.Config.Factor != ChartFactor.Base).ToList();
+                Assert.That(runs.Count() - sweep.Count, Is.EqualTo(kind == FluidMethodKind.ThesisPrinted ? 1 : 3), runs.Key);
+                Assert.That(sweep.All(r => r.Seed == 1), Is.True);
+                if (kind == FluidMethodKind.ThesisPrinted)
+                    Assert.That(sweep, Is.Empty);
+                else
+                    Assert.That(sweep.Select(r => r.Config.Factor).Distinct(), Is.EquivalentTo(new[] { ChartFactor.Spacing, ChartFactor.Support, ChartFactor.TimeStep, ChartFactor.SoundSpeed }));
+                // κ = 2 is the made-up case's base.
+                if (kind == FluidMethodKind.Standard)
+                    Assert.That(Values(sweep, ChartFactor.Support, c => c.SupportRatio), Is.EqualTo(new[] { 2.25, 2.5 }));
             }
         }
 
@@ -105,6 +112,8 @@ namespace SphFluid.Tests
             {
                 foreach (CaseMethod method in CaseMethod.All)
                     Assert.That(plan.Runs.Any(r => r.Config.Case == c && r.Config.Method == method), Is.True, $"{c.Name}, {method.Name}");
+                Assert.That(plan.Runs.Where(r => r.Config.Case == c && r.Config.Method.Kind == FluidMethodKind.Standard).Select(r => r.Config.SupportRatio).Distinct(),
+                    Is.SupersetOf(new[] { 2.0, 2.25, 2.5 }), c.Name);
             }
         }
 

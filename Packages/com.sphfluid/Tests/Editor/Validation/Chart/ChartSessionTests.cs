@@ -75,7 +75,7 @@ namespace SphFluid.Tests
         public void ASliceStopsBetweenTwoRunsAndSaysHowToGoOn()
         {
             // A run longer than the slice is begun only as the slice's first.
-            ChartPlan plan = Finish(Create(new ChartRate(1e-3), "--slice", "0.000001"));
+            ChartPlan plan = Finish(Create(new SessionRate(1e-3), "--slice", "0.000001"));
 
             Assert.That(done, Has.Count.EqualTo(1));
             Assert.That(said.Last(), Does.Contain($"1 of {plan.Runs.Count} runs").And.Contain("The same command goes on"));
@@ -93,9 +93,9 @@ namespace SphFluid.Tests
             Assert.That(Lines("pareto.csv"), Has.Length.EqualTo(1));
         }
 
-        ChartSession Create(params string[] words) => Create(new ChartRate(null), words);
+        ChartSession Create(params string[] words) => Create(new SessionRate(null), words);
 
-        ChartSession Create(ChartRate rate, params string[] words)
+        ChartSession Create(SessionRate rate, params string[] words)
         {
             var line = new List<string> { "player", "--", "--method", "thesis", "--out", folder };
             line.AddRange(words);

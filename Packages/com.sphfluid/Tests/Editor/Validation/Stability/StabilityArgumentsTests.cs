@@ -13,15 +13,15 @@ namespace SphFluid.Tests
             StabilityArguments arguments = Parse("player", "--");
 
             Assert.That(arguments.Maps.Select(m => m.Name), Is.EqualTo(new[] { "M1", "M2", "M3", "M4", "M5" }));
-            Assert.That(arguments.Methods, Is.EqualTo(new[] { CaseMethod.Find("thesis-printed"), CaseMethod.Find("thesis") }));
+            Assert.That(arguments.Methods, Is.EqualTo(CaseMethod.All));
             Assert.That(arguments.Limits, Is.True);
             Assert.That(arguments.Slice, Is.Null);
         }
 
         [Test]
-        public void TakesTheThesisAloneWhenQuick()
+        public void LeavesThePrintedMethodOutWhenQuick()
         {
-            Assert.That(Parse("player", "--", "--quick").Methods.Single().Name, Is.EqualTo("thesis"));
+            Assert.That(Parse("player", "--", "--quick").Methods.Select(m => m.Name), Is.EqualTo(new[] { "thesis", "standard" }));
             Assert.That(Parse("player", "--", "--quick", "--method", "thesis-printed").Methods.Single().Name, Is.EqualTo("thesis-printed"));
         }
 

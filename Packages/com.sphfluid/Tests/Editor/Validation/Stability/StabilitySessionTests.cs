@@ -33,12 +33,12 @@ namespace SphFluid.Tests
         [Test]
         public void WritesEveryRunAndAScriptAMap()
         {
-            StabilityPlan plan = Plan("--map", "M5", "M3", "--quick");
-            Finish(plan, "--map", "M5", "M3", "--quick");
+            string[] words = { "--map", "M5", "M3", "--method", "thesis", "standard" };
+            StabilityPlan plan = Plan(words);
+            Finish(plan, words);
 
             Assert.That(Lines("stability.csv"), Has.Length.EqualTo(1 + plan.Runs.Count + plan.Clamped.Count));
-            Assert.That(plan.Clamped.Select(r => r.Map.Name).Distinct(), Is.EqualTo(new[] { "M3" }), "clamps tell little elsewhere");
-            foreach (string file in new[] { "stability-m5.gp", "stability-m3.gp", "stability-m3-clamps.gp" })
+            foreach (string file in new[] { "stability-m5.gp", "stability-m3.gp", "stability-m3-clamps.gp", "stability-m5-clamps.gp" })
                 Assert.That(Lines(file), Has.Some.Contain("boxxyerror"), file);
             Assert.That(said.Last(), Does.StartWith($"All {plan.Runs.Count + plan.Clamped.Count} runs and borders are done"));
         }
@@ -84,9 +84,10 @@ namespace SphFluid.Tests
             {
                 StabilityScenario scene = new StabilityRun { Map = map, Method = method, X = x, Y = y, Seed = 1, Clamps = clamps, MostSteps = 500 }.Build();
                 scene.Setup.Settings.Validate();
-                Assert.That(scene.Setup.Settings.AccelerationLimitEnabled, Is.EqualTo(clamps));
+                Assert.That(scene.Setup.Settings.AccelerationLimitEnabled, Is.EqualTo(clamps && method.Kind != FluidMethodKind.Standard));
+                Assert.That(scene.Setup.Settings.Method == FluidMethodKind.Standard, Is.EqualTo(method.Kind == FluidMethodKind.Standard));
                 Assert.That(scene.Setup.Duration / scene.Setup.Settings.TimeStep, Is.LessThan(500.5));
-                double sound = StabilityConstants.EffectiveSound(scene.Setup.Settings) * Math.Sqrt(2.0), step = scene.Setup.Settings.TimeStep;
+                double sound = LiquidEnergy.EffectiveSound(scene.Setup.Settings) / StabilityTheory.Of(method).WaveSpeedRatio, step = scene.Setup.Settings.TimeStep;
                 if (map.Name == "M1")
                     Assert.That(step * sound / scene.Setup.Settings.SupportRadius, Is.EqualTo(x).Within(1e-4 * x), "dt·c/R");
                 if (map.Name == "M3")
@@ -94,16 +95,35 @@ namespace SphFluid.Tests
             }
         }
 
-        // On both sides of the viscous border, 0.125.
-        [TestCase(0.08, StabilityVerdict.Stable)]
-        [TestCase(0.2, StabilityVerdict.Failed)]
-        public void JudgesARealBox(double viscosity, StabilityVerdict verdict)
+        [Test]
+        public void MapsAreDrawnAtTheSupportThatCasesHave()
+        {
+            foreach (CaseMethod method in CaseMethod.All)
+                Assert.That(StabilityTheory.Of(method).SupportRatio, Is.EqualTo(method.SupportRatio), method.Name);
+        }
+
+        [Test]
+        public void TheStandardMethodHasNoMapsWithTheThesissLimit()
+        {
+            StabilityPlan plan = Plan("--quick", "--method", "standard");
+
+            Assert.That(plan.Runs, Is.Not.Empty);
+            Assert.That(plan.Clamped, Is.Empty);
+            Assert.That(plan.Limits.Select(l => l.Limit.Name).Distinct(), Is.EqualTo(new[] { "dt·c/R", "ν·dt/R²" }), "its walls are no springs");
+        }
+
+        // On both sides of the viscous borders, 0.125 and 0.0756.
+        [TestCase("thesis", 0.08, StabilityVerdict.Stable)]
+        [TestCase("thesis", 0.2, StabilityVerdict.Failed)]
+        [TestCase("standard", 0.07, StabilityVerdict.Stable)]
+        [TestCase("standard", 0.1, StabilityVerdict.Failed)]
+        public void JudgesARealBox(string method, double viscosity, StabilityVerdict verdict)
         {
             GpuTest.Require();
-            var run = new StabilityRun { Map = StabilityMaps.All[1], Method = CaseMethod.Find("thesis"), X = viscosity, Y = 0.3, Seed = 1, MostSteps = 150 };
+            var run = new StabilityRun { Map = StabilityMaps.All[1], Method = CaseMethod.Find(method), X = viscosity, Y = 0.3, Seed = 1, MostSteps = 150 };
             StabilityScenario scene = run.Build();
             var judge = new StabilityJudge(scene.Criteria);
-            FluidShaderSet shaders = TestShaders.CreateThesisSet();
+            FluidShaderSet shaders = TestShaders.CreateSet();
             try
             {
                 using (var real = new CaseRun(scene.Setup, judge, shaders))

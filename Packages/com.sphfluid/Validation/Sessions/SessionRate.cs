@@ -2,19 +2,19 @@ using System;
 
 namespace SphFluid.Validation
 {
-    /// <summary>How fast runs go, from those that are done.</summary>
-    sealed class ChartRate
+    /// <summary>How fast jobs go, from those that are done.</summary>
+    sealed class SessionRate
     {
         readonly double? expected;
         double cost, seconds;
 
-        /// <param name="expected">Work a second before a run is done; null when it is not known.</param>
-        public ChartRate(double? expected) => this.expected = expected;
+        /// <param name="expected">Work a second before a job is done; null when it is not known.</param>
+        public SessionRate(double? expected) => this.expected = expected;
 
-        /// <summary>Takes a run into account.</summary>
-        public void Add(double runCost, TimeSpan time)
+        /// <summary>Takes a job into account.</summary>
+        public void Add(double jobCost, TimeSpan time)
         {
-            cost += runCost;
+            cost += jobCost;
             seconds += time.TotalSeconds;
         }
 

@@ -1,0 +1,133 @@
+using System;
+using System.Collections.Generic;
+using Unity.Collections;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Triangles of all bodies and each body's lists by cell, on the way to the GPU and there.</summary>
+    internal sealed class BodyGeometry : IDisposable
+    {
+        static readonly int TrianglesId = Shader.PropertyToID("_BodyTriangles");
+        static readonly int CellsId = Shader.PropertyToID("_BodyCells");
+        static readonly int ReferencesId = Shader.PropertyToID("_CellTriangles");
+
+        readonly float reach;
+        readonly List<BodyTriangle> triangles = new List<BodyTriangle>();
+        readonly List<BodyGrid> grids = new List<BodyGrid>();
+        int first; // triangle of the body that is being added
+        uint cellCount, referenceCount;
+        GraphicsBuffer triangleBuffer, cellBuffer, referenceBuffer;
+
+        /// <param name="reach">How far a cell looks [m].</param>
+        public BodyGeometry(float reach)
+        {
+            this.reach = reach;
+        }
+
+        /// <summary>Number of triangles.</summary>
+        public int TriangleCount => triangles.Count;
+
+        /// <summary>Triangles left out because a corner is not finite. Those without area stay: as edges they close cracks.</summary>
+        public int LeftOut { get; private set; }
+
+        /// <summary>Bytes of the GPU buffers.</summary>
+        public long Bytes => triangleBuffer == null ? 0 : GpuBuffers.Size(triangleBuffer, cellBuffer, referenceBuffer);
+
+        /// <summary>Begins anew.</summary>
+        public void Clear()
+        {
+            triangles.Clear();
+            DisposeGrids();
+            first = LeftOut = 0;
+            cellCount = referenceCount = 0u;
+        }
+
+        /// <summary>Adds triangles to the body that <see cref="TryEndBody"/> ends.</summary>
+        /// <param name="mesh">The triangles.</param>
+        /// <param name="within">Bounds beyond which no particle is; null for none.</param>
+        public void Add(TriangleMesh mesh, Bounds? within)
+        {
+            Vector3 half = within.HasValue ? within.Value.extents + reach * Vector3.one : Vector3.positiveInfinity;
+            for (int t = 0; t < mesh.TriangleCount; t++)
+            {
+                mesh.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
+                if (!AffineMath.IsFinite(a) || !AffineMath.IsFinite(b) || !AffineMath.IsFinite(c)) LeftOut++;
+                else if (!within.HasValue || TriangleMath.MayOverlap(within.Value.center, half, a, b, c)) triangles.Add(BodyTriangle.Of(a, b, c));
+            }
+        }
+
+        /// <summary>Makes the lists of the triangles added since the last body.</summary>
+        /// <param name="within">Bounds beyond which no particle is; null for none.</param>
+        /// <param name="body">Receives cells and bounds; the pose is none.</param>
+        /// <returns>False when there are no triangles.</returns>
+        public bool TryEndBody(Bounds? within, out CollisionBody body)
+        {
+            body = default;
+            int count = triangles.Count - first;
+            if (count == 0) return false;
+            var grid = new BodyGrid(triangles.GetRange(first, count).ToArray(), reach, within, (uint)first, referenceCount);
+            grids.Add(grid);
+            body = new CollisionBody
+            {
+                Rotation0 = Quaternion.identity,
+                Rotation1 = Quaternion.identity,
+                FirstCell = cellCount,
+                GridOrigin = grid.Cells.Origin,
+                CellSide = grid.Cells.Side,
+                GridCounts = new Vector3Int(grid.Cells.CountX, grid.Cells.CountY, grid.Cells.CountZ),
+                BoundsMin = grid.BoundsMin,
+                BoundsMax = grid.BoundsMax,
+            };
+            first = triangles.Count;
+            cellCount += (uint)grid.Starts.Length;
+            referenceCount += (uint)grid.References.Length;
+            return true;
+        }
+
+        /// <summary>Copies all to the GPU; buffers are replaced only when they grow.</summary>
+        public void Upload()
+        {
+            GpuBuffers.Reserve(ref triangleBuffer, "BodyTriangles", triangles.Count, BodyTriangle.Stride);
+            GpuBuffers.Reserve(ref cellBuffer, "BodyCells", cellCount, sizeof(uint));
+            GpuBuffers.Reserve(ref referenceBuffer, "CellTriangles", referenceCount, sizeof(uint));
+            triangleBuffer.SetData(triangles);
+            int cell = 0, reference = 0;
+            foreach (BodyGrid grid in grids)
+            {
+                Append(cellBuffer, grid.Starts, ref cell);
+                Append(referenceBuffer, grid.References, ref reference);
+            }
+            DisposeGrids();
+        }
+
+        /// <summary>Records the globals of Shaders/Collision/Bodies.hlsl that are triangles and cells.</summary>
+        public void Bind(CommandBuffer cmd, ComputeKernel kernel)
+        {
+            kernel.SetBuffer(cmd, TrianglesId, triangleBuffer);
+            kernel.SetBuffer(cmd, CellsId, cellBuffer);
+            kernel.SetBuffer(cmd, ReferencesId, referenceBuffer);
+        }
+
+        public void Dispose()
+        {
+            DisposeGrids();
+            GpuBuffers.Dispose(ref triangleBuffer);
+            GpuBuffers.Dispose(ref cellBuffer);
+            GpuBuffers.Dispose(ref referenceBuffer);
+        }
+
+        void DisposeGrids()
+        {
+            foreach (BodyGrid grid in grids) grid.Dispose();
+            grids.Clear();
+        }
+
+        static void Append(GraphicsBuffer buffer, NativeArray<uint> data, ref int at)
+        {
+            if (data.Length > 0) buffer.SetData(data, 0, at, data.Length);
+            at += data.Length;
+        }
+    }
+}

@@ -1,0 +1,55 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// How a liquid meets the colliders of this object and of those below it, where that differs from the simulation's settings.
+    /// Colliders need no such component to act. The nearest one upwards counts; a disabled one
+    /// leaves them to the simulation's settings.
+    /// </summary>
+    [AddComponentMenu("SPH Fluid/Fluid Collider")]
+    [DisallowMultipleComponent]
+    public sealed class FluidCollider : MonoBehaviour
+    {
+        /// <summary>Stands for the friction of the domain's faces.</summary>
+        internal const float DomainFriction = -1f;
+
+        [SerializeField, Tooltip("Use the friction given here. Off: the friction of the simulation's faces.")]
+        bool ownFriction = true;
+
+        [SerializeField, Range(0f, 1f), Tooltip("How much these colliders hold the liquid next to them: 0 lets it slip freely, 1 holds it by its own " +
+            "viscosity (no slip). The thesis's method knows the faces' friction only.")]
+        float friction = 1f;
+
+        [SerializeField, Tooltip("Simulations that collide with these colliders. Empty: all that find them.")]
+        List<FluidSimulation> simulations = new List<FluidSimulation>();
+
+        /// <summary>Whether <see cref="Friction"/> counts instead of that of the simulation's faces.</summary>
+        public bool OwnFriction { get => ownFriction; set => ownFriction = value; }
+
+        /// <summary>0 free slip to 1 no slip; other numbers are brought into that range.</summary>
+        public float Friction { get => friction; set => friction = Mathf.Clamp01(value); }
+
+        /// <summary>Simulations that collide; empty: all that find the colliders.</summary>
+        public List<FluidSimulation> Simulations => simulations;
+
+        internal float EffectiveFriction => !ownFriction ? DomainFriction : friction > 0f ? Mathf.Min(friction, 1f) : 0f; // NaN: 0
+
+        /// <summary>The settings of a collider; null for none.</summary>
+        internal static FluidCollider Of(Collider collider)
+        {
+            FluidCollider nearest = collider.GetComponentInParent<FluidCollider>();
+            return nearest != null && nearest.enabled ? nearest : null;
+        }
+
+        /// <summary>Whether a simulation collides.</summary>
+        /// <param name="simulation">Null: any.</param>
+        internal bool Meets(FluidSimulation simulation) => simulation == null || simulations.Count == 0 || simulations.Contains(simulation);
+
+        void OnEnable()
+        {
+            // Shows the component's check box in the inspector.
+        }
+    }
+}

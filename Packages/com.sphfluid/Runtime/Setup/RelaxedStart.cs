@@ -1,0 +1,100 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>The particles that a simulation starts with, brought to rest where its settings ask for it.</summary>
+    internal static class RelaxedStart
+    {
+        // Speed that a particle may gain in a tenth of a second, over √(g dx): half of what is seen as a pop.
+        const double Gain = 0.05;
+        const double GainTime = 0.1;
+
+        // Support radii over which a packing settles: what overlaps pushes its neighbours.
+        const double PackedReach = 2.0;
+
+        // Without gravity, over c²/dx.
+        const double PackedAcceleration = 1e-3;
+
+        /// <summary>Makes the particles and reports how.</summary>
+        public static IReadOnlyList<FluidParticle> Particles(FluidSimulation simulation, FluidStart start, CollisionScene collision)
+        {
+            if (simulation.StartRelaxation == FluidStartRelaxation.None) return start.Particles;
+            if (simulation.Method != FluidMethodKind.Standard)
+            {
+                Report(simulation, FluidSeverity.Warning, $"Start Relaxation needs the method Standard; with {simulation.Method} the liquid starts from its lattice.",
+                    "Set Start Relaxation to None, or use the method Standard.");
+                return start.Particles;
+            }
+
+            FluidSolverSettings settings = Settings(start.Constants, simulation.StartRelaxation);
+            var watch = Stopwatch.StartNew();
+            using (var bodies = new CollisionBodies(settings))
+            {
+                bodies.Update(collision.Solids);
+                using (var relaxer = new StartRelaxer(settings, simulation.Profile.Shaders, start.Particles, bodies, Height(settings, start.Particles)))
+                {
+                    bool settled = relaxer.Run(Acceleration(settings));
+                    ReportResult(simulation, relaxer, settled, watch.Elapsed.TotalSeconds);
+                    return WithVelocities(relaxer.Read(), start.Particles);
+                }
+            }
+        }
+
+        /// <summary>The physics at rest: walls do not move, no face is open, and gravity acts only where it is asked for.</summary>
+        public static FluidSolverSettings Settings(FluidSolverSettings settings, FluidStartRelaxation relaxation)
+        {
+            settings.Boundaries = new FluidBoundaries { Periodic = settings.Boundaries.Periodic };
+            if (relaxation != FluidStartRelaxation.Packed) return settings;
+            settings.Gravity = Vector3.zero;
+            settings.BodyForce = default;
+            return settings;
+        }
+
+        /// <summary>Largest acceleration that is left at rest [m/s²].</summary>
+        public static double Acceleration(in FluidSolverSettings settings)
+        {
+            double gravity = settings.Gravity.magnitude;
+            return gravity > 0.0
+                ? Gain * Math.Sqrt(gravity * settings.Spacing) / GainTime
+                : PackedAcceleration * settings.SoundSpeed * settings.SoundSpeed / settings.Spacing;
+        }
+
+        /// <summary>Height over which the liquid settles [m]: along gravity that of all its particles.</summary>
+        public static double Height(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> particles)
+        {
+            if (!(settings.Gravity.sqrMagnitude > 0f)) return PackedReach * settings.SupportRadius;
+            Vector3 down = settings.Gravity.normalized;
+            float low = float.PositiveInfinity, high = float.NegativeInfinity;
+            foreach (FluidParticle particle in particles)
+            {
+                float depth = Vector3.Dot(down, particle.Position);
+                low = Mathf.Min(low, depth);
+                high = Mathf.Max(high, depth);
+            }
+            return high - low + settings.Spacing;
+        }
+
+        // By id: both are in its order.
+        static FluidParticle[] WithVelocities(FluidParticle[] rested, IReadOnlyList<FluidParticle> start)
+        {
+            for (int i = 0; i < rested.Length; i++) rested[i] = new FluidParticle(rested[i].Position, start[i].VelT0, start[i].Id);
+            return rested;
+        }
+
+        static void ReportResult(FluidSimulation simulation, StartRelaxer relaxer, bool settled, double seconds)
+        {
+            string steps = FormattableString.Invariant($"{relaxer.Steps} damped steps ({seconds:0.0} s)");
+            if (settled)
+                Report(simulation, FluidSeverity.Info, FormattableString.Invariant($"The liquid came to rest in {steps}: no particle is accelerated by more than {relaxer.Acceleration:0.##} m/s²."), "");
+            else
+                Report(simulation, FluidSeverity.Warning, FormattableString.Invariant($"The liquid is not quite at rest after {steps}: a particle is still accelerated by {relaxer.Acceleration:0.##} m/s²."),
+                    "What is left settles after the start. Liquid with a level surface, that fills its vessel, comes to rest sooner.");
+        }
+
+        static void Report(FluidSimulation simulation, FluidSeverity severity, string text, string cure) =>
+            simulation.Report(new FluidMessage(severity, FluidIssue.StartRelaxation, simulation, text, cure));
+    }
+}

@@ -1,0 +1,113 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Brings particles to rest by damped steps of the Standard method, in command buffers of bounded work. With a damping rate γ
+    /// of π c/H a column of height H settles as fast as it can without swinging: its slowest wave has the rate π c/(2 H).
+    /// </summary>
+    internal sealed class StartRelaxer : IDisposable
+    {
+        // Particle-steps of a command buffer: a tenth of a second on a slow card, where a driver gives up after two.
+        const int WorkPerBuffer = 1 << 22;
+        const int MostStepsPerBuffer = 16;
+
+        // Times that sound crosses the liquid until it is given up.
+        const double MostCrossings = 20.0;
+
+        // Overlaps push particles about their own width; they part at once, and sooner than the liquid as a whole settles.
+        const double LocalRate = 0.5;
+
+        readonly FluidState state;
+        readonly StandardMethod method;
+        readonly DampVelocitiesPass damping;
+        readonly CounterReadback counters;
+        readonly double step, crossing;
+
+        /// <summary>Takes particles at rest.</summary>
+        /// <param name="settings">The physics; its gravity acts.</param>
+        /// <param name="shaders">The compute shaders.</param>
+        /// <param name="particles">The particles; their velocities do not count.</param>
+        /// <param name="bodies">The scene's bodies; null for none.</param>
+        /// <param name="height">Height over which the liquid settles [m].</param>
+        public StartRelaxer(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> particles, CollisionBodies bodies, double height)
+        {
+            method = new StandardMethod(shaders);
+            damping = new DampVelocitiesPass(shaders);
+            step = Math.Min(settings.TimeStep, TimeStepAdvice.For(settings, settings.MaxSpeed).Largest);
+            crossing = Math.Max(height, settings.SupportRadius) / settings.SoundSpeed;
+            var start = new FluidParticle[particles.Count];
+            for (int i = 0; i < start.Length; i++) start[i] = new FluidParticle(particles[i].Position, Vector3.zero, particles[i].Id);
+            state = new FluidState(settings, start.Length) { Bodies = bodies };
+            state.Buffers.Particles.SetData(start);
+            counters = new CounterReadback(state.Buffers.Counters, settings.RestDensity);
+        }
+
+        /// <summary>Steps taken.</summary>
+        public int Steps { get; private set; }
+
+        /// <summary>Largest speed in the last steps [m/s].</summary>
+        public float Speed { get; private set; }
+
+        /// <summary>Largest acceleration that the damping held in the last steps, about what moves the liquid when it is let go [m/s²].</summary>
+        public double Acceleration => Speed * Rate;
+
+        // π c/H.
+        double Rate => Math.PI / crossing;
+
+        /// <summary>Steps until no particle is accelerated by more than what is asked for, or for 20 crossings of sound.</summary>
+        /// <param name="acceleration">Largest acceleration to be left [m/s²].</param>
+        /// <returns>Whether it came to that.</returns>
+        public bool Run(double acceleration)
+        {
+            int most = (int)Math.Ceiling(MostCrossings * crossing / step);
+            int batch = Mathf.Clamp(WorkPerBuffer / state.ParticleCount, 1, MostStepsPerBuffer);
+            using (var cmd = new CommandBuffer { name = "SPH Fluid Relaxation" })
+            {
+                method.RecordLoad(cmd, state);
+                do
+                {
+                    counters.RecordReset(cmd);
+                    for (int i = 0; i < batch; i++) RecordStep(cmd);
+                    Graphics.ExecuteCommandBuffer(cmd);
+                    cmd.Clear();
+                    Speed = counters.ReadNow().MaxSpeed;
+                }
+                while (Steps < most && !(Acceleration <= acceleration && Steps * step > crossing));
+                method.RecordNeighbourSetup(cmd, state);
+                method.RecordPublish(cmd, state);
+                Graphics.ExecuteCommandBuffer(cmd);
+            }
+            return Acceleration <= acceleration;
+        }
+
+        /// <summary>The particles in the order of their ids.</summary>
+        public FluidParticle[] Read()
+        {
+            var particles = new FluidParticle[state.ParticleCount];
+            state.Buffers.Particles.GetData(particles);
+            Array.Sort(particles, (a, b) => a.Id.CompareTo(b.Id));
+            return particles;
+        }
+
+        public void Dispose()
+        {
+            counters.Dispose();
+            state.Dispose();
+        }
+
+        void RecordStep(CommandBuffer cmd)
+        {
+            double local = LocalRate * state.Settings.SoundSpeed / state.Settings.Spacing;
+            double rate = Rate + Math.Max(local - Rate, 0.0) * Math.Exp(-Steps * step / crossing);
+            state.BeginBodyStep(0, 1, (float)step);
+            method.RecordNeighbourSetup(cmd, state);
+            method.RecordMotion(cmd, state, new FluidStep((float)step, (float)step, Steps == 0));
+            damping.Record(cmd, state, (float)Math.Exp(-rate * step));
+            Steps++;
+        }
+    }
+}

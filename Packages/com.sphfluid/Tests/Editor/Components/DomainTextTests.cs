@@ -1,0 +1,48 @@
+using System.Linq;
+using NUnit.Framework;
+using SphFluid.Editor;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>What the inspector says about the domain, and whether the cells it counts are those that a solver makes.</summary>
+    public sealed class DomainTextTests
+    {
+        [Test]
+        public void CellsBeforeTheStartAreThoseOfTheBudget()
+        {
+            // 1 m over R = 0.1 m is 10 cells, 0.55 m is 6, and a border at both ends: 12 · 8 · 12.
+            FluidSolverSettings settings = BodyRig.Water(new Vector3(1f, 0.55f, 1f), 0.05f, 0.3f);
+            settings.SupportRadius = 0.1f;
+            Assert.That(Value(DomainText.Before(settings), "Cells"), Is.EqualTo("1,152 of 4,194,303 at most"));
+        }
+
+        [TestCase(FluidMethodKind.Standard)]
+        [TestCase(FluidMethodKind.Thesis)]
+        public void CountedCellsAreTheSolvers(FluidMethodKind method)
+        {
+            FluidSolverSettings settings = BodyRig.Water(new Vector3(0.7f, 0.5f, 0.31f), 0.05f, 0.3f);
+            settings.Method = method;
+            settings.Boundaries.Periodic = FluidAxes.X;
+            var shaders = TestShaders.CreateSet();
+            try
+            {
+                using (var solver = new FluidSolver(settings, shaders, new[] { new FluidParticle(Vector3.zero, Vector3.zero, 0) }))
+                    Assert.That(CellRules.Needed(settings), Is.EqualTo(method == FluidMethodKind.Standard ? solver.State.Cells.CellCount : solver.Grid.CellCount));
+            }
+            finally
+            {
+                Object.DestroyImmediate(shaders);
+            }
+        }
+
+        [Test]
+        public void ParticlesThatLeftAreSaid()
+        {
+            Assert.That(DomainText.Particles(12000, 0), Is.EqualTo("12,000"));
+            Assert.That(DomainText.Particles(12000, 3000), Is.EqualTo("9,000; 3,000 left the domain"));
+        }
+
+        static string Value(DomainText text, string label) => text.Lines.Single(line => line.Label == label).Value;
+    }
+}

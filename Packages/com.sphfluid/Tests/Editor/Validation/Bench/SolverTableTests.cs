@@ -1,0 +1,158 @@
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using SphFluid.Validation;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>The columns of the table of solvers, from made-up rows and from small liquids.</summary>
+    public sealed class SolverTableTests
+    {
+        static readonly string[] Parts = { "sort", "motion" };
+
+        [Test]
+        public void RowsAreHeldAgainstTheThesisOfTheSameSize()
+        {
+            BenchTable table = Table((BenchSolver.ThesisCells, 1000, 9.0), (BenchSolver.ThesisOctant, 1000, 12.0), (BenchSolver.Standard, 1000, 3.0),
+                (BenchSolver.ThesisCells, 4000, 44.0), (BenchSolver.Standard, 4000, 12.0), (BenchSolver.StandardWide, 4000, 20.0));
+
+            Assert.That(Column(table, "speedup_thesis_27"), Is.EqualTo(new[] { "1", "0.75", "3", "1", "3.66667", "" }));
+            Assert.That(Column(table, "speedup_thesis_8"), Is.EqualTo(new[] { "1.33333", "1", "4", "", "", "" }));
+            Assert.That(Column(table, "kappa"), Is.EqualTo(new[] { "2", "2", "2", "2", "2", "2.25" }));
+        }
+
+        [Test]
+        public void GrowthIsTheExponentOverASixteenthOfTheSizeAndMore()
+        {
+            BenchTable table = Table((BenchSolver.Standard, 1000, 100.0), (BenchSolver.Standard, 4000, 8.0), (BenchSolver.Standard, 16000, 32.0),
+                (BenchSolver.Standard, 64000, 512.0));
+
+            Assert.That(Column(table, "growth_exponent"), Is.EqualTo(new[] { "", "-1.82193", "-0.410964", "1.5" }));
+        }
+
+        [Test]
+        public void SharesAndRoofline()
+        {
+            BenchTable table = Table((BenchSolver.StandardUnordered, 1000, 2.0));
+            table.Rows[0].Cells = 500;
+            table.Rows[0].CopySpeed = 1e9;
+
+            // 168 · 1,000 + 36 · 500 bytes at 1 GB/s.
+            Assert.That(Column(table, "bytes_per_particle").Single(), Is.EqualTo("186"));
+            Assert.That(Column(table, "roofline_ms").Single(), Is.EqualTo("0.186"));
+            Assert.That(Column(table, "roofline_fraction").Single(), Is.EqualTo("0.093"));
+            Assert.That(Column(table, "share.sort").Single(), Is.EqualTo("0.25"));
+            Assert.That(Column(table, "share.motion").Single(), Is.EqualTo("0.5"));
+            Assert.That(Column(table, "mpairs_per_s").Single(), Is.EqualTo("15"));
+            Assert.That(Column(table, "candidates_per_neighbour").Single(), Is.EqualTo("6.5"));
+        }
+
+        // 1,000 particles are padded to 1,024 pairs: 10 dispatches of the sort move 16 bytes a pair each.
+        [Test]
+        public void BytesOfAStepGoByItsPasses()
+        {
+            Assert.That(StepBytes.Standard(1000, 500, true, false, null), Is.EqualTo(192 * 1000 + 40 * 500));
+            Assert.That(StepBytes.Standard(1000, 500, true, true, null), Is.EqualTo(252 * 1000 + 40 * 500));
+            Assert.That(StepBytes.Standard(1000, 500, false, false, 27.5), Is.EqualTo((168 + 8 + 8 * 27.5) * 1000 + 36 * 500));
+            Assert.That(StepBytes.Thesis(1000, 500, 18), Is.EqualTo(388 * 1000 + 8 * 1024 + 10 * 16 * 1024 + 32 * 500));
+        }
+
+        [TestCase(1, 2f)]
+        [TestCase(509, 2f)]
+        [TestCase(1009, 2.25f)]
+        public void CandidatesAreThoseOfTheCellsAround(int count, float ratio)
+        {
+            var domain = new Vector3(0.5f, 0.4f, 0.45f);
+            float radius = 0.05f * ratio;
+            Vector3[] positions = ParticleSets.Random(count, domain, 1f, 5).Select(p => p.Position).ToArray();
+            foreach (bool octant in new[] { false, true })
+            {
+                var grid = new FluidGrid(domain, octant ? 2f * radius : radius);
+                long expected = 0;
+                foreach (Vector3 a in positions)
+                    expected += positions.Count(b => IsVisited(grid, octant, a, b));
+                double mean = CandidateCount.Mean(positions, grid, octant);
+                Assert.That(mean, Is.EqualTo(expected / (double)count).Within(1e-9), $"octant {octant}");
+                Assert.That(mean, Is.GreaterThanOrEqualTo(1.0 + NeighbourCount.Of(positions, radius).Mean), "all neighbours and itself are among them");
+            }
+        }
+
+        [TestCase("thesis_27", 18)]
+        [TestCase("thesis_8", 18)]
+        [TestCase("standard", 6)]
+        [TestCase("standard_search", 6)]
+        [TestCase("standard_unordered", 5)]
+        [TestCase("standard_mesh", 9)]
+        [TestCase("standard_2.25", 6)]
+        public void DispatchesOfAStep(string name, int expected)
+        {
+            BenchSolver solver = BenchPlan.Solver(null).Solvers.Single(s => s.Name == name);
+            using (var liquid = new BenchLiquid(SurfaceTestScene.LoadShaders(), solver, 500))
+            {
+                GpuTest.Run(cmd => liquid.Solver.RecordSteps(cmd, 1)); // takes the particles in
+                long before = ComputeKernel.DispatchesRecorded;
+                GpuTest.Run(cmd => liquid.Solver.RecordSteps(cmd, 1));
+
+                Assert.That(ComputeKernel.DispatchesRecorded - before, Is.EqualTo(expected));
+                Assert.That(liquid.TriangleCount, solver.HasMesh ? Is.GreaterThan(20) : Is.Zero);
+                Assert.That(liquid.Solver.Settings.SupportRadius / liquid.Solver.Settings.Spacing, Is.EqualTo(solver.SupportRatio).Within(1e-5f));
+            }
+        }
+
+        [TestCase(100)]
+        [TestCase(4093)]
+        public void TheBlockLeavesTheMeshFree(int count)
+        {
+            FluidParticle[] block = BenchLiquid.Block(count, true, out float spacing, out float height);
+
+            Assert.That(block.Select(p => p.Position).Distinct().Count(), Is.EqualTo(count));
+            Assert.That(block.Any(p => BenchMesh.Overlaps(p.Position, spacing)), Is.False);
+            Assert.That(height, Is.LessThan(BenchLiquid.Edge));
+        }
+
+        [Test]
+        public void TheLiquidAroundTheMeshSettlesFirst()
+        {
+            IReadOnlyList<BenchSolver> solvers = BenchPlan.Solver(new[] { 64 }).Solvers;
+
+            Assert.That(solvers.First(), Is.SameAs(BenchSolver.StandardMesh));
+            Assert.That(solvers.Select(s => s.Name).Distinct().Count(), Is.EqualTo(7));
+        }
+
+        // The 27 cells about a's, or the 8 that its octant touches.
+        static bool IsVisited(in FluidGrid grid, bool octant, Vector3 a, Vector3 b)
+        {
+            for (int axis = 0; axis < 3; axis++)
+            {
+                float place = (a[axis] - grid.Origin[axis]) / grid.CellSize[axis];
+                int own = Mathf.FloorToInt(place), other = Mathf.FloorToInt((b[axis] - grid.Origin[axis]) / grid.CellSize[axis]);
+                int low = octant ? (place - own < 0.5f ? own - 1 : own) : own - 1;
+                int high = octant ? low + 1 : own + 1;
+                if (other < low || other > high)
+                    return false;
+            }
+            return true;
+        }
+
+        // Two frames a sample; a quarter of each in the first part, half in the second.
+        static BenchTable Table(params (BenchSolver Solver, int Particles, double Milliseconds)[] rows)
+        {
+            var table = new BenchTable("solver", "device", "2026-11-22", new SolverLayout(Parts));
+            foreach ((BenchSolver solver, int particles, double milliseconds) in rows)
+            {
+                var row = new BenchRow(BenchConfig.Step(solver), particles) { NeighboursMean = 30.0, CandidatesMean = 195.0, Dispatches = 18, CopySpeed = 1e9 };
+                row.Add(new BenchTimes(2, 2.0 * milliseconds, new[] { 0.5 * milliseconds, milliseconds }));
+                table.Rows.Add(row);
+            }
+            return table;
+        }
+
+        static string[] Column(BenchTable table, string head)
+        {
+            string[][] lines = table.Lines().Select(CsvText.Split).ToArray();
+            int column = System.Array.IndexOf(lines[0], head);
+            return lines.Skip(1).Select(cells => cells[column]).ToArray();
+        }
+    }
+}

@@ -1,0 +1,91 @@
+using NUnit.Framework;
+using SphFluid.Validation;
+
+namespace SphFluid.Tests
+{
+    /// <summary>What the Standard method is good for, case by case: coarse where the limit holds there too.</summary>
+    public sealed class StandardCaseRunTests
+    {
+        static readonly CaseMethod Standard = CaseMethod.Find("standard");
+
+        [TestCase(2.25, 0.05)]
+        [TestCase(2.5, 0.025)]
+        public void TheEllipsoidSwings(double supportRatio, double limit)
+        {
+            var ellipsoid = new EllipsoidCase();
+            CaseParameters parameters = ellipsoid.Base(Standard);
+            parameters.SupportRatio = supportRatio;
+            Assert.That(Run(ellipsoid, parameters, out _), Is.LessThan(limit));
+        }
+
+        [Test]
+        public void ChannelsStartUp()
+        {
+            foreach (ChannelCase channel in new ChannelCase[] { new PoiseuilleCase(), new CouetteCase() })
+                Assert.That(Run(channel, Coarse(channel, 8), out _), Is.LessThan(0.03), channel.Name);
+        }
+
+        [Test]
+        public void TheColumnFalls()
+        {
+            var damBreak = new DamBreakCase();
+            Assert.That(Run(damBreak, Coarse(damBreak, 8), out CaseMetric metric), Is.LessThan(MartinMoyce.Floor));
+            Assert.That(WallCaseStates.Named(metric, "front, shift in T"), Is.InRange(-0.3, 0.0), "the gate held the experiment's back");
+            Assert.That(WallCaseStates.Named(metric, "height, largest error"), Is.LessThan(0.06));
+        }
+
+        [Test]
+        public void MarinsGaugesSeeTheWater()
+        {
+            var marin = new MarinCase();
+            Run(marin, Coarse(marin, 6), out CaseMetric metric);
+            foreach (CaseError error in metric.Evaluate())
+            {
+                if (error.Name.StartsWith("height at"))
+                    Assert.That(error.Value, Is.LessThan(0.35), error.Name);
+            }
+        }
+
+        [TestCase(2.0)]
+        [TestCase(2.25)]
+        [TestCase(2.5)]
+        public void WhatFallsFreelyKeepsItsShape(double supportRatio)
+        {
+            var fall = new FreeFallCase();
+            CaseParameters parameters = Coarse(fall, 9);
+            parameters.SupportRatio = supportRatio;
+            Assert.That(Run(fall, parameters, out _), Is.LessThan(fall.Limit));
+        }
+
+        [Test]
+        public void MomentumStaysAndEnergyDoesNotGrow()
+        {
+            foreach (ValidationCase gate in new ValidationCase[] { new MomentumCase(), new EnergyCase() })
+                Assert.That(Run(gate, Coarse(gate, 8), out _), Is.LessThan(gate.Limit), gate.Name);
+        }
+
+        [TestCase("thesis-printed", 2.0)]
+        [TestCase("thesis", 2.0)]
+        [TestCase("standard", 2.25)]
+        public void CasesSweepAboutTheMethodsOwnSupport(string method, double supportRatio)
+        {
+            foreach (ValidationCase validationCase in ValidationCases.All)
+                Assert.That(validationCase.Base(CaseMethod.Find(method)).SupportRatio, Is.EqualTo(supportRatio), validationCase.Name);
+        }
+
+        static CaseParameters Coarse(ValidationCase validationCase, int resolution)
+        {
+            CaseParameters parameters = validationCase.Base(Standard);
+            parameters.Resolution = resolution;
+            return parameters;
+        }
+
+        // The main error.
+        static double Run(ValidationCase validationCase, CaseParameters parameters, out CaseMetric metric)
+        {
+            CaseResult result = WallCaseRig.Run(validationCase, parameters, SurfaceTestScene.LoadShaders(), out metric);
+            Assert.That(result.Failure, Is.Null);
+            return result.Errors[0].Value;
+        }
+    }
+}

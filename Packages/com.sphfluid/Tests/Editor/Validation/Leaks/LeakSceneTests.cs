@@ -1,0 +1,98 @@
+using NUnit.Framework;
+using SphFluid.Validation;
+using Object = UnityEngine.Object;
+
+namespace SphFluid.Tests
+{
+    /// <summary>The first moments of each scene: nothing leaks, sticks or gains energy.</summary>
+    public sealed class LeakSceneTests
+    {
+        static LeakResult Play(LeakScene scene)
+        {
+            FluidShaderSet shaders = TestShaders.CreateSet();
+            try
+            {
+                using (var run = new LeakRun(scene, shaders))
+                    return run.RunToEnd();
+            }
+            finally
+            {
+                Object.DestroyImmediate(shaders);
+            }
+        }
+
+        [TestCase("cup", 5.0, 24)]
+        [TestCase("cup", 150.0, 12)]
+        [TestCase("open-cup", 20.0, 24)]
+        [TestCase("funnel", 0.0, 36)]
+        [TestCase("bunny", 0.0, 8)]
+        [TestCase("bunny-turned", 0.0, 5)]
+        [TestCase("knife", 10.0, 9)]
+        [TestCase("vertex", 10.0, 9)]
+        [TestCase("wall", 3.0, 15)]
+        [TestCase("sizes", 5.0, 6)]
+        [TestCase("coplanar", 5.0, 12)]
+        public void NothingLeaks(string name, double speed, int frames)
+        {
+            LeakScene scene = LeakScenes.Find(name).Build(speed);
+            scene.Frames = frames;
+
+            LeakResult result = Play(scene);
+
+            Assert.That(result.Escapes, Is.Zero);
+            Assert.That(result.Failure, Is.Empty);
+            Assert.That(result.Counters.Overlaps, Is.Zero);
+        }
+
+        [Test]
+        public void LiquidInACupRestsHalfASpacingFromItsWalls()
+        {
+            LeakScene scene = LeakScenes.Find("still-cup").Build(0.0);
+            scene.Frames = 60;
+
+            LeakResult result = Play(scene);
+
+            Assert.That(result.Failure, Is.Empty);
+            Assert.That(result.EnergyRatio, Is.LessThan(1.01));
+            Assert.That(result.Rest.Value.FirstLayer, Is.EqualTo(0.5).Within(0.05));
+            Assert.That(result.Rest.Value.Pressed, Is.LessThan(0.01));
+            Assert.That(result.Rest.Value.Held, Is.Zero);
+        }
+
+        [Test]
+        public void ASheetKeepsFlowAndRestApart()
+        {
+            LeakScene scene = LeakScenes.Find("two-sided").Build(2.0);
+            scene.Frames = 12;
+
+            LeakResult result = Play(scene);
+
+            Assert.That(result.Failure, Is.Empty);
+            Assert.That(result.Drag, Is.LessThan(1e-4));
+        }
+
+        [TestCase("cup", 5.0)]
+        [TestCase("open-cup", 5.0)]
+        [TestCase("coplanar", 5.0)]
+        public void TheJudgesSeeWhatGoesThrough(string name, double speed)
+        {
+            LeakScene scene = LeakScenes.Find(name).Build(speed);
+            scene.Solid = false;
+            scene.Frames = 6;
+
+            Assert.That(Play(scene).Escapes, Is.GreaterThan(scene.Particles.Length / 10));
+        }
+
+        [Test]
+        public void ASurfaceThatJumpsIsAFailure()
+        {
+            LeakScene scene = LeakScenes.Find("cup").Build(180.0);
+            scene.Frames = 2;
+
+            LeakResult result = Play(scene);
+
+            Assert.That(result.Jumps, Is.EqualTo(2));
+            Assert.That(result.Failure, Is.Not.Empty);
+        }
+    }
+}

@@ -1,0 +1,118 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+
+namespace SphFluid.Validation
+{
+    /// <summary>
+    /// Methods compared at equal GPU time: the error of each point of a method's own Pareto front, and beside it the other method's error at the
+    /// same time, from its own front, between whose points errors are powers of the time. Points that are good by chance are not on these fronts:
+    /// those of which a finer spacing, all else equal, errs half as much again, as where an error changes its sign.
+    /// </summary>
+    public static class EqualCost
+    {
+        /// <summary>Name of the file.</summary>
+        public const string FileName = "equal-cost.csv";
+
+        const double ByChance = 1.5;
+
+        static readonly string[] columns =
+        {
+            "case", "error_name", "method", "dx", "kappa", "dt_fraction", "c_or_iterations", "gpu_ms_per_sim_s", "error", "other_method", "other_error",
+            "ratio", "other_is", "device", "date",
+        };
+
+        /// <summary>A point of a method against another method at the same time.</summary>
+        public readonly struct Comparison
+        {
+            internal Comparison(ChartPoint point, string other, double otherError, bool isBound, double floor)
+            {
+                Point = point;
+                Other = other;
+                OtherError = otherError;
+                IsBound = isBound;
+                Ratio = Math.Max(point.Error.Value.Median, floor) / Math.Max(otherError, floor);
+            }
+
+            /// <summary>The method's point.</summary>
+            public ChartPoint Point { get; }
+
+            /// <summary>The other method.</summary>
+            public string Other { get; }
+
+            /// <summary>The other method's error at the point's time.</summary>
+            public double OtherError { get; }
+
+            /// <summary>Whether the other method has no point as dear as this one, so that its error is that of its dearest one.</summary>
+            public bool IsBound { get; }
+
+            /// <summary>The point's error over the other's, neither counted below the reference's floor; below 1 the point is better.</summary>
+            public double Ratio { get; }
+        }
+
+        /// <summary>Every point of every method's front against every other method that has a point no dearer than it.</summary>
+        /// <param name="points">Points of one error of one case.</param>
+        /// <param name="floor">Errors below this are below what the reference is good for.</param>
+        public static IReadOnlyList<Comparison> Of(IEnumerable<ChartPoint> points, double floor)
+        {
+            List<IReadOnlyList<ChartPoint>> fronts = points.Where(p => p.IsWhole).GroupBy(p => p.Method)
+                .Select(own => ParetoFront.Of(own.Where(p => !own.Any(finer => IsByChance(p, finer, floor))))).Where(f => f.Count > 0).ToList();
+            return (from own in fronts
+                    from other in fronts
+                    where other != own
+                    from point in own
+                    where Time(point) >= Time(other[0])
+                    select new Comparison(point, other[0].Method, ErrorAt(other, Time(point)), Time(point) > Time(other[other.Count - 1]), floor)).ToList();
+        }
+
+        /// <summary>Lines of the file.</summary>
+        /// <param name="comparisons">Comparisons of all cases.</param>
+        public static IEnumerable<string> Lines(IEnumerable<Comparison> comparisons)
+        {
+            yield return CsvText.Join(columns);
+            foreach (Comparison c in comparisons)
+            {
+                ChartPoint p = c.Point;
+                yield return CsvText.Join(new[]
+                {
+                    p.Case, p.ErrorName, p.Method, CsvText.Text(p.Spacing), CsvText.Text(p.SupportRatio), CsvText.Text(p.TimeStepFraction),
+                    CsvText.Text(p.SoundSpeedRatio), CsvText.Text(Time(p)), CsvText.Text(p.Error.Value.Median), c.Other, CsvText.Text(c.OtherError),
+                    CsvText.Text(c.Ratio), c.IsBound ? "its dearest" : "interpolated", p.Device, p.Date,
+                });
+            }
+        }
+
+        /// <summary>Writes the file whole.</summary>
+        /// <param name="folder">Its folder.</param>
+        /// <param name="comparisons">Comparisons of all cases.</param>
+        public static void Write(string folder, IEnumerable<Comparison> comparisons) => CsvText.WriteWhole(Path.Combine(folder, FileName), Lines(comparisons));
+
+        static bool IsByChance(ChartPoint point, ChartPoint finer, double floor) =>
+            finer.Spacing < point.Spacing && finer.SupportRatio.Equals(point.SupportRatio) && finer.TimeStepFraction.Equals(point.TimeStepFraction) &&
+            finer.SoundSpeedRatio.Equals(point.SoundSpeedRatio) && Math.Max(floor, Error(finer)) > ByChance * Math.Max(floor, Error(point));
+
+        // Along the best so far: bars may leave a dearer point on the front whose median is no better.
+        static double ErrorAt(IReadOnlyList<ChartPoint> front, double time)
+        {
+            double best = Error(front[0]), bestTime = Time(front[0]);
+            foreach (ChartPoint next in front)
+            {
+                if (Error(next) >= best)
+                    continue;
+                if (Time(next) > time)
+                    return Power(bestTime, best, Time(next), Error(next), time);
+                (best, bestTime) = (Error(next), Time(next));
+            }
+            return best;
+        }
+
+        // On the straight line through two points of logarithmic axes: at 2 between (1, 0.4) and (4, 0.1) 0.2.
+        static double Power(double t0, double e0, double t1, double e1, double t) =>
+            t1 > t0 && e1 > 0.0 ? e0 * Math.Pow(e1 / e0, Math.Log(t / t0) / Math.Log(t1 / t0)) : e1;
+
+        static double Time(ChartPoint point) => point.Cost.Value.Median;
+
+        static double Error(ChartPoint point) => point.Error.Value.Median;
+    }
+}

@@ -1,0 +1,135 @@
+using System;
+using System.Collections;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid.Validation
+{
+    /// <summary>Plays a scene frame by frame under its judge's eyes.</summary>
+    sealed class LeakRun : IDisposable
+    {
+        // Time at the end in which gravity moves all that nothing carries: 0.1 s, a fall of 49 mm.
+        const int RestFrames = 6;
+
+        readonly LeakScene scene;
+        readonly LeakJudge judge;
+        readonly LeakSurface surface;
+        readonly FluidSolver solver;
+        readonly int stepsPerFrame;
+        bool disposed;
+
+        /// <exception cref="ArgumentException">The particles or constants cannot be computed with.</exception>
+        /// <exception cref="FluidDeviceException">The device cannot run it.</exception>
+        public LeakRun(LeakScene scene, FluidShaderSet shaders)
+        {
+            this.scene = scene;
+            judge = LeakJudge.Of(scene);
+            stepsPerFrame = (int)Math.Ceiling(1.0 / LeakScene.FrameRate / scene.Settings.TimeStep);
+            solver = new FluidSolver(scene.Settings, shaders, scene.Particles);
+            surface = new LeakSurface(scene);
+            if (scene.Solid)
+            {
+                surface.MoveTo(scene.PoseAt(0));
+                surface.GiveTo(solver);
+            }
+        }
+
+        /// <summary>The result, when the run has ended.</summary>
+        public LeakResult Result { get; private set; }
+
+        /// <summary>The run; it yields after each frame of the scene.</summary>
+        public IEnumerator Run()
+        {
+            LeakPose pose = scene.PoseAt(0);
+            FluidParticle[] state = Look(pose), earlier = state;
+            double start = Energy(state), highest = start, fastest = 0.0;
+            for (int frame = 1; frame <= scene.Frames; frame++)
+            {
+                LeakPose next = scene.PoseAt(frame);
+                int looks = judge.NeedsSteps ? stepsPerFrame : 1;
+                for (int look = 1; look <= looks; look++)
+                {
+                    // Steps that are looked at one by one each have a part of the frame's motion.
+                    LeakPose part = LeakPose.Between(pose, next, look / (float)looks);
+                    Step(part, stepsPerFrame / looks);
+                    state = Look(part);
+                    fastest = Math.Max(fastest, solver.ReadCountersNow().MaxSpeed);
+                }
+                pose = next;
+                highest = Math.Max(highest, Energy(state));
+                if (frame == scene.Frames - RestFrames)
+                    earlier = state;
+                yield return null;
+            }
+            Result = new LeakResult
+            {
+                Scene = scene,
+                Steps = solver.StepCount,
+                Escapes = judge.Escapes,
+                Counters = solver.ReadCountersNow(),
+                Jumps = surface.Jumps,
+                MaxSpeed = fastest,
+                EnergyRatio = scene.Motion == null ? highest / start : double.NaN,
+                Rest = scene.Rests ? WallRest.Of(scene, pose, Places(earlier), Places(state)) : default(WallRest?),
+                End = state,
+            };
+        }
+
+        /// <summary>Runs to the end at once; for tests and tools.</summary>
+        public LeakResult RunToEnd()
+        {
+            IEnumerator run = Run();
+            while (run.MoveNext())
+            {
+            }
+            return Result;
+        }
+
+        /// <inheritdoc/>
+        public void Dispose()
+        {
+            if (disposed)
+                return;
+            disposed = true;
+            solver.Dispose();
+            surface.Dispose();
+        }
+
+        // Kinetic and potential energy over the mass of a particle, from the floor of the domain, J/kg.
+        double Energy(FluidParticle[] state)
+        {
+            double sum = 0.0, gravity = scene.Settings.Gravity.magnitude, floor = -0.5 * scene.Settings.DomainSize.y;
+            foreach (FluidParticle particle in state)
+                sum += 0.5 * particle.VelT0.sqrMagnitude + gravity * (particle.Position.y - floor);
+            return sum;
+        }
+
+        static Vector3[] Places(FluidParticle[] state) => Array.ConvertAll(state, p => p.Position);
+
+        void Step(LeakPose pose, int steps)
+        {
+            if (scene.Solid)
+                surface.MoveTo(pose);
+            using (var cmd = new CommandBuffer { name = "Leak Scene" })
+            {
+                solver.RecordSteps(cmd, steps, 1f / (LeakScene.FrameRate * stepsPerFrame));
+                Graphics.ExecuteCommandBuffer(cmd);
+            }
+        }
+
+        // The particles by id, after the judge has seen them.
+        FluidParticle[] Look(LeakPose pose)
+        {
+            using (var cmd = new CommandBuffer { name = "Leak Look" })
+            {
+                solver.RecordNeighbourSetup(cmd);
+                Graphics.ExecuteCommandBuffer(cmd);
+            }
+            var particles = new FluidParticle[solver.ParticleCount];
+            solver.Particles.GetData(particles);
+            Array.Sort(particles, (a, b) => a.Id.CompareTo(b.Id));
+            judge.Look(Array.ConvertAll(particles, p => pose.ToSurface(p.Position)));
+            return particles;
+        }
+    }
+}

@@ -1,0 +1,34 @@
+using System;
+using System.Collections;
+
+namespace SphFluid.Validation
+{
+    /// <summary>A part of a long measurement, done as a whole.</summary>
+    sealed class SessionJob
+    {
+        /// <summary>A job.</summary>
+        /// <param name="name">For progress lines.</param>
+        /// <param name="cost">Expected work, in any unit that all jobs of the session share.</param>
+        /// <param name="isDone">Whether an earlier session has done it.</param>
+        /// <param name="work">The work, which writes its results.</param>
+        /// <param name="report">Says what came out, when the time left is known anew; null for nothing.</param>
+        public SessionJob(string name, double cost, Func<bool> isDone, Func<IEnumerator> work, Action report = null)
+        {
+            Name = name;
+            Cost = cost;
+            IsDone = isDone;
+            Work = work;
+            Report = report;
+        }
+
+        public string Name { get; }
+
+        public double Cost { get; }
+
+        public Func<bool> IsDone { get; }
+
+        public Func<IEnumerator> Work { get; }
+
+        public Action Report { get; }
+    }
+}
