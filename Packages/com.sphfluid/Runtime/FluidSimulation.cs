@@ -72,7 +72,7 @@ namespace SphFluid
         float startJitter = 0.02f;
 
         [SerializeField, Tooltip("How the liquid is brought to rest before the first frame. Packed: without gravity, particles part that lie too near to " +
-            "each other or to walls. Hydrostatic: under gravity. Takes some hundred steps at the start, without Start Jitter; method Standard only. A change starts the liquid again.")]
+            "each other or to walls. Hydrostatic: under gravity. Takes hundreds to thousands of steps at the start, without Start Jitter; method Standard only. A change starts the liquid again.")]
         FluidStartRelaxation startRelaxation;
 
         FluidRun run;

@@ -7,7 +7,8 @@ namespace SphFluid
 {
     /// <summary>
     /// Brings particles to rest by damped steps of the Standard method, in command buffers of bounded work. With a damping rate γ
-    /// of π c/H a column of height H settles as fast as it can without swinging: its slowest wave has the rate π c/(2 H).
+    /// of π c/H a column of height H settles as fast as it can without swinging: its slowest wave has the rate π c/(2 H). Liquid whose
+    /// lattice cannot carry it, as between upright walls, creeps on under that; it is let flow almost freely for a while, and settled again.
     /// </summary>
     internal sealed class StartRelaxer : IDisposable
     {
@@ -15,8 +16,13 @@ namespace SphFluid
         const int WorkPerBuffer = 1 << 22;
         const int MostStepsPerBuffer = 16;
 
-        // Times that sound crosses the liquid until it is given up.
-        const double MostCrossings = 20.0;
+        // Times that sound crosses the liquid while it settles.
+        const double Crossings = 8.0;
+
+        // Flowing takes about ten times √(H/g) in all, whether damped by half a √(g/H) or not at all; ten times that damping stops it.
+        const double FlowTime = 4.0;
+        const double FlowRate = 0.5;
+        const int MostFlows = 8;
 
         // Overlaps push particles about their own width; they part at once, and sooner than the liquid as a whole settles.
         const double LocalRate = 0.5;
@@ -25,7 +31,7 @@ namespace SphFluid
         readonly StandardMethod method;
         readonly DampVelocitiesPass damping;
         readonly CounterReadback counters;
-        readonly double step, crossing;
+        readonly double step, crossing, fall;
 
         /// <summary>Takes particles at rest.</summary>
         /// <param name="settings">The physics; its gravity acts.</param>
@@ -38,7 +44,9 @@ namespace SphFluid
             method = new StandardMethod(shaders);
             damping = new DampVelocitiesPass(shaders);
             step = Math.Min(settings.TimeStep, TimeStepAdvice.For(settings, settings.MaxSpeed).Largest);
-            crossing = Math.Max(height, settings.SupportRadius) / settings.SoundSpeed;
+            double depth = Math.Max(height, settings.SupportRadius);
+            crossing = depth / settings.SoundSpeed;
+            fall = settings.Gravity.sqrMagnitude > 0f ? Math.Sqrt(depth / settings.Gravity.magnitude) : 0.0;
             var start = new FluidParticle[particles.Count];
             for (int i = 0; i < start.Length; i++) start[i] = new FluidParticle(particles[i].Position, Vector3.zero, particles[i].Id);
             state = new FluidState(settings, start.Length) { Bodies = bodies };
@@ -58,25 +66,20 @@ namespace SphFluid
         // π c/H.
         double Rate => Math.PI / crossing;
 
-        /// <summary>Steps until no particle is accelerated by more than what is asked for, or for 20 crossings of sound.</summary>
+        /// <summary>Settles the liquid, lets it flow and settles it again until no particle is accelerated by more than what is asked for, or eight times.</summary>
         /// <param name="acceleration">Largest acceleration to be left [m/s²].</param>
         /// <returns>Whether it came to that.</returns>
         public bool Run(double acceleration)
         {
-            int most = (int)Math.Ceiling(MostCrossings * crossing / step);
-            int batch = Mathf.Clamp(WorkPerBuffer / state.ParticleCount, 1, MostStepsPerBuffer);
             using (var cmd = new CommandBuffer { name = "SPH Fluid Relaxation" })
             {
                 method.RecordLoad(cmd, state);
-                do
+                Settle(cmd, acceleration);
+                for (int flows = 0; flows < MostFlows && fall > 0.0 && Acceleration > acceleration; flows++)
                 {
-                    counters.RecordReset(cmd);
-                    for (int i = 0; i < batch; i++) RecordStep(cmd);
-                    Graphics.ExecuteCommandBuffer(cmd);
-                    cmd.Clear();
-                    Speed = counters.ReadNow().MaxSpeed;
+                    Flow(cmd);
+                    Settle(cmd, acceleration);
                 }
-                while (Steps < most && !(Acceleration <= acceleration && Steps * step > crossing));
                 method.RecordNeighbourSetup(cmd, state);
                 method.RecordPublish(cmd, state);
                 Graphics.ExecuteCommandBuffer(cmd);
@@ -99,15 +102,41 @@ namespace SphFluid
             state.Dispose();
         }
 
-        void RecordStep(CommandBuffer cmd)
+        // At once where overlaps part, then where the liquid as a whole settles.
+        void Settle(CommandBuffer cmd, double acceleration)
         {
-            double local = LocalRate * state.Settings.SoundSpeed / state.Settings.Spacing;
-            double rate = Rate + Math.Max(local - Rate, 0.0) * Math.Exp(-Steps * step / crossing);
-            state.BeginBodyStep(0, 1, (float)step);
-            method.RecordNeighbourSetup(cmd, state);
-            method.RecordMotion(cmd, state, new FluidStep((float)step, (float)step, Steps == 0));
-            damping.Record(cmd, state, (float)Math.Exp(-rate * step));
-            Steps++;
+            double local = Math.Max(LocalRate * state.Settings.SoundSpeed / state.Settings.Spacing, Rate);
+            double time = 0.0;
+            do
+            {
+                time = Advance(cmd, time, Crossings * crossing, t => Rate + (local - Rate) * Math.Exp(-t / crossing));
+            }
+            while (time < Crossings * crossing && !(Acceleration <= acceleration && time > crossing));
+        }
+
+        void Flow(CommandBuffer cmd)
+        {
+            for (double time = 0.0; time < FlowTime * fall;) time = Advance(cmd, time, FlowTime * fall, _ => FlowRate / fall);
+        }
+
+        // A command buffer of steps: the time after them.
+        double Advance(CommandBuffer cmd, double time, double end, Func<double, double> rate)
+        {
+            int batch = Mathf.Clamp(WorkPerBuffer / state.ParticleCount, 1, MostStepsPerBuffer);
+            counters.RecordReset(cmd);
+            for (int i = 0; i < batch && time < end; i++)
+            {
+                state.BeginBodyStep(0, 1, (float)step);
+                method.RecordNeighbourSetup(cmd, state);
+                method.RecordMotion(cmd, state, new FluidStep((float)step, (float)step, Steps == 0));
+                damping.Record(cmd, state, (float)Math.Exp(-rate(time) * step));
+                Steps++;
+                time += step;
+            }
+            Graphics.ExecuteCommandBuffer(cmd);
+            cmd.Clear();
+            Speed = counters.ReadNow().MaxSpeed;
+            return time;
         }
     }
 }
