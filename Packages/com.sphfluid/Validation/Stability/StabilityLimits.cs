@@ -36,16 +36,19 @@ namespace SphFluid.Validation
             Acoustic(1.35, 1.40, 2.0, 2.5, 3.0, 4.0).Concat(Viscous(0.115, 0.131, 1.7, 2.0, 3.0, 4.0)).Concat(Walls(0.0, 0.5, 1.0)).ToArray();
 
         static readonly StabilityLimit[] thesisQuick =
-            Acoustic(1.35, 1.40, 2.0, 3.0, 4.0).Concat(Viscous(0.115, 0.131, 1.7, 2.0, 3.0)).Concat(Walls(0.0, 1.0)).ToArray();
+            Acoustic(1.35, 1.40, 2.0, 3.0, 4.0).Concat(Viscous(0.115, 0.131, 2.0, 3.0)).Concat(Walls(0.0, 1.0)).ToArray();
 
         static readonly StabilityLimit[] standard =
-            Acoustic(0.86, 0.89, 2.0, 2.25, 2.5, 3.0).Concat(Viscous(0.072, 0.077, 2.0, 2.25, 2.5, 3.0)).ToArray();
+            Acoustic(0.86, 0.89, 2.0, 2.25, 2.5, 3.0, 4.0).Concat(Viscous(0.072, 0.077, 2.0, 2.25, 2.5, 3.0, 4.0)).ToArray();
+
+        static readonly StabilityLimit[] standardQuick =
+            Acoustic(0.86, 0.89, 2.0, 2.25, 2.5, 3.0).Concat(Viscous(0.072, 0.077, 2.25, 3.0)).ToArray();
 
         /// <summary>The borders of a method.</summary>
         /// <param name="method">The method.</param>
         /// <param name="quick">Whether for the short plan.</param>
         public static IReadOnlyList<StabilityLimit> Of(CaseMethod method, bool quick) =>
-            StabilityTheory.Of(method) == StabilityTheory.Standard ? standard : quick ? thesisQuick : thesis;
+            StabilityTheory.Of(method) == StabilityTheory.Standard ? (quick ? standardQuick : standard) : quick ? thesisQuick : thesis;
 
         // Ranges by von Neumann over all waves and κ = 2 to 4; derivation: Documentation~/stability.md.
         static IEnumerable<StabilityLimit> Acoustic(double low, double high, params double[] kappas) => kappas.Select(kappa =>

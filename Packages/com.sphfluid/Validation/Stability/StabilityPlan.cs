@@ -58,7 +58,7 @@ namespace SphFluid.Validation
         }
 
         /// <summary>Most steps of a run of the short plan.</summary>
-        public const double QuickSteps = 700.0;
+        public const double QuickSteps = 500.0;
 
         // On a device that is a CPU, and on others.
         const double SoftwareSteps = 4000.0, FullSteps = 100000.0;
