@@ -47,8 +47,12 @@ namespace SphFluid.Validation
         /// <summary>The borders of a method.</summary>
         /// <param name="method">The method.</param>
         /// <param name="quick">Whether for the short plan.</param>
-        public static IReadOnlyList<StabilityLimit> Of(CaseMethod method, bool quick) =>
-            StabilityTheory.Of(method) == StabilityTheory.Standard ? (quick ? standardQuick : standard) : quick ? thesisQuick : thesis;
+        public static IReadOnlyList<StabilityLimit> Of(CaseMethod method, bool quick)
+        {
+            if (StabilityTheory.Of(method) == StabilityTheory.Standard)
+                return quick ? standardQuick : standard;
+            return quick ? thesisQuick : thesis;
+        }
 
         // Ranges by von Neumann over all waves and κ = 2 to 4; derivation: Documentation~/stability.md.
         static IEnumerable<StabilityLimit> Acoustic(double low, double high, params double[] kappas) => kappas.Select(kappa =>
