@@ -6,10 +6,7 @@ namespace SphFluid.Validation
     /// <summary>A run that is ready to start: constants, particles, obstacles, length. SI, simulation space.</summary>
     public sealed class CaseSetup
     {
-        /// <summary>The method.</summary>
-        public CaseMethod Method;
-
-        /// <summary>The physics.</summary>
+        /// <summary>The physics, and the method.</summary>
         public FluidSolverSettings Settings;
 
         /// <summary>Particles at the start.</summary>

@@ -52,7 +52,6 @@ namespace SphFluid.Validation
             List<Vector3> positions = CaseLattice.Box(new Vector3Int(width, parameters.Resolution, width), dx, -0.5f * domain);
             return new CaseSetup
             {
-                Method = parameters.Method,
                 Settings = settings,
                 Particles = WallCaseSetup.AtRest(positions, parameters, dx, domain),
                 Duration = Times[Times.Length - 1],

@@ -60,7 +60,6 @@ namespace SphFluid.Validation
             double unit = Math.Sqrt(a / (2.0 * Gravity));
             return new CaseSetup
             {
-                Method = parameters.Method,
                 Settings = settings,
                 Particles = Column(parameters, settings, rows, dx),
                 Duration = LastTime * unit,

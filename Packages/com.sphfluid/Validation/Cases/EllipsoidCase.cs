@@ -53,7 +53,6 @@ namespace SphFluid.Validation
             settings.BodyForce = new FluidBodyForce { RateSquared = Vector3.one * (float)(Rate * Rate) };
             return new CaseSetup
             {
-                Method = parameters.Method,
                 Settings = settings,
                 Particles = CaseLattice.Particles(ball, p => (float)Sigma * new Vector3(-0.5f * p.x, -0.5f * p.y, p.z)),
                 Duration = Duration / Rate,

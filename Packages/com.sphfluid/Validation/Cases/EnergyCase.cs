@@ -52,7 +52,6 @@ namespace SphFluid.Validation
             double time = Math.Sqrt(Height / Gravity);
             return new CaseSetup
             {
-                Method = parameters.Method,
                 Settings = CaseSettings.For(parameters, domain, dx, speed, new Vector3(0f, -(float)Gravity, 0f), null,
                     new FluidBoundaries { Periodic = FluidAxes.Z }),
                 Particles = CaseLattice.Particles(column),

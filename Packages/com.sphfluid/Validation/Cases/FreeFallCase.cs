@@ -52,7 +52,6 @@ namespace SphFluid.Validation
             double duration = Math.Sqrt(2.0 * Fall / Gravity);
             return new CaseSetup
             {
-                Method = parameters.Method,
                 Settings = CaseSettings.For(parameters, domain, dx, speed, new Vector3(0f, -(float)Gravity, 0f)),
                 Particles = CaseLattice.Particles(block),
                 Duration = duration,

@@ -52,7 +52,6 @@ namespace SphFluid.Validation
                 new Vector3(0f, -(float)Gravity, 0f), null, boundaries);
             return new CaseSetup
             {
-                Method = parameters.Method,
                 Settings = settings,
                 Particles = Column(parameters, domain, width, dx),
                 Duration = Lasts * time,

@@ -56,7 +56,6 @@ namespace SphFluid.Validation
             FluidSolverSettings settings = CaseSettings.For(parameters, tank, dx, speed, new Vector3(0f, -(float)Gravity, 0f));
             return new CaseSetup
             {
-                Method = parameters.Method,
                 Settings = settings,
                 Particles = Water(parameters, settings, counts, dx),
                 Duration = Lasts,

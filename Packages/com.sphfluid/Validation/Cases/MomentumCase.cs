@@ -60,7 +60,6 @@ namespace SphFluid.Validation
             double duration = Steps * (double)settings.TimeStep;
             return new CaseSetup
             {
-                Method = parameters.Method,
                 Settings = settings,
                 Particles = particles,
                 Duration = duration,

@@ -56,7 +56,6 @@ namespace SphFluid.Validation
                 new Vector3(0f, -(float)Gravity, 0f), Viscosity, new FluidBoundaries { Periodic = FluidAxes.X | FluidAxes.Z });
             return new CaseSetup
             {
-                Method = parameters.Method,
                 Settings = settings,
                 Particles = Wave(parameters, domain, width, dx),
                 Duration = Lasts * Period,

@@ -20,7 +20,6 @@ namespace SphFluid.Tests
             CaseLattice.Jitter(block, 0.001, parameters.Seed, 0.5f * Vector3.one);
             return new CaseSetup
             {
-                Method = parameters.Method,
                 Settings = CaseSettings.For(parameters, Vector3.one, 0.02, 2.0, new Vector3(0f, -9.81f, 0f)),
                 Particles = CaseLattice.Particles(block),
                 Duration = duration,

@@ -64,7 +64,6 @@ namespace SphFluid.Tests
             settings.TimeStep = (float)(parameters.TimeStepFraction * spacing / parameters.SoundSpeedRatio);
             return new CaseSetup
             {
-                Method = parameters.Method,
                 Settings = settings,
                 Particles = new FluidParticle[parameters.Resolution * parameters.Resolution * parameters.Resolution],
                 Duration = 1.0,
