@@ -100,6 +100,7 @@ namespace SphFluid
 
         void ShareColliders()
         {
+            if (bodies != null) return; // FollowBodies gives them
             collision.Upload();
             Solver.SetTriangles(collision.TriangleBuffer, collision.ColliderBuffer, collision.Colliders.Count);
         }

@@ -6,17 +6,12 @@
 // no slip.
 // A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_NO_SLIP".
 #include "../Neighbours/PeriodicAxes.hlsl"
+#include "WallVelocities.hlsl"
 
 #if defined(FLUID_NO_SLIP)
 float _DragSpeed;    // beta nu / dx, m/s
 float _DragDistance; // dx, m
 float _DragStep;     // s, the step of the velocities
-float3 _WallLowX;    // m/s, velocities of the domain's faces, each within its plane
-float3 _WallLowY;
-float3 _WallLowZ;
-float3 _WallHighX;
-float3 _WallHighY;
-float3 _WallHighZ;
 
 // 1/s; a twentieth of dx is the nearest that counts.
 float3 DragRate(float3 wallDistance)
@@ -32,9 +27,7 @@ float3 DomainDrag(float3 low, float3 high, float3 velocity)
     const float3 rateHigh = WhereWalls(DragRate(high));
     const float3 rates = rateLow + rateHigh;
     const float3 rate = rates.yzx + rates.zxy;
-    const float3 drive = rateLow.x * _WallLowX + rateHigh.x * _WallHighX + rateLow.y * _WallLowY + rateHigh.y * _WallHighY
-        + rateLow.z * _WallLowZ + rateHigh.z * _WallHighZ;
-    return (drive - rate * velocity) / max(rate * _DragStep, 1.0);
+    return (WallDrive(rateLow, rateHigh) - rate * velocity) / max(rate * _DragStep, 1.0);
 }
 
 // A mesh at rest, by its nearest point: the unit vector and the distance from there, zero behind a closed one.

@@ -49,23 +49,13 @@ namespace SphFluid.Validation
         public static BenchArguments Parse(IReadOnlyList<string> commandLine)
         {
             var result = new BenchArguments();
-            int separator = CommandLineWords.Separator(commandLine);
-            for (int i = separator + 1; i < commandLine.Count; i++)
+            CommandLineFlag.Read(commandLine, "bench", flags, flag =>
             {
-                string word = commandLine[i];
-                int equals = word.StartsWith("--", StringComparison.Ordinal) ? word.IndexOf('=') : -1;
-                string flag = equals > 0 ? word.Substring(0, equals) : word;
-                if (Array.IndexOf(flags, flag) < 0)
-                {
-                    if (separator >= 0)
-                        throw new CommandLineException($"{word} is not a flag of bench. Its flags are {string.Join(", ", flags)}.");
-                    continue;
-                }
-                if (flag == "--sweep" || flag == "--no-sweep")
-                    result.Sweep = equals > 0 ? throw new CommandLineException($"{flag} takes no value.") : flag == "--sweep";
+                if (flag.Name == "--sweep" || flag.Name == "--no-sweep")
+                    result.Sweep = flag.On() && flag.Name == "--sweep";
                 else
-                    result.Read(flag, equals > 0 ? word.Substring(equals + 1) : CommandLineWords.Value(commandLine, ref i));
-            }
+                    result.Read(flag.Name, flag.Value());
+            });
             return result;
         }
 

@@ -84,10 +84,7 @@ namespace SphFluid.Validation
         {
             if (timed)
                 throw new InvalidOperationException("GPU times need frames of the engine: go through Run, or make the run without times.");
-            var work = new SessionWork(Run());
-            while (work.Step())
-            {
-            }
+            new SessionWork(Run()).Finish();
             return Result;
         }
 

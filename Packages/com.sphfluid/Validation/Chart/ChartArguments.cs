@@ -39,54 +39,34 @@ namespace SphFluid.Validation
         {
             var result = new ChartArguments();
             ValidationCase[] charted = known.Where(c => !c.IsGate).ToArray();
-            int separator = CommandLineWords.Separator(commandLine);
-            for (int i = separator + 1; i < commandLine.Count; i++)
-            {
-                string word = commandLine[i];
-                int equals = word.StartsWith("--", StringComparison.Ordinal) ? word.IndexOf('=') : -1;
-                string flag = equals > 0 ? word.Substring(0, equals) : word;
-                string value = equals > 0 ? word.Substring(equals + 1) : null;
-                if (Array.IndexOf(flags, flag) < 0)
-                {
-                    if (separator >= 0)
-                        throw new CommandLineException($"{word} is not a flag of chart. Its flags are {string.Join(", ", flags)}.");
-                }
-                else if (flag == "--quick")
-                {
-                    result.Quick = value == null ? true : throw new CommandLineException($"{flag} takes no value.");
-                }
-                else if (flag == "--case" || flag == "--method")
-                {
-                    result.ReadNames(flag, value == null ? CommandLineWords.Values(commandLine, ref i) : CommandLineWords.List(flag, value), charted);
-                }
-                else
-                {
-                    result.Read(flag, value ?? CommandLineWords.Value(commandLine, ref i));
-                }
-            }
+            CommandLineFlag.Read(commandLine, "chart", flags, flag => result.Read(flag, charted));
             result.FillIn(charted);
             return result;
         }
 
-        void ReadNames(string flag, IReadOnlyList<string> names, ValidationCase[] charted)
+        void Read(CommandLineFlag flag, ValidationCase[] charted)
         {
-            foreach (string name in names)
+            switch (flag.Name)
             {
-                if (flag == "--case")
-                    CommandLineWords.Choose(cases, flag, name, charted, c => c.Name);
-                else
-                    CommandLineWords.Choose(methods, flag, name, CaseMethod.All, m => m.Name);
+                case "--quick":
+                    Quick = flag.On();
+                    break;
+                case "--out":
+                    OutputFolder = flag.Value();
+                    break;
+                case "--slice":
+                    Slice = CommandLineWords.Minutes(flag.Name, flag.Value());
+                    break;
+                default:
+                    foreach (string name in flag.Values())
+                    {
+                        if (flag.Name == "--case")
+                            CommandLineWords.Choose(cases, flag.Name, name, charted, c => c.Name);
+                        else
+                            CommandLineWords.Choose(methods, flag.Name, name, CaseMethod.All, m => m.Name);
+                    }
+                    break;
             }
-        }
-
-        void Read(string flag, string value)
-        {
-            if (flag == "--out")
-            {
-                OutputFolder = value;
-                return;
-            }
-            Slice = CommandLineWords.Minutes(flag, value);
         }
 
         void FillIn(ValidationCase[] charted)

@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 
 namespace SphFluid.Validation
@@ -23,29 +22,21 @@ namespace SphFluid.Validation
         public static LeakArguments Parse(IReadOnlyList<string> commandLine)
         {
             var result = new LeakArguments();
-            int separator = CommandLineWords.Separator(commandLine);
-            for (int i = separator + 1; i < commandLine.Count; i++)
-            {
-                string word = commandLine[i];
-                int equals = word.StartsWith("--", StringComparison.Ordinal) ? word.IndexOf('=') : -1;
-                string flag = equals > 0 ? word.Substring(0, equals) : word;
-                string value = equals > 0 ? word.Substring(equals + 1) : null;
-                if (flag == "--out")
-                    result.OutputFolder = value ?? CommandLineWords.Value(commandLine, ref i);
-                else if (flag == "--scene")
-                    result.Choose(flag, value == null ? CommandLineWords.Values(commandLine, ref i) : CommandLineWords.List(flag, value));
-                else if (separator >= 0)
-                    throw new CommandLineException($"{word} is not a flag of leaks. Its flags are {string.Join(", ", flags)}.");
-            }
+            CommandLineFlag.Read(commandLine, "leaks", flags, result.Read);
             if (result.scenes.Count == 0)
                 result.scenes.AddRange(LeakScenes.All);
             return result;
         }
 
-        void Choose(string flag, IReadOnlyList<string> names)
+        void Read(CommandLineFlag flag)
         {
-            foreach (string name in names)
-                CommandLineWords.Choose(scenes, flag, name, LeakScenes.All, s => s.Name);
+            if (flag.Name == "--out")
+            {
+                OutputFolder = flag.Value();
+                return;
+            }
+            foreach (string name in flag.Values())
+                CommandLineWords.Choose(scenes, flag.Name, name, LeakScenes.All, s => s.Name);
         }
     }
 }

@@ -78,10 +78,7 @@ namespace SphFluid.Validation
         /// <summary>Runs to the end at once; for tests and tools.</summary>
         public LeakResult RunToEnd()
         {
-            IEnumerator run = Run();
-            while (run.MoveNext())
-            {
-            }
+            new SessionWork(Run()).Finish();
             return Result;
         }
 

@@ -31,6 +31,14 @@ namespace SphFluid.Validation
             return false;
         }
 
+        /// <summary>Goes on to the end, without frames between.</summary>
+        public void Finish()
+        {
+            while (Step())
+            {
+            }
+        }
+
         /// <summary>Gives up what is left; what it holds in using blocks is freed.</summary>
         public void Clear()
         {

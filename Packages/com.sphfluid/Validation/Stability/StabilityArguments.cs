@@ -37,42 +37,31 @@ namespace SphFluid.Validation
         public static StabilityArguments Parse(IReadOnlyList<string> commandLine)
         {
             var result = new StabilityArguments();
-            int separator = CommandLineWords.Separator(commandLine);
-            for (int i = separator + 1; i < commandLine.Count; i++)
-            {
-                string word = commandLine[i];
-                int equals = word.StartsWith("--", StringComparison.Ordinal) ? word.IndexOf('=') : -1;
-                string flag = equals > 0 ? word.Substring(0, equals) : word;
-                string value = equals > 0 ? word.Substring(equals + 1) : null;
-                if (Array.IndexOf(flags, flag) >= 0)
-                    result.Read(flag, value, commandLine, ref i);
-                else if (separator >= 0)
-                    throw new CommandLineException($"{word} is not a flag of stability. Its flags are {string.Join(", ", flags)}.");
-            }
+            CommandLineFlag.Read(commandLine, "stability", flags, result.Read);
             result.FillIn();
             return result;
         }
 
-        void Read(string flag, string value, IReadOnlyList<string> commandLine, ref int index)
+        void Read(CommandLineFlag flag)
         {
-            switch (flag)
+            switch (flag.Name)
             {
                 case "--quick":
-                    Quick = value == null ? true : throw new CommandLineException($"{flag} takes no value.");
+                    Quick = flag.On();
                     break;
                 case "--out":
-                    OutputFolder = value ?? CommandLineWords.Value(commandLine, ref index);
+                    OutputFolder = flag.Value();
                     break;
                 case "--slice":
-                    Slice = CommandLineWords.Minutes(flag, value ?? CommandLineWords.Value(commandLine, ref index));
+                    Slice = CommandLineWords.Minutes(flag.Name, flag.Value());
                     break;
                 default:
-                    foreach (string name in value == null ? CommandLineWords.Values(commandLine, ref index) : CommandLineWords.List(flag, value))
+                    foreach (string name in flag.Values())
                     {
-                        if (flag == "--map")
-                            CommandLineWords.Choose(maps, flag, name, StabilityMaps.All, m => m.Name);
+                        if (flag.Name == "--map")
+                            CommandLineWords.Choose(maps, flag.Name, name, StabilityMaps.All, m => m.Name);
                         else
-                            CommandLineWords.Choose(methods, flag, name, CaseMethod.All, m => m.Name);
+                            CommandLineWords.Choose(methods, flag.Name, name, CaseMethod.All, m => m.Name);
                     }
                     break;
             }

@@ -2,18 +2,13 @@
 #define SPHFLUID_WALL_FRICTION
 
 #include "../DomainFaces.hlsl"
+#include "../WallVelocities.hlsl"
 #include "StandardMotion.hlsl"
 
 // No slip at the faces of the domain.
 #if defined(FLUID_NO_SLIP)
 
 float _WallViscosity; // m^2/s
-float3 _WallLowX;     // m/s, velocities of the domain's faces, each within its plane
-float3 _WallLowY;
-float3 _WallLowZ;
-float3 _WallHighX;
-float3 _WallHighY;
-float3 _WallHighZ;
 
 // Morris's sum over the liquid's mirror image behind a wall at rest, where velocities are opposite, (4 pi / d) times the integral
 // of z W(z) from d to R = 42 u^5 (1 - 3u/2 + 4u^2/7) / (q R^2), q = d/R, u = 1 - q; for three walls at once.
@@ -32,9 +27,7 @@ float3 WallFriction(float3 position, float3 velocity)
     const float3 rateLow = MirrorDrag(position - _WallsLow);
     const float3 rateHigh = MirrorDrag(_WallsHigh - position);
     const float3 rates = rateLow + rateHigh;
-    const float3 drive = rateLow.x * _WallLowX + rateHigh.x * _WallHighX + rateLow.y * _WallLowY + rateHigh.y * _WallHighY
-        + rateLow.z * _WallLowZ + rateHigh.z * _WallHighZ;
-    return _WallViscosity * (drive - (rates.yzx + rates.zxy) * velocity);
+    return _WallViscosity * (WallDrive(rateLow, rateHigh) - (rates.yzx + rates.zxy) * velocity);
 }
 
 #endif

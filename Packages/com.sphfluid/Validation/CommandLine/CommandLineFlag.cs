@@ -1,0 +1,60 @@
+using System;
+using System.Collections.Generic;
+
+namespace SphFluid.Validation
+{
+    /// <summary>A flag of a verb, its value behind it or after an equals sign: <c>--out DIR</c> or <c>--out=DIR</c>.</summary>
+    sealed class CommandLineFlag
+    {
+        readonly IReadOnlyList<string> commandLine;
+        readonly string given;
+        int index;
+
+        CommandLineFlag(IReadOnlyList<string> commandLine, int index)
+        {
+            this.commandLine = commandLine;
+            this.index = index;
+            string word = commandLine[index];
+            int equals = word.StartsWith("--", StringComparison.Ordinal) ? word.IndexOf('=') : -1;
+            Name = equals > 0 ? word.Substring(0, equals) : word;
+            given = equals > 0 ? word.Substring(equals + 1) : null;
+        }
+
+        /// <summary>The flag, for instance "--out".</summary>
+        public string Name { get; }
+
+        /// <summary>
+        /// Reads the whole command line of the process: the flags behind a lone <c>--</c>; without one, flags of others are passed over.
+        /// </summary>
+        /// <param name="commandLine">The words.</param>
+        /// <param name="verb">For messages.</param>
+        /// <param name="known">The verb's flags.</param>
+        /// <param name="read">Takes each of them, and its value.</param>
+        /// <exception cref="CommandLineException">A flag behind <c>--</c> is unknown, or a value is missing or wrong.</exception>
+        public static void Read(IReadOnlyList<string> commandLine, string verb, string[] known, Action<CommandLineFlag> read)
+        {
+            int separator = CommandLineWords.Separator(commandLine);
+            for (int i = separator + 1; i < commandLine.Count; i++)
+            {
+                var flag = new CommandLineFlag(commandLine, i);
+                if (Array.IndexOf(known, flag.Name) >= 0)
+                    read(flag);
+                else if (separator >= 0)
+                    throw new CommandLineException($"{commandLine[i]} is not a flag of {verb}. Its flags are {string.Join(", ", known)}.");
+                i = flag.index;
+            }
+        }
+
+        /// <summary>True, of a flag without a value.</summary>
+        /// <exception cref="CommandLineException">It has one.</exception>
+        public bool On() => given == null ? true : throw new CommandLineException($"{Name} takes no value.");
+
+        /// <summary>Its value.</summary>
+        /// <exception cref="CommandLineException">There is none.</exception>
+        public string Value() => given ?? CommandLineWords.Value(commandLine, ref index);
+
+        /// <summary>Its values: words up to the next flag, each divided at its commas.</summary>
+        /// <exception cref="CommandLineException">There is none, or one is empty.</exception>
+        public IReadOnlyList<string> Values() => given == null ? CommandLineWords.Values(commandLine, ref index) : CommandLineWords.List(Name, given);
+    }
+}
