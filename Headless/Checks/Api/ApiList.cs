@@ -13,8 +13,8 @@ internal sealed class ApiList
     public IReadOnlyList<ApiEntry> Editor { get; }
     public IReadOnlyList<ApiEntry> TestFramework { get; }
 
-    /// <summary>Packages that the fluid package depends on: by assembly name, members that a player build has.</summary>
-    public IReadOnlyDictionary<string, IReadOnlyList<ApiEntry>> Packages { get; }
+    /// <summary>Packages that the fluid package uses, each after those it builds on: by assembly name, members that a player build has.</summary>
+    public IReadOnlyList<KeyValuePair<string, IReadOnlyList<ApiEntry>>> Packages { get; }
 
     private ApiList(string line)
     {
@@ -22,14 +22,18 @@ internal sealed class ApiList
         Engine = Read($"{line}/engine.txt.gz");
         Editor = Read($"{line}/editor.txt.gz");
         TestFramework = Read($"{line}/test-framework.txt.gz");
-        Packages = new Dictionary<string, IReadOnlyList<ApiEntry>>
-        {
-            ["Unity.Burst"] = OfPlayer(Read($"{line}/burst.txt.gz")),
-            ["Unity.Mathematics"] = OfPlayer(Read($"{line}/mathematics.txt.gz")),
-        };
+        Packages =
+        [
+            Package("Unity.Burst", "burst"),
+            Package("Unity.Mathematics", "mathematics"),
+            Package("Unity.RenderPipelines.Core.Runtime", "render-pipelines.core"),
+            Package("Unity.RenderPipelines.Universal.Runtime", "render-pipelines.universal"),
+        ];
+
+        KeyValuePair<string, IReadOnlyList<ApiEntry>> Package(string assembly, string list) => new(assembly, OfPlayer(Read($"{line}/{list}.txt.gz")));
     }
 
-    public IEnumerable<ApiEntry> All => Engine.Concat(Editor).Concat(TestFramework).Concat(Packages.Values.SelectMany(p => p));
+    public IEnumerable<ApiEntry> All => Engine.Concat(Editor).Concat(TestFramework).Concat(Packages.SelectMany(p => p.Value));
 
     public static ApiList Load(string line) => new(line);
 

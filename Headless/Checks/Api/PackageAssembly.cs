@@ -4,8 +4,8 @@ using System.Text.Json;
 
 namespace Headless.Checks.Api;
 
-/// <summary>An assembly definition of the package and its sources.</summary>
-internal sealed record PackageAssembly(string Name, string Folder, IReadOnlyList<string> References, bool EditorOnly, bool IsTest)
+/// <summary>An assembly definition of the package and its sources. An optional one is compiled only in projects with another package.</summary>
+internal sealed record PackageAssembly(string Name, string Folder, IReadOnlyList<string> References, bool EditorOnly, bool IsTest, bool IsOptional)
 {
     public static List<PackageAssembly> FindAll(string packageRoot)
     {
@@ -20,7 +20,8 @@ internal sealed record PackageAssembly(string Name, string Folder, IReadOnlyList
                 Path.GetDirectoryName(file)!,
                 root.GetProperty("references").EnumerateArray().Select(r => r.GetString()!).ToList(),
                 root.GetProperty("includePlatforms").EnumerateArray().Any(p => p.GetString() == "Editor"),
-                root.GetProperty("defineConstraints").EnumerateArray().Any(c => c.GetString() == "UNITY_INCLUDE_TESTS")));
+                root.GetProperty("defineConstraints").EnumerateArray().Any(c => c.GetString() == "UNITY_INCLUDE_TESTS"),
+                root.TryGetProperty("versionDefines", out JsonElement defines) && defines.GetArrayLength() > 0));
         }
         return InDependencyOrder(found);
     }

@@ -29,7 +29,10 @@ internal sealed class ReferenceAssemblies
         MemberCount = list.All.Count();
         Engine = Emit("UnityEngine", list.Engine, NetStandard);
         Editor = Emit("UnityEditor", list.Editor, [.. NetStandard, Engine]);
-        Packages = list.Packages.ToDictionary(p => p.Key, p => Emit(p.Key, p.Value, [.. NetStandard, Engine]));
+        var packages = new Dictionary<string, MetadataReference>();
+        foreach (var (name, entries) in list.Packages)
+            packages.Add(name, Emit(name, entries, [.. NetStandard, Engine, .. packages.Values]));
+        Packages = packages;
         var runner = list.TestFramework.Where(e => e.Module == "UnityEngine.TestRunner");
         var editorRunner = list.TestFramework.Where(e => e.Module == "UnityEditor.TestRunner");
         EngineTestRunner = Emit("UnityEngine.TestRunner", runner, [.. NetStandard, Engine, Editor, NUnit]);

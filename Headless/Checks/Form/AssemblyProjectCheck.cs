@@ -3,7 +3,7 @@ using System.Xml.Linq;
 
 namespace Headless.Checks.Form;
 
-/// <summary>One csproj an assembly definition, with equal references.</summary>
+/// <summary>One csproj an assembly definition, with equal references. Optional assemblies have none: the player lacks the packages they are for.</summary>
 internal sealed class AssemblyProjectCheck(string projectRoot)
 {
     // What every script assembly sees without naming it in its assembly definition.
@@ -12,7 +12,7 @@ internal sealed class AssemblyProjectCheck(string projectRoot)
     public CheckReport Run()
     {
         var report = new CheckReport("projects of assembly definitions");
-        var assemblies = PackageAssembly.FindAll(Path.Combine(projectRoot, "Packages", "com.sphfluid"));
+        var assemblies = PackageAssembly.FindAll(Path.Combine(projectRoot, "Packages", "com.sphfluid")).FindAll(a => !a.IsOptional);
         foreach (var assembly in assemblies)
         {
             var project = Path.Combine(projectRoot, "Headless", "Package", assembly.Name, assembly.Name + ".csproj");

@@ -22,6 +22,7 @@ public static class ClassIds
     public const int CapsuleCollider = 136;
     public const int LightmapSettings = 157;
     public const int NavMeshSettings = 196;
+    public const int ReflectionProbe = 215;
     public const int RectTransform = 224;
     public const int PrefabInstance = 1001;
     public const int SceneRoots = 1660057539;

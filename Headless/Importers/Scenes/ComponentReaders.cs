@@ -14,6 +14,7 @@ internal static class ComponentReaders
         [ClassIds.MeshRenderer] = Of<MeshRenderer>(FillRenderer),
         [ClassIds.Camera] = Of<Camera>(FillCamera),
         [ClassIds.Light] = Of<Light>(FillLight),
+        [ClassIds.ReflectionProbe] = Of<ReflectionProbe>(FillProbe),
         [ClassIds.BoxCollider] = Of<BoxCollider>((c, f) => (c.center, c.size) = (f.Vector3("m_Center"), f.Vector3("m_Size", Vector3.one))),
         [ClassIds.SphereCollider] = Of<SphereCollider>((c, f) => (c.center, c.radius) = (f.Vector3("m_Center"), f.Float("m_Radius", 0.5f))),
         [ClassIds.CapsuleCollider] = Of<CapsuleCollider>((c, f) =>
@@ -50,6 +51,7 @@ internal static class ComponentReaders
     {
         renderer.shadowCastingMode = (ShadowCastingMode)f.Int("m_CastShadows", 1);
         renderer.receiveShadows = f.Bool("m_ReceiveShadows", true);
+        renderer.reflectionProbeUsage = (ReflectionProbeUsage)f.Int("m_ReflectionProbeUsage", 1);
         renderer.sharedMaterials = [.. f.ReferenceList<Material>("m_Materials")!];
         renderer.sortingOrder = f.Int("m_SortingOrder");
         renderer.renderingLayerMask = unchecked((uint)f.Long("m_RenderingLayerMask", 1));
@@ -87,5 +89,28 @@ internal static class ComponentReaders
         light.shadowBias = shadows.Float("m_Bias", 0.05f);
         light.shadowNormalBias = shadows.Float("m_NormalBias", 0.4f);
         light.shadowNearPlane = shadows.Float("m_NearPlane", 0.2f);
+    }
+
+    private static void FillProbe(ReflectionProbe probe, NativeFields f)
+    {
+        probe.mode = (ReflectionProbeMode)f.Int("m_Mode");
+        probe.refreshMode = (ReflectionProbeRefreshMode)f.Int("m_RefreshMode");
+        probe.timeSlicingMode = (ReflectionProbeTimeSlicingMode)f.Int("m_TimeSlicingMode");
+        probe.clearFlags = (ReflectionProbeClearFlags)f.Int("m_ClearFlags", 1);
+        probe.backgroundColor = f.Color("m_BackGroundColor", probe.backgroundColor);
+        probe.cullingMask = f.LayerBits("m_CullingMask", -1);
+        probe.resolution = f.Int("m_Resolution", 128);
+        probe.hdr = f.Bool("m_HDR", true);
+        probe.nearClipPlane = f.Float("m_NearClip", 0.3f);
+        probe.farClipPlane = f.Float("m_FarClip", 1000);
+        probe.shadowDistance = f.Float("m_ShadowDistance", 100);
+        probe.renderDynamicObjects = f.Bool("m_RenderDynamicObjects");
+        probe.center = f.Vector3("m_BoxOffset");
+        probe.size = f.Vector3("m_BoxSize", new Vector3(10, 10, 10));
+        probe.blendDistance = f.Float("m_BlendDistance", 1);
+        probe.boxProjection = f.Bool("m_BoxProjection");
+        probe.importance = f.Int("m_Importance", 1);
+        probe.intensity = f.Float("m_IntensityMultiplier", 1);
+        probe.customBakedTexture = f.Reference<Texture>("m_CustomBakedTexture");
     }
 }

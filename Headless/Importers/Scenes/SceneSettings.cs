@@ -16,6 +16,10 @@ internal static class SceneSettings
         RenderSettings.ambientIntensity = f.Float("m_AmbientIntensity", 1);
         RenderSettings.skybox = f.Reference<Material>("m_SkyboxMaterial");
         RenderSettings.sun = f.Reference<Light>("m_Sun");
+        RenderSettings.defaultReflectionMode = (DefaultReflectionMode)f.Int("m_DefaultReflectionMode");
+        RenderSettings.defaultReflectionResolution = f.Int("m_DefaultReflectionResolution", 128);
+        RenderSettings.reflectionIntensity = f.Float("m_ReflectionIntensity", 1);
+        RenderSettings.customReflectionTexture = f.Reference<Texture>("m_CustomReflection");
         RenderSettings.fog = f.Bool("m_Fog");
         RenderSettings.fogColor = f.Color("m_FogColor", new Color(0.5f, 0.5f, 0.5f));
         RenderSettings.fogMode = (FogMode)f.Int("m_FogMode", 3);

@@ -181,6 +181,12 @@ half Luminance(half3 color)
     return dot(color, unity_ColorSpaceLuminance.rgb);
 }
 
+half3 DecodeHDR(half4 data, half4 decodeInstructions)
+{
+    half alpha = decodeInstructions.w * (data.a - 1.0) + 1.0;
+    return decodeInstructions.x * pow(max(alpha, 0.0), decodeInstructions.y) * data.rgb;
+}
+
 half3 GammaToLinearSpace(half3 color)
 {
     return color * (color * (color * 0.305306011h + 0.682171111h) + 0.012522878h);

@@ -73,6 +73,20 @@ CBUFFER_START(UnityFog)
     float4 unity_FogParams;
 CBUFFER_END
 
+CBUFFER_START(UnityReflectionProbes)
+    float4 unity_SpecCube0_BoxMax;
+    float4 unity_SpecCube0_BoxMin;
+    float4 unity_SpecCube0_ProbePosition;
+    half4 unity_SpecCube0_HDR;
+    float4 unity_SpecCube1_BoxMax;
+    float4 unity_SpecCube1_BoxMin;
+    float4 unity_SpecCube1_ProbePosition;
+    half4 unity_SpecCube1_HDR;
+CBUFFER_END
+
+UNITY_DECLARE_TEXCUBE(unity_SpecCube0);
+UNITY_DECLARE_TEXCUBE_NOSAMPLER(unity_SpecCube1);
+
 #define UNITY_MATRIX_P glstate_matrix_projection
 #define UNITY_MATRIX_V unity_MatrixV
 #define UNITY_MATRIX_I_V unity_MatrixInvV

@@ -135,4 +135,19 @@ public sealed class SceneLoaderTests
         Assert.That(reports, Has.Count.EqualTo(4));
         Assert.That(reports, Has.One.Contains("the class Strange (7777)").And.One.Contains("no asset has the GUID").And.One.Contains("fileID 77 is not in Assets/Main.unity").And.One.Contains("script with GUID"));
     }
+
+    [Test]
+    public void ReflectionProbesAndTheSkysReflection()
+    {
+        Play(Object(1, "Hall", 11, 0,
+                "--- !u!215 &21\nReflectionProbe:\n  m_GameObject: {fileID: 1}\n  m_Enabled: 1\n  m_Mode: 2\n  m_BoxSize: {x: 4, y: 3, z: 2}\n  m_BoxOffset: {x: 0, y: 1, z: 0}\n"
+                + "  m_IntensityMultiplier: 0.5\n  m_Importance: 3\n  m_BoxProjection: 1\n  m_CustomBakedTexture: {fileID: 0}\n")
+            + "--- !u!104 &2\nRenderSettings:\n  m_DefaultReflectionMode: 1\n  m_DefaultReflectionResolution: 64\n  m_ReflectionIntensity: 0.25\n");
+        ReflectionProbe probe = GameObject.Find("Hall").GetComponent<ReflectionProbe>();
+        Assert.That((probe.mode, probe.importance, probe.intensity, probe.boxProjection), Is.EqualTo((UnityEngine.Rendering.ReflectionProbeMode.Custom, 3, 0.5f, true)));
+        Assert.That(probe.bounds, Is.EqualTo(new Bounds(new Vector3(1, 1, 0), new Vector3(4, 3, 2))));
+        Assert.That((RenderSettings.defaultReflectionResolution, RenderSettings.reflectionIntensity), Is.EqualTo((64, 0.25f)));
+        Assert.That(RenderSettings.defaultReflectionMode, Is.EqualTo(UnityEngine.Rendering.DefaultReflectionMode.Custom));
+        Assert.That(reports, Is.Empty);
+    }
 }

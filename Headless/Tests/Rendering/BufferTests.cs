@@ -161,4 +161,14 @@ public sealed class BufferTests : RenderFixture
 
     [System.Runtime.CompilerServices.MethodImpl(System.Runtime.CompilerServices.MethodImplOptions.NoInlining)]
     private static void Forget() => _ = new GraphicsBuffer(GraphicsBuffer.Target.Structured, 1 << 20, 16) { name = "Forgotten" };
+
+    [TestCase(GraphicsBuffer.Target.Index)]
+    [TestCase(GraphicsBuffer.Target.Vertex)]
+    public void DrawnBuffersAreRawNotStructured(GraphicsBuffer.Target target)
+    {
+        Assert.That(
+            () => new GraphicsBuffer(target | GraphicsBuffer.Target.Structured, 4, 4), Throws.ArgumentException.With.Message.Contains("DirectX 11").And.Message.Contains("Raw"));
+        using var raw = new GraphicsBuffer(target | GraphicsBuffer.Target.Raw, 4, 4);
+        Assert.That(raw.IsValid(), Is.True);
+    }
 }

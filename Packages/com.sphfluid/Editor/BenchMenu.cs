@@ -10,6 +10,7 @@ namespace SphFluid.Editor
 
         static readonly MenuSession thesis = Session(BenchArguments.ThesisTable);
         static readonly MenuSession solver = Session(BenchArguments.SolverTable);
+        static readonly MenuSession surface = Session(BenchArguments.SurfaceTable);
 
         /// <summary>Starts the thesis's tables, or stops them; the Editor can be used meanwhile.</summary>
         [MenuItem(Path + "Thesis Tables", false, 3010)]
@@ -18,6 +19,10 @@ namespace SphFluid.Editor
         /// <summary>Starts the comparison of the methods' steps, or stops it; the Editor can be used meanwhile.</summary>
         [MenuItem(Path + "Solvers", false, 3011)]
         public static void ToggleSolver() => solver.Toggle();
+
+        /// <summary>Starts the comparison of the surfaces, or stops it; the Editor can be used meanwhile.</summary>
+        [MenuItem(Path + "Surfaces", false, 3012)]
+        public static void ToggleSurface() => surface.Toggle();
 
         static MenuSession Session(string table) =>
             new MenuSession(progress => new BenchSession(BenchArguments.Parse(new[] { "--", "--table", table }), PackageAssets.Shaders, progress));

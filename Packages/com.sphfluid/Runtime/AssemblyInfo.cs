@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
 
 [assembly: InternalsVisibleTo("SphFluid.Editor")]
+[assembly: InternalsVisibleTo("SphFluid.Universal")]
 [assembly: InternalsVisibleTo("SphFluid.Validation")]
 [assembly: InternalsVisibleTo("SphFluid.Tests.Shared")]
 [assembly: InternalsVisibleTo("SphFluid.Tests.Editor")]

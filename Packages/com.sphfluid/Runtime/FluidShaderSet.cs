@@ -76,6 +76,30 @@ namespace SphFluid
         [SerializeField, Tooltip("Kernels of the compute twin of the geometry-shader marching cubes, for mesh export and tests.")]
         ComputeShader surfaceMesh;
 
+        [SerializeField, Tooltip("Kernel ClearSurfaceBlocks: no block of the sparse surface is active.")]
+        ComputeShader clearSurfaceBlocks;
+
+        [SerializeField, Tooltip("Kernels PrepareSurfaceParticles and PrepareThesisParticles: what the field takes of each particle, and which blocks lie near the surface.")]
+        ComputeShader prepareSurfaceParticles;
+
+        [SerializeField, Tooltip("Kernels ListSurfaceBlocks and BeginSurfaceRound: slots for the blocks near the surface.")]
+        ComputeShader listSurfaceBlocks;
+
+        [SerializeField, Tooltip("Kernel SampleBlocks: the field at the samples of those blocks.")]
+        ComputeShader sampleBlocks;
+
+        [SerializeField, Tooltip("Kernel CountBlocks: how many vertices and triangles each block of the sparse surface has.")]
+        ComputeShader countBlocks;
+
+        [SerializeField, Tooltip("Kernel SurfaceDrawArguments: what of the sparse surface is emitted and drawn.")]
+        ComputeShader surfaceDrawArguments;
+
+        [SerializeField, Tooltip("Kernel EmitBlocks: the vertices and triangles of the sparse surface.")]
+        ComputeShader emitBlocks;
+
+        [SerializeField, Tooltip("Kernel WriteSurfaceMesh: the sparse surface as a Unity mesh.")]
+        ComputeShader writeSurfaceMesh;
+
         [Header("Diagnostics")]
         [SerializeField, Tooltip("Kernel MeasureVitals: energies, momentum, compression, clumps and more of a whole liquid.")]
         ComputeShader measureVitals;
@@ -86,6 +110,18 @@ namespace SphFluid
 
         [SerializeField, Tooltip("Marching cubes in a geometry shader, the thesis's way. Needs a device with geometry shaders.")]
         Shader surfaceGeometryShader;
+
+        [SerializeField, Tooltip("The sparse surface, opaque.")]
+        Shader surfaceShader;
+
+        [SerializeField, Tooltip("The sparse surface as clear water.")]
+        Shader waterShader;
+
+        [SerializeField, Tooltip("How much water lies behind each pixel, for the shader above.")]
+        Shader waterThicknessShader;
+
+        [SerializeField, Tooltip("The nearest water's depth, where a render pipeline lets water only be blended over the scene.")]
+        Shader waterDepthShader;
 
         /// <summary>Kernel CalculateParticleCellValue: the grid cell of each particle.</summary>
         public ComputeShader CalculateParticleCellValue { get => calculateParticleCellValue; set => calculateParticleCellValue = value; }
@@ -150,6 +186,30 @@ namespace SphFluid
         /// <summary>Kernels of the compute twin of the geometry-shader marching cubes, for mesh export and tests.</summary>
         public ComputeShader SurfaceMesh { get => surfaceMesh; set => surfaceMesh = value; }
 
+        /// <summary>Kernel ClearSurfaceBlocks: no block of the sparse surface is active.</summary>
+        public ComputeShader ClearSurfaceBlocks { get => clearSurfaceBlocks; set => clearSurfaceBlocks = value; }
+
+        /// <summary>Kernels PrepareSurfaceParticles and PrepareThesisParticles: what the field takes of each particle, and which blocks lie near the surface.</summary>
+        public ComputeShader PrepareSurfaceParticles { get => prepareSurfaceParticles; set => prepareSurfaceParticles = value; }
+
+        /// <summary>Kernels ListSurfaceBlocks and BeginSurfaceRound: slots for the blocks near the surface.</summary>
+        public ComputeShader ListSurfaceBlocks { get => listSurfaceBlocks; set => listSurfaceBlocks = value; }
+
+        /// <summary>Kernel SampleBlocks: the field at the samples of those blocks.</summary>
+        public ComputeShader SampleBlocks { get => sampleBlocks; set => sampleBlocks = value; }
+
+        /// <summary>Kernel CountBlocks: how many vertices and triangles each block of the sparse surface has.</summary>
+        public ComputeShader CountBlocks { get => countBlocks; set => countBlocks = value; }
+
+        /// <summary>Kernel SurfaceDrawArguments: what of the sparse surface is emitted and drawn.</summary>
+        public ComputeShader SurfaceDrawArguments { get => surfaceDrawArguments; set => surfaceDrawArguments = value; }
+
+        /// <summary>Kernel EmitBlocks: the vertices and triangles of the sparse surface.</summary>
+        public ComputeShader EmitBlocks { get => emitBlocks; set => emitBlocks = value; }
+
+        /// <summary>Kernel WriteSurfaceMesh: the sparse surface as a Unity mesh.</summary>
+        public ComputeShader WriteSurfaceMesh { get => writeSurfaceMesh; set => writeSurfaceMesh = value; }
+
         /// <summary>Kernel MeasureVitals: energies, momentum, compression, clumps and more of a whole liquid.</summary>
         public ComputeShader MeasureVitals { get => measureVitals; set => measureVitals = value; }
 
@@ -158,6 +218,18 @@ namespace SphFluid
 
         /// <summary>Marching cubes in a geometry shader, the thesis's way. Needs a device with geometry shaders.</summary>
         public Shader SurfaceGeometryShader { get => surfaceGeometryShader; set => surfaceGeometryShader = value; }
+
+        /// <summary>The sparse surface, opaque.</summary>
+        public Shader SurfaceShader { get => surfaceShader; set => surfaceShader = value; }
+
+        /// <summary>The sparse surface as clear water.</summary>
+        public Shader WaterShader { get => waterShader; set => waterShader = value; }
+
+        /// <summary>How much water lies behind each pixel, for <see cref="WaterShader"/>.</summary>
+        public Shader WaterThicknessShader { get => waterThicknessShader; set => waterThicknessShader = value; }
+
+        /// <summary>The nearest water's depth, where a render pipeline lets water only be blended over the scene.</summary>
+        public Shader WaterDepthShader { get => waterDepthShader; set => waterDepthShader = value; }
 
         /// <summary>Names of the empty entries that a simulation needs.</summary>
         /// <param name="method">Its method.</param>
@@ -179,9 +251,21 @@ namespace SphFluid
             CheckStandard(missing);
             Check(surfaceField, nameof(surfaceField), missing);
             Check(surfaceMesh, nameof(surfaceMesh), missing);
+            Check(clearSurfaceBlocks, nameof(clearSurfaceBlocks), missing);
+            Check(prepareSurfaceParticles, nameof(prepareSurfaceParticles), missing);
+            Check(listSurfaceBlocks, nameof(listSurfaceBlocks), missing);
+            Check(sampleBlocks, nameof(sampleBlocks), missing);
+            Check(countBlocks, nameof(countBlocks), missing);
+            Check(surfaceDrawArguments, nameof(surfaceDrawArguments), missing);
+            Check(emitBlocks, nameof(emitBlocks), missing);
+            Check(writeSurfaceMesh, nameof(writeSurfaceMesh), missing);
             Check(measureVitals, nameof(measureVitals), missing);
             Check(particleShader, nameof(particleShader), missing);
             Check(surfaceGeometryShader, nameof(surfaceGeometryShader), missing);
+            Check(surfaceShader, nameof(surfaceShader), missing);
+            Check(waterShader, nameof(waterShader), missing);
+            Check(waterThicknessShader, nameof(waterThicknessShader), missing);
+            Check(waterDepthShader, nameof(waterDepthShader), missing);
             return missing;
         }
 

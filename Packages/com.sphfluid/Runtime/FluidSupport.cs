@@ -26,7 +26,7 @@ namespace SphFluid
         /// <summary>Whether the liquid can be simulated.</summary>
         public bool Simulation { get; }
 
-        /// <summary>Whether the geometry-shader surface can be drawn; particles can be drawn without.</summary>
+        /// <summary>Whether the thesis's surface can be drawn; the sparse one needs no geometry shader.</summary>
         public bool GeometrySurface { get; }
 
         /// <summary>Whether counters reach the CPU without stalling it.</summary>
@@ -53,8 +53,8 @@ namespace SphFluid
             }
             bool simulation = messages.Count == 0;
             if (!device.GeometryShaders)
-                Add(messages, FluidSeverity.Info, $"{device.Name} has no geometry shaders, which the marching-cubes surface is made with.",
-                    "Draw the liquid with a Fluid Particle Renderer.");
+                Add(messages, FluidSeverity.Info, $"{device.Name} has no geometry shaders, which the thesis's surface is made with.",
+                    "Draw the liquid with a Fluid Surface Renderer.");
             if (!device.AsyncReadback)
                 Add(messages, FluidSeverity.Info, $"{device.Name} has no asynchronous readback, so the simulation's event counters are not shown.", "");
             return new FluidSupport(messages, simulation, device.GeometryShaders, device.AsyncReadback);

@@ -1,142 +1,77 @@
-using System;
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace SphFluid
 {
     /// <summary>
-    /// Draws the surface of a simulation's liquid as the thesis does: a grid of density factors, then marching cubes in a geometry shader, lit per
-    /// pixel. Where the device has no geometry shaders, says so once and draws the particles instead.
+    /// Draws the surface of a simulation's liquid: marching cubes in compute shaders, only where the surface is, as clear water or as an opaque
+    /// body. Works on every graphics API that runs the simulation; no geometry shader.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Surface Renderer")]
     [DefaultExecutionOrder(100)]
     public sealed class FluidSurfaceRenderer : FluidRenderer
     {
-        [SerializeField, Tooltip("What is drawn: the surface, or the edges of the grid's cubes with a vertex inside it. A material of your own draws what its keyword FLUID_CUBES says.")]
-        FluidSurfaceStyle style = FluidSurfaceStyle.MarchingCubes;
+        [SerializeField, Tooltip("How the surface is made.")]
+        FluidSurfaceOptions surface = new FluidSurfaceOptions();
 
-        [SerializeField, Tooltip("Cells a side of the grid over the domain. Automatic: 128 on a graphics card, 64 where the CPU draws.")]
-        SurfaceGridSize gridSize = SurfaceGridSize.Automatic;
+        [SerializeField, Tooltip("How it is drawn: as clear water or as an opaque body.")]
+        FluidSurfaceLook look = FluidSurfaceLook.Water;
 
-        [SerializeField, Range(0.05f, 0.95f), Tooltip("The surface lies where the density is this part of the rest density. Lower: fatter liquid, more drops.")]
-        float isoValue = 0.5f;
+        [SerializeField, Tooltip("How clear water looks.")]
+        FluidWaterLook water = new FluidWaterLook();
 
-        [SerializeField, Tooltip("Whether the density at the domain's walls is completed as if the liquid went on behind them. Off: as the thesis prints it.")]
-        bool wallCompletion = true;
-
-        [SerializeField, Tooltip("Material with the shader 'SPH Fluid/Surface (Geometry Shader)'. Empty: one made from the colour and smoothness below.")]
+        [SerializeField, Tooltip("Material with the shader 'SPH Fluid/Water' or 'SPH Fluid/Surface', as the look says. Empty: one made from the settings here.")]
         Material material;
 
-        [SerializeField, Tooltip("Colour of the liquid, if no material is given.")]
+        [SerializeField, Tooltip("Colour of the opaque body, if no material is given.")]
         Color colour = new Color(0.06f, 0.4f, 0.66f);
 
-        [SerializeField, Range(0f, 1f), Tooltip("Smoothness of the surface, if no material is given: how small and bright its highlights are.")]
+        [SerializeField, Range(0f, 1f), Tooltip("Smoothness of the opaque body, if no material is given: how small and bright its highlights are.")]
         float smoothness = 0.75f;
 
-        CommandBuffer cmd;
-        SurfaceField field;
-        GeometrySurface surface;
-        ParticleSquares fallback;
-        FluidShaderSet shaderSet;
+        LiquidDrawing drawing;
 
-        /// <summary>Asks what the device lacks; tests put their own answer here.</summary>
-        internal Func<string> MissingSupport { get; set; } = GeometrySurface.MissingSupport;
+        /// <summary>How the surface is made.</summary>
+        public FluidSurfaceOptions Surface => surface;
 
-        /// <summary>What is drawn, if no material is given: the surface, or the edges of the grid's cubes with a vertex inside it.</summary>
-        public FluidSurfaceStyle Style { get => style; set => style = value; }
+        /// <summary>How it is drawn: as clear water or as an opaque body.</summary>
+        public FluidSurfaceLook Look { get => look; set => look = value; }
 
-        /// <summary>Cells a side of the grid over the domain.</summary>
-        public SurfaceGridSize GridSize { get => gridSize; set => gridSize = value; }
+        /// <summary>How clear water looks.</summary>
+        public FluidWaterLook Water => water;
 
-        /// <summary>Density of the surface as a part of the rest density, between 0 and 1.</summary>
-        public float IsoValue { get => isoValue; set => isoValue = value; }
-
-        /// <summary>Whether the density at the domain's walls is completed; see <see cref="SurfaceField.WallCompletion"/>.</summary>
-        public bool WallCompletion { get => wallCompletion; set => wallCompletion = value; }
-
-        /// <summary>Material of the surface, or null for one made from <see cref="Colour"/> and <see cref="Smoothness"/>.</summary>
+        /// <summary>Material of the surface, or null for one made from the other settings.</summary>
         public Material Material { get => material; set => material = value; }
 
-        /// <summary>Colour of the liquid, if no material is given.</summary>
+        /// <summary>Colour of the opaque body, if no material is given.</summary>
         public Color Colour { get => colour; set => colour = value; }
 
-        /// <summary>Smoothness of the surface, if no material is given, 0 to 1.</summary>
+        /// <summary>Smoothness of the opaque body, if no material is given, 0 to 1.</summary>
         public float Smoothness { get => smoothness; set => smoothness = value; }
 
-        /// <summary>Bytes of GPU memory of the grid; 0 while nothing is drawn.</summary>
-        public long GpuBytes => field?.GpuBytes ?? 0;
+        /// <summary>Bytes of GPU memory of the surface; 0 while nothing is drawn.</summary>
+        public long GpuBytes => drawing?.Surface.GpuBytes ?? 0;
 
-        /// <summary>Whether the particles are drawn instead, because the device cannot draw the surface.</summary>
-        public bool UsesFallback => fallback != null;
+        /// <summary>What became of the last surface, a few frames ago; all zero while nothing is drawn.</summary>
+        public SurfaceStatus Status => drawing != null ? drawing.Surface.Status : default;
 
         /// <inheritdoc/>
-        protected override void CreateResources(FluidShaderSet shaders)
-        {
-            shaderSet = shaders;
-            string lack = MissingSupport();
-            if (lack != null)
-            {
-                Debug.LogWarning($"{FluidMessage.Prefix} '{name}': {lack} The particles are drawn instead.", this);
-                fallback = new ParticleSquares(shaders);
-                return;
-            }
-            surface = new GeometrySurface(shaders);
-            cmd = new CommandBuffer { name = "Fluid Surface" };
-        }
+        protected override void CreateResources(FluidShaderSet shaders) => drawing = new LiquidDrawing(shaders);
 
         /// <inheritdoc/>
         protected override void ReleaseResources()
         {
-            cmd?.Dispose();
-            field?.Dispose();
-            surface?.Dispose();
-            fallback?.Dispose();
-            cmd = null;
-            field = null;
-            surface = null;
-            fallback = null;
+            drawing?.Dispose();
+            drawing = null;
         }
 
         /// <inheritdoc/>
         protected override void Draw(FluidSimulation drawn)
         {
-            if (fallback != null)
-                DrawParticles(drawn);
-            else
-                DrawSurface(drawn);
-        }
-
-        void DrawSurface(FluidSimulation drawn)
-        {
-            FitField(drawn.Solver);
-            cmd.Clear();
-            field.Record(cmd, drawn.Solver);
-            Graphics.ExecuteCommandBuffer(cmd);
-
             DrawPlacement placement = Placement(drawn, 0f);
-            Color? ownColour = material == null ? colour : (Color?)null;
-            surface.Properties(field, isoValue, ownColour, smoothness, placement);
-            surface.SetStyle(style);
-            surface.Draw(field, material, placement);
-        }
-
-        void DrawParticles(FluidSimulation drawn)
-        {
-            float size = drawn.Solver.Settings.Spacing;
-            var look = new ParticleLook { Size = size, Colour = colour, FastColour = colour, Smoothness = smoothness };
-            fallback.Draw(drawn.Solver.Particles, drawn.Solver.ParticleCount, look, Placement(drawn, size));
-        }
-
-        void FitField(FluidSolver solver)
-        {
-            SurfaceGrid grid = SurfaceGrid.OverDomain(solver.Settings.DomainSize, gridSize);
-            if (field == null || !field.Grid.Equals(grid))
-            {
-                field?.Dispose();
-                field = null;
-                field = new SurfaceField(shaderSet, grid);
-            }
-            field.WallCompletion = wallCompletion;
+            if (look == FluidSurfaceLook.Water)
+                drawing.DrawWater(drawn.Solver, surface, water, material, placement, this);
+            else
+                drawing.DrawOpaque(drawn.Solver, surface, colour, smoothness, material, placement, this);
         }
     }
 }

@@ -31,6 +31,13 @@ public sealed partial class GraphicsBuffer : IDisposable
             throw new ArgumentException($"Stride must be a multiple of 4 unless the buffer is an index buffer: {stride}", nameof(stride));
         }
 
+        if ((target & Target.Structured) != 0 && (target & (Target.Index | Target.Vertex)) != 0)
+        {
+            throw new ArgumentException(
+                $"GraphicsBuffer target {target}: DirectX 11 does not allow Index or Vertex buffers to also be Structured. Use Raw, and (RW)ByteAddressBuffer in shaders.",
+                nameof(target));
+        }
+
         if ((usageFlags & UsageFlags.LockBufferForWrite) != 0 && (target & Target.CopyDestination) != 0)
         {
             throw new ArgumentException("GraphicsBuffer with usageFlags LockBufferForWrite can't have target CopyDestination.");

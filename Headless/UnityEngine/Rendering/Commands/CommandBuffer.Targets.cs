@@ -63,7 +63,7 @@ public partial class CommandBuffer
     public void GetTemporaryRT(int nameID, RenderTextureDescriptor desc) => GetTemporaryRT(nameID, desc, FilterMode.Point);
 
     public void GetTemporaryRT(int nameID, RenderTextureDescriptor desc, FilterMode filter) =>
-        Add(c => c.GetTemporary(nameID, desc, filter));
+        Add(c => c.Temporaries.Get(nameID, desc, filter));
 
     public void GetTemporaryRT(int nameID, int width, int height) => GetTemporaryRT(nameID, width, height, 0);
 
@@ -85,9 +85,9 @@ public partial class CommandBuffer
         int antiAliasing, bool enableRandomWrite) =>
 
         // -1 and -2 ask for the camera's size and for fractions of it.
-        Add(c => c.GetTemporary(
+        Add(c => c.Temporaries.Get(
             nameID,
-            new RenderTextureDescriptor(CameraSize(width, ScreenTarget.Width), CameraSize(height, ScreenTarget.Height), format, depthBuffer)
+            new RenderTextureDescriptor(CameraSize(width, Camera.current?.pixelWidth ?? ScreenTarget.Width), CameraSize(height, Camera.current?.pixelHeight ?? ScreenTarget.Height), format, depthBuffer)
             {
                 graphicsFormat = TextureFormats.Of(format, readWrite),
                 msaaSamples = antiAliasing,
@@ -95,7 +95,7 @@ public partial class CommandBuffer
             },
             filter));
 
-    public void ReleaseTemporaryRT(int nameID) => Add(c => c.ReleaseTemporary(nameID));
+    public void ReleaseTemporaryRT(int nameID) => Add(c => c.Temporaries.Release(nameID));
 
     private static int CameraSize(int size, int camera) => size < 0 ? camera / -size : size;
 

@@ -48,7 +48,13 @@ public partial class CommandBuffer : IDisposable
     /// <summary>Runs the commands in order; the buffer can be run again.</summary>
     internal void Execute(DrawTarget? cameraTarget)
     {
-        var context = new CommandContext(cameraTarget);
+        using var temporaries = new NamedTemporaries();
+        Execute(cameraTarget, temporaries);
+    }
+
+    internal void Execute(DrawTarget? cameraTarget, NamedTemporaries temporaries)
+    {
+        var context = new CommandContext(cameraTarget, temporaries);
         try
         {
             foreach (GpuCommand command in commands)

@@ -7,27 +7,11 @@ using UnityEngine;
 namespace Headless.Engine;
 
 /// <summary>What commands see while a command buffer runs: the camera's target, temporary textures, open samples.</summary>
-internal sealed class CommandContext(DrawTarget? cameraTarget)
+internal sealed class CommandContext(DrawTarget? cameraTarget, NamedTemporaries temporaries)
 {
-    private readonly Dictionary<int, RenderTexture> temporaries = [];
     private readonly Stack<(string Name, int Timer)> samples = [];
 
-    public void GetTemporary(int nameId, RenderTextureDescriptor desc, FilterMode filter)
-    {
-        ReleaseTemporary(nameId);
-        RenderTexture texture = RenderTexture.GetTemporary(desc);
-        texture.filterMode = filter;
-        temporaries[nameId] = texture;
-        GlobalProperties.Sheet.SetTexture(nameId, new TextureSlot(texture));
-    }
-
-    public void ReleaseTemporary(int nameId)
-    {
-        if (temporaries.Remove(nameId, out RenderTexture? texture))
-        {
-            RenderTexture.ReleaseTemporary(texture);
-        }
-    }
+    public NamedTemporaries Temporaries => temporaries;
 
     public DrawTarget? Target(in RenderTargetIdentifier id)
     {
@@ -52,7 +36,7 @@ internal sealed class CommandContext(DrawTarget? cameraTarget)
 
     public Texture? Texture(in RenderTargetIdentifier id) => id.Texture
         ?? (id.Builtin == BuiltinRenderTextureType.PropertyName
-            ? temporaries.GetValueOrDefault(id.NameId) ?? GlobalProperties.Sheet.Textures.GetValueOrDefault(id.NameId).Texture
+            ? temporaries.Find(id.NameId) ?? GlobalProperties.Sheet.Textures.GetValueOrDefault(id.NameId).Texture
             : null);
 
     public void BeginSample(string name) => samples.Push((name, GraphicsDevice.Recorder.BeginTimer(name)));
@@ -68,7 +52,7 @@ internal sealed class CommandContext(DrawTarget? cameraTarget)
         GraphicsDevice.Recorder.EndTimer(samples.Pop().Timer);
     }
 
-    /// <summary>Gives back temporaries and closes samples that the commands left open.</summary>
+    /// <summary>Closes samples that the commands left open.</summary>
     public void Finish()
     {
         while (samples.TryPop(out (string Name, int Timer) sample))
@@ -76,12 +60,5 @@ internal sealed class CommandContext(DrawTarget? cameraTarget)
             Debug.LogError($"CommandBuffer: BeginSample(\"{sample.Name}\") has no EndSample.");
             GraphicsDevice.Recorder.EndTimer(sample.Timer);
         }
-
-        foreach (RenderTexture texture in temporaries.Values)
-        {
-            RenderTexture.ReleaseTemporary(texture);
-        }
-
-        temporaries.Clear();
     }
 }

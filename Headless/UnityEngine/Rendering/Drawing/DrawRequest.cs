@@ -18,6 +18,7 @@ internal sealed class DrawRequest
     public Camera? Camera { get; init; }
     public ShadowCastingMode Shadows { get; init; } = ShadowCastingMode.On;
     public bool ReceiveShadows { get; init; } = true;
+    public ReflectionProbeUsage Reflections { get; init; } = ReflectionProbeUsage.BlendProbes;
     public int Priority { get; init; }
 
     public bool CastsShadows => Shadows != ShadowCastingMode.Off;

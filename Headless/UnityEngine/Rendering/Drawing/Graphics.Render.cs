@@ -105,6 +105,7 @@ public partial class Graphics
             Camera = rparams.camera,
             Shadows = rparams.shadowCastingMode,
             ReceiveShadows = rparams.receiveShadows,
+            Reflections = rparams.reflectionProbeUsage,
             Priority = rparams.rendererPriority,
         });
     }

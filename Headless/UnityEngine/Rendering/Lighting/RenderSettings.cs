@@ -28,6 +28,7 @@ public sealed class RenderSettings : Object
     public static float reflectionIntensity { get; set; } = 1f;
     public static int reflectionBounces { get; set; } = 1;
     public static DefaultReflectionMode defaultReflectionMode { get; set; }
+    public static Texture? customReflectionTexture { get; set; }
     public static int defaultReflectionResolution { get; set; } = 128;
     public static float haloStrength { get; set; } = 0.5f;
     public static float flareStrength { get; set; } = 1f;
@@ -61,5 +62,7 @@ public sealed class RenderSettings : Object
         ambientGroundColor = new Color(0.047f, 0.043f, 0.035f, 1f);
         ambientIntensity = 1f;
         (skybox, sun, customProbe) = (null, null, null);
+        (defaultReflectionMode, customReflectionTexture) = (DefaultReflectionMode.Skybox, null);
+        (reflectionIntensity, defaultReflectionResolution, reflectionBounces) = (1f, 128, 1);
     }
 }

@@ -11,5 +11,11 @@ internal sealed class CameraFrame(DrawTarget target, RenderTexture? intermediate
     public DrawTarget Target { get; } = target;
     public RenderTexture? Intermediate { get; } = intermediate;
 
-    public void Dispose() => RenderTexture.ReleaseTemporary(Intermediate!);
+    public NamedTemporaries Temporaries { get; } = new();
+
+    public void Dispose()
+    {
+        Temporaries.Dispose();
+        RenderTexture.ReleaseTemporary(Intermediate!);
+    }
 }

@@ -21,6 +21,7 @@ internal sealed class ForwardRenderer
         CameraMessages.Send(camera, "OnPreRender");
 
         LightSettings.Apply();
+        ReflectionSettings.ApplyDefault();
         bool shadowed = shadows.Render(camera, all);
         depthTexture.Render(camera, visible);
 
@@ -70,9 +71,11 @@ internal sealed class ForwardRenderer
         {
             DrawRequest draw = visible.Request;
             GlobalKeywords.Set("SHADOWS_SCREEN", shadowed && draw.ReceiveShadows);
+            ReflectionSettings.Apply(draw.Reflections, draw.Bounds);
             PassSelection.DrawForward(draw);
         }
 
+        ReflectionSettings.ApplyDefault();
         GlobalKeywords.Set("SHADOWS_SCREEN", false);
     }
 
@@ -80,7 +83,7 @@ internal sealed class ForwardRenderer
     {
         foreach (CommandBuffer buffer in camera.GetCommandBuffers(when))
         {
-            buffer.Execute(frame.Target);
+            buffer.Execute(frame.Target, frame.Temporaries);
             if (TargetState.Current != frame.Target)
             {
                 TargetState.Set(frame.Target);

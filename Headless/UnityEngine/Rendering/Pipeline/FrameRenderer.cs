@@ -58,5 +58,6 @@ internal static class FrameRenderer
         FinalTarget = null;
         Forward.Reset();
         Sky.Reset();
+        DefaultReflection.Reset();
     }
 }

@@ -41,6 +41,7 @@ internal static class SceneDraws
                 Layer = renderer.gameObject.layer,
                 Shadows = renderer.shadowCastingMode,
                 ReceiveShadows = renderer.receiveShadows,
+                Reflections = renderer.reflectionProbeUsage,
                 Priority = renderer.sortingOrder,
             });
         }

@@ -81,11 +81,11 @@ internal sealed class PixelStore
         }
     }
 
-    public void Upload(GpuTexture texture)
+    public void Upload(GpuTexture texture, int layer = 0)
     {
         for (int mip = 0; mip < MipLevels; mip++)
         {
-            GraphicsDevice.Recorder.UpdateTexture(texture, mip, 0, ToDevice(mip, texture.Description.Format));
+            GraphicsDevice.Recorder.UpdateTexture(texture, mip, layer, ToDevice(mip, texture.Description.Format));
         }
     }
 

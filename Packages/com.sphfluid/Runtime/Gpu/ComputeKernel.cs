@@ -143,6 +143,15 @@ namespace SphFluid
             cmd.SetComputeVectorParam(shader, id, value);
         }
 
+        /// <summary>Records a matrix for the next dispatch.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="id">Property id.</param>
+        /// <param name="value">The value.</param>
+        public void SetMatrix(CommandBuffer cmd, int id, in Matrix4x4 value)
+        {
+            cmd.SetComputeMatrixParam(shader, id, value);
+        }
+
         /// <summary>Records a one-dimensional dispatch; the kernel finds its element by FlatIndex and guards the last group.</summary>
         /// <param name="cmd">Command buffer.</param>
         /// <param name="threads">Number of elements; none records nothing.</param>

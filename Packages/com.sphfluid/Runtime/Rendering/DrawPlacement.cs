@@ -51,7 +51,7 @@ namespace SphFluid
         }
 
         // The upright box around a turned one: each axis gathers the reach of all three edges.
-        static Bounds BoundsOf(Matrix4x4 localToWorld, Vector3 size)
+        internal static Bounds BoundsOf(Matrix4x4 localToWorld, Vector3 size)
         {
             Vector3 x = localToWorld.MultiplyVector(new Vector3(size.x, 0f, 0f));
             Vector3 y = localToWorld.MultiplyVector(new Vector3(0f, size.y, 0f));

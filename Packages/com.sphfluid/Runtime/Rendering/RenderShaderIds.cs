@@ -17,5 +17,17 @@ namespace SphFluid
         public static readonly int ParticleSize = Shader.PropertyToID("_ParticleSize");
         public static readonly int Particles = Shader.PropertyToID("_Particles");
         public static readonly int MainTex = Shader.PropertyToID("_MainTex");
+        public static readonly int FluidReflectionMap = Shader.PropertyToID("_FluidReflectionMap");
+        public static readonly int FluidReflection = Shader.PropertyToID("_FluidReflection");
+        public static readonly int FluidReflectionDecode = Shader.PropertyToID("_FluidReflectionDecode");
+        public static readonly int FluidThickness = Shader.PropertyToID("_FluidThickness");
+        public static readonly int FluidThicknessSize = Shader.PropertyToID("_FluidThicknessSize");
+        public static readonly int FluidThicknessView = Shader.PropertyToID("_FluidThicknessView");
+        public static readonly int FluidScene = Shader.PropertyToID("_FluidScene");
+        public static readonly int FluidSceneColour = Shader.PropertyToID("_FluidSceneColour");
+        public static readonly int FluidExtinction = Shader.PropertyToID("_FluidExtinction");
+        public static readonly int FluidScattering = Shader.PropertyToID("_FluidScattering");
+        public static readonly int Refraction = Shader.PropertyToID("_Refraction");
+        public static readonly int ShadowStrength = Shader.PropertyToID("_ShadowStrength");
     }
 }

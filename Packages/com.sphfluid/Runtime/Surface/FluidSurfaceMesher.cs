@@ -10,15 +10,61 @@ namespace SphFluid
         /// <summary>The liquid's surface in simulation space.</summary>
         /// <param name="solver">The particles.</param>
         /// <param name="shaders">Shader set with the surface's kernels.</param>
+        /// <param name="quality">Size of the cells, and how smooth the surface is.</param>
+        /// <param name="walls">What becomes of the surface at the domain's walls.</param>
+        /// <returns>A mesh [m], closed where the walls are; multiply by the simulation's LocalToWorld (<see cref="SurfaceMesh.Transformed"/>) for world space.</returns>
+        /// <exception cref="FluidDeviceException">The device lacks something, or room for the surface.</exception>
+        public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders, FluidSurfaceQuality quality = FluidSurfaceQuality.Default,
+            SurfaceWalls walls = SurfaceWalls.Closed)
+        {
+            RequireSolver(solver);
+            SurfaceFieldSettings field = SurfaceFieldSettings.For(quality, solver.Settings);
+            return Extract(solver, shaders, field, SurfaceGrid.OverDomain(solver.Settings.DomainSize, field.CellSize), walls);
+        }
+
+        /// <summary>The liquid's surface in simulation space, as a component with these options makes it.</summary>
+        /// <param name="solver">The particles.</param>
+        /// <param name="shaders">Shader set with the surface's kernels.</param>
+        /// <param name="options">How the surface is made; the triangle budget is for drawing, a mesh is made whole.</param>
+        /// <returns>A mesh [m], closed where the walls are.</returns>
+        /// <exception cref="ArgumentOutOfRangeException">The cell size cannot be met.</exception>
+        /// <exception cref="FluidDeviceException">The device lacks something, or room for the surface.</exception>
+        public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders, FluidSurfaceOptions options)
+        {
+            RequireSolver(solver);
+            if (options == null)
+                throw new ArgumentNullException(nameof(options));
+            SurfaceFieldSettings field = options.Field(solver.Settings);
+            return Extract(solver, shaders, field, SurfaceGrid.OverDomain(solver.Settings.DomainSize, field.CellSize), options.Walls);
+        }
+
+        /// <summary>The liquid's surface in simulation space, of a field and on a grid of one's own.</summary>
+        /// <param name="solver">The particles.</param>
+        /// <param name="shaders">Shader set with the surface's kernels.</param>
+        /// <param name="field">The field.</param>
+        /// <param name="grid">The grid, over the solver's domain.</param>
+        /// <param name="walls">What becomes of the surface at the domain's walls.</param>
+        /// <returns>A mesh [m], closed where the walls are.</returns>
+        /// <exception cref="FluidDeviceException">The device lacks something, or room for the surface.</exception>
+        public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders, in SurfaceFieldSettings field, SurfaceGrid grid,
+            SurfaceWalls walls = SurfaceWalls.Closed)
+        {
+            RequireSolver(solver);
+            using (var surface = new SparseSurface(shaders))
+                return surface.Extract(solver, field, grid, walls);
+        }
+
+        /// <summary>The thesis's surface in simulation space: its field on a dense grid.</summary>
+        /// <param name="solver">The particles.</param>
+        /// <param name="shaders">Shader set with the surface's kernels.</param>
         /// <param name="gridSize">Cells a side over the domain.</param>
         /// <param name="isoValue">Density of the surface as a part of the rest density.</param>
         /// <param name="wallCompletion">See <see cref="SurfaceField.WallCompletion"/>.</param>
-        /// <returns>A closed mesh [m]; multiply by the simulation's LocalToWorld (<see cref="SurfaceMesh.Transformed"/>) for world space.</returns>
+        /// <returns>A closed mesh [m].</returns>
         /// <exception cref="FluidDeviceException">The device lacks something, or room for the surface.</exception>
         public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders, SurfaceGridSize gridSize, float isoValue = 0.5f, bool wallCompletion = true)
         {
-            if (solver == null)
-                throw new ArgumentNullException(nameof(solver), "A surface needs a running simulation.");
+            RequireSolver(solver);
             using (var field = new SurfaceField(shaders, SurfaceGrid.OverDomain(solver.Settings.DomainSize, gridSize)))
             using (var polygoniser = new SurfacePolygoniser(shaders))
             using (var cmd = new CommandBuffer { name = "Fluid Surface Mesh" })
@@ -28,6 +74,12 @@ namespace SphFluid
                 Graphics.ExecuteCommandBuffer(cmd);
                 return polygoniser.Polygonise(field, isoValue);
             }
+        }
+
+        static void RequireSolver(FluidSolver solver)
+        {
+            if (solver == null)
+                throw new ArgumentNullException(nameof(solver), "A surface needs a running simulation.");
         }
     }
 }

@@ -47,8 +47,7 @@ namespace SphFluid
             properties.Clear();
             properties.SetBuffer(SurfaceShaderIds.MCGrid, field.Values);
             properties.SetBuffer(SurfaceShaderIds.MCTables, tables);
-            properties.SetVector(SurfaceShaderIds.MCGridMinimum, field.Grid.MinimumAndCells);
-            properties.SetVector(SurfaceShaderIds.MCCellSize, field.Grid.CellSizeAndIso(isoValue));
+            properties.SetGrid(field.Grid, isoValue);
             properties.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
             if (colour.HasValue)
             {

@@ -43,6 +43,7 @@ namespace SphFluid
 
         static readonly int[] Flags = new int[CaseCount];
         static readonly int[] Rows = new int[CaseCount * RowLength];
+        static readonly int[] Lengths = new int[CaseCount];
 
         static MarchingCubesTables()
         {
@@ -66,15 +67,18 @@ namespace SphFluid
         /// <summary>12 pairs: the two corners of each edge, the one nearer to the cube's origin first.</summary>
         public static IReadOnlyList<int> EdgeCorners => Corners;
 
-        /// <summary>All three tables one behind the other, as Shaders/Surface/MarchingCubes.hlsl reads them.</summary>
-        /// <returns>A new array of 256 + 4096 + 24 numbers.</returns>
+        /// <summary>256 numbers: edges in each row of <see cref="TriangleTable"/>, three a triangle.</summary>
+        public static IReadOnlyList<int> VertexCounts => Lengths;
+
+        /// <summary>All four tables one behind the other, as Shaders/Surface/MarchingCubes.hlsl reads them.</summary>
+        /// <returns>A new array of 256 + 4096 + 24 + 256 numbers.</returns>
         public static int[] Pack()
         {
-            var packed = new int[Flags.Length + Rows.Length + Corners.Length];
-            Flags.CopyTo(packed, 0);
-            Rows.CopyTo(packed, Flags.Length);
-            Corners.CopyTo(packed, Flags.Length + Rows.Length);
-            return packed;
+            var packed = new List<int>(Flags);
+            packed.AddRange(Rows);
+            packed.AddRange(Corners);
+            packed.AddRange(Lengths);
+            return packed.ToArray();
         }
 
         static bool IsOutside(int index, int corner) => (index >> corner & 1) != 0;
@@ -93,7 +97,18 @@ namespace SphFluid
         static List<int> Triangulate(int index, MarchingCubesPolygon polygon)
         {
             var triangles = new List<int>();
-            int[] next = JoinCutEdges(index);
+            foreach (List<int> loop in Loops(index))
+                triangles.AddRange(polygon.Triangulate(loop));
+            return triangles;
+        }
+
+        /// <summary>The closed outlines that the surface draws on the faces of a cube: their cut edges in order.</summary>
+        /// <param name="index">The case.</param>
+        /// <param name="separated">Faces, a bit each in the order of <see cref="CubeFaces"/>, on which diagonal inside corners are kept apart, not joined.</param>
+        internal static List<List<int>> Loops(int index, int separated = 0)
+        {
+            var loops = new List<List<int>>();
+            int[] next = JoinCutEdges(index, separated);
             for (int start = 0; start < EdgeCount; start++)
             {
                 var loop = new List<int>();
@@ -105,35 +120,42 @@ namespace SphFluid
                     edge = following;
                 }
                 if (loop.Count > 0)
-                    triangles.AddRange(polygon.Triangulate(loop));
+                    loops.Add(loop);
             }
-            return triangles;
+            return loops;
         }
 
+        /// <summary>Corners of the six faces: lower z, upper z, lower y, upper y, lower x, upper x.</summary>
+        internal static IReadOnlyList<int[]> CubeFaces => Faces;
+
         // next[e] is the edge that the surface's outline runs to from edge e, or -1. Going round a face, an edge leaves the liquid and the next
-        // cut edge enters it again: the outline cuts off the outside corners between them, and runs from the entering to the leaving edge.
-        static int[] JoinCutEdges(int index)
+        // cut edge enters it again: the outline cuts off the outside corners between them, and runs from the entering to the leaving edge. On
+        // separated faces it cuts off the inside corners, and comes from the edge before them.
+        static int[] JoinCutEdges(int index, int separated)
         {
             var next = new int[EdgeCount];
             for (int edge = 0; edge < EdgeCount; edge++)
                 next[edge] = -1;
-            foreach (int[] face in Faces)
+            for (int f = 0; f < Faces.Length; f++)
             {
+                int[] face = Faces[f];
+                bool apart = (separated >> f & 1) != 0;
                 for (int i = 0; i < 4; i++)
                 {
                     bool leaves = !IsOutside(index, face[i]) && IsOutside(index, face[(i + 1) % 4]);
                     if (!leaves)
                         continue;
-                    int j = (i + 1) % 4;
-                    while (IsOutside(index, face[(j + 1) % 4]))
-                        j = (j + 1) % 4;
+                    int j = apart ? (i + 3) % 4 : (i + 1) % 4;
+                    while (apart ? !IsOutside(index, face[j]) : IsOutside(index, face[(j + 1) % 4]))
+                        j = (j + (apart ? 3 : 1)) % 4;
                     next[EdgeBetween(face[j], face[(j + 1) % 4])] = EdgeBetween(face[i], face[(i + 1) % 4]);
                 }
             }
             return next;
         }
 
-        static int EdgeBetween(int a, int b)
+        /// <summary>The edge between two corners.</summary>
+        internal static int EdgeBetween(int a, int b)
         {
             for (int edge = 0; edge < EdgeCount; edge++)
             {
@@ -147,6 +169,7 @@ namespace SphFluid
 
         static void WriteRow(int index, List<int> triangles)
         {
+            Lengths[index] = triangles.Count;
             for (int slot = 0; slot < RowLength; slot++)
                 Rows[index * RowLength + slot] = slot < triangles.Count ? triangles[slot] : -1;
         }

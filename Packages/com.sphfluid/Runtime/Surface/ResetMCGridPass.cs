@@ -1,4 +1,5 @@
 using Unity.Profiling;
+using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace SphFluid
@@ -18,11 +19,11 @@ namespace SphFluid
 
         public void Record(CommandBuffer cmd, SurfaceField field)
         {
-            int side = field.Grid.VerticesPerSide;
+            Vector3Int vertices = field.Grid.Vertices;
             cmd.BeginSample(Marker);
             kernel.SetBuffer(cmd, SurfaceShaderIds.MCGrid, field.Values);
-            kernel.SetVector(cmd, SurfaceShaderIds.MCGridMinimum, field.Grid.MinimumAndCells);
-            kernel.DispatchThreads(cmd, side, side, side);
+            kernel.SetGrid(cmd, field.Grid);
+            kernel.DispatchThreads(cmd, vertices.x, vertices.y, vertices.z);
             cmd.EndSample(Marker);
         }
     }

@@ -1,4 +1,5 @@
 using Unity.Profiling;
+using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace SphFluid
@@ -21,15 +22,14 @@ namespace SphFluid
 
         public void Record(CommandBuffer cmd, SurfaceField field, FluidSolver solver)
         {
-            int side = field.Grid.VerticesPerSide;
+            Vector3Int vertices = field.Grid.Vertices;
             cmd.BeginSample(Marker);
             solver.BindNeighbours(cmd, kernel);
             kernel.SetBuffer(cmd, SurfaceShaderIds.MCGrid, field.Values);
-            kernel.SetVector(cmd, SurfaceShaderIds.MCGridMinimum, field.Grid.MinimumAndCells);
-            kernel.SetVector(cmd, SurfaceShaderIds.MCCellSize, field.Grid.CellSizeAndIso(0f));
+            kernel.SetGrid(cmd, field.Grid);
             kernel.SetFloat(cmd, SurfaceShaderIds.MCDensityScale, 1f / solver.Settings.RestDensity);
             kernel.SetBool(cmd, SurfaceShaderIds.MCWallCompletion, field.WallCompletion);
-            kernel.DispatchThreads(cmd, side, side, side);
+            kernel.DispatchThreads(cmd, vertices.x, vertices.y, vertices.z);
             cmd.EndSample(Marker);
         }
     }

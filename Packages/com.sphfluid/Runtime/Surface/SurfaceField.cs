@@ -22,13 +22,13 @@ namespace SphFluid
         {
             if (shaders == null)
                 throw new ArgumentNullException(nameof(shaders), "A surface field needs a shader set: assign one in the fluid profile.");
-            if (grid.Cells < 1)
+            if (grid.Cells.x < 1)
                 throw new ArgumentException("A surface field needs a grid that was made with a size.", nameof(grid));
             Grid = grid;
             if (GpuBytes > SystemInfo.maxGraphicsBufferSize)
             {
                 throw new FluidDeviceException(
-                    $"A surface grid of {grid.Cells} cells a side needs a buffer of {GpuBytes / 1048576.0:F0} MiB; {SystemInfo.graphicsDeviceName} " +
+                    $"A surface grid of {grid.Cells.x} x {grid.Cells.y} x {grid.Cells.z} cells needs a buffer of {GpuBytes / 1048576.0:F0} MiB; {SystemInfo.graphicsDeviceName} " +
                     $"allows {SystemInfo.maxGraphicsBufferSize / 1048576.0:F0} MiB. Choose a smaller grid size.");
             }
             resetGrid = new ResetMCGridPass(shaders);

@@ -4,25 +4,42 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// The marching-cubes grid: a box in simulation space cut into the same number of cells along each axis. Its (cells + 1)^3 vertices are
-    /// numbered x first, then y, then z; the outermost ones lie on the walls of the domain.
+    /// The marching-cubes grid: a box in simulation space cut into cells. Its vertices, one more than cells along each axis, are numbered x first,
+    /// then y, then z; the outermost ones lie on the walls of the domain.
     /// </summary>
     public readonly struct SurfaceGrid : IEquatable<SurfaceGrid>
     {
-        /// <summary>Most cells a side: the names of the grid edges, 3 x 1027^3 of them, still fit into 32 bits.</summary>
+        /// <summary>Most cells a side of a grid with as many along each axis.</summary>
         public const int MaximumCells = 1024;
 
-        /// <summary>A grid over a box.</summary>
+        // Three grid edges start at each vertex, two layers of the ring's included; their names are 32 bits long.
+        const double MostNamedVertices = uint.MaxValue / 3;
+
+        /// <summary>A grid over a box, with the same number of cells along each axis.</summary>
         /// <param name="minimum">Lowest corner of the box [m], simulation space.</param>
         /// <param name="size">Edges of the box [m], each greater than zero.</param>
         /// <param name="cells">Cells a side, 1 to <see cref="MaximumCells"/>.</param>
         /// <exception cref="ArgumentOutOfRangeException">An edge is not a positive number, or the number of cells is out of range.</exception>
         public SurfaceGrid(Vector3 minimum, Vector3 size, int cells)
+            : this(minimum, size, Vector3Int.one * cells)
         {
-            if (!(size.x > 0f && size.y > 0f && size.z > 0f) || !IsFinite(size) || !IsFinite(minimum))
-                throw new ArgumentOutOfRangeException(nameof(size), $"A surface grid needs a box with edges greater than zero; this one is {size} m at {minimum}.");
-            if (cells < 1 || cells > MaximumCells)
+            if (cells > MaximumCells)
                 throw new ArgumentOutOfRangeException(nameof(cells), $"A surface grid has 1 to {MaximumCells} cells a side, not {cells}.");
+        }
+
+        /// <summary>A grid over a box.</summary>
+        /// <param name="minimum">Lowest corner of the box [m], simulation space.</param>
+        /// <param name="size">Edges of the box [m], each greater than zero.</param>
+        /// <param name="cells">Cells along each axis, one or more; 3 times the product of (cells + 3) fits into 32 bits.</param>
+        /// <exception cref="ArgumentOutOfRangeException">An edge is not a positive number, or a number of cells is out of range.</exception>
+        public SurfaceGrid(Vector3 minimum, Vector3 size, Vector3Int cells)
+        {
+            if (!IsBox(size) || !IsFinite(minimum))
+                throw new ArgumentOutOfRangeException(nameof(size), $"A surface grid needs a box with edges greater than zero; this one is {size} m at {minimum}.");
+            if (cells.x < 1 || cells.y < 1 || cells.z < 1)
+                throw new ArgumentOutOfRangeException(nameof(cells), $"A surface grid has one cell or more along each axis, not {cells}.");
+            if (!Fits(cells))
+                throw TooMany(nameof(cells), cells);
             Minimum = minimum;
             Size = size;
             Cells = cells;
@@ -34,43 +51,61 @@ namespace SphFluid
         /// <summary>Edges of the box [m].</summary>
         public Vector3 Size { get; }
 
-        /// <summary>Cells a side.</summary>
-        public int Cells { get; }
+        /// <summary>Cells along each axis; zero in a grid made without a size.</summary>
+        public Vector3Int Cells { get; }
 
-        /// <summary>Vertices a side: one more than cells.</summary>
-        public int VerticesPerSide => Cells + 1;
+        /// <summary>Vertices along each axis: one more than cells.</summary>
+        public Vector3Int Vertices => Cells + Vector3Int.one;
 
-        /// <summary>Edges of a cell [m]; a cell is a cube only if the box is one.</summary>
-        public Vector3 CellSize => Size / Cells;
+        /// <summary>Edges of a cell [m].</summary>
+        public Vector3 CellSize => new Vector3(Size.x / Cells.x, Size.y / Cells.y, Size.z / Cells.z);
 
         /// <summary>Number of grid vertices.</summary>
-        public int VertexCount => VerticesPerSide * VerticesPerSide * VerticesPerSide;
+        public int VertexCount => Product(Vertices);
 
-        /// <summary>Cubes of marching cubes a side: the cells, and a thin ring around them that closes the mesh at the walls.</summary>
-        public int CubesPerSide => Cells + 2;
+        /// <summary>Cubes of marching cubes along each axis: the cells, and a thin ring around them that closes the mesh at the walls.</summary>
+        public Vector3Int Cubes => Cells + 2 * Vector3Int.one;
 
         /// <summary>Number of cubes of marching cubes.</summary>
-        public int CubeCount => CubesPerSide * CubesPerSide * CubesPerSide;
+        public int CubeCount => Product(Cubes);
 
-        /// <summary>The grid over the domain of a simulation, which is centred on the origin of simulation space.</summary>
+        /// <summary>The grid over the domain of a simulation, which is centred on the origin of simulation space, as the thesis cuts it.</summary>
         /// <param name="domainSize">Edges of the domain [m].</param>
         /// <param name="size">Cells a side.</param>
         /// <returns>A grid whose outermost vertices lie on the domain's walls.</returns>
         public static SurfaceGrid OverDomain(Vector3 domainSize, SurfaceGridSize size) => new SurfaceGrid(domainSize * -0.5f, domainSize, size.Cells());
 
+        /// <summary>The grid over the domain of a simulation, in cells that are nearly cubes.</summary>
+        /// <param name="domainSize">Edges of the domain [m].</param>
+        /// <param name="cellEdge">Longest edge of a cell [m]; 0.3 cuts an edge of 1 m into 4 cells of 0.25 m.</param>
+        /// <returns>A grid whose outermost vertices lie on the domain's walls.</returns>
+        /// <exception cref="ArgumentOutOfRangeException">The edge is not a positive number, or so short that the cells are too many.</exception>
+        public static SurfaceGrid OverDomain(Vector3 domainSize, float cellEdge)
+        {
+            if (!(cellEdge > 0f) || float.IsInfinity(cellEdge))
+                throw new ArgumentOutOfRangeException(nameof(cellEdge), $"The cells of a surface grid need an edge greater than zero, not {cellEdge} m.");
+            if (!IsBox(domainSize))
+                throw new ArgumentOutOfRangeException(nameof(domainSize), $"A surface grid needs a domain with edges greater than zero, not {domainSize} m.");
+            Vector3 cells = domainSize / cellEdge;
+            cells = new Vector3(Mathf.Ceil(cells.x), Mathf.Ceil(cells.y), Mathf.Ceil(cells.z));
+            if (!Fits(cells))
+                throw TooMany(nameof(cellEdge), cells);
+            return new SurfaceGrid(domainSize * -0.5f, domainSize, Vector3Int.RoundToInt(cells));
+        }
+
         /// <summary>Position of a grid vertex.</summary>
-        /// <param name="x">Number along x, 0 to <see cref="Cells"/>.</param>
+        /// <param name="x">Number along x, 0 to the number of cells.</param>
         /// <param name="y">Number along y.</param>
         /// <param name="z">Number along z.</param>
         /// <returns>Position [m], simulation space.</returns>
         public Vector3 Position(int x, int y, int z) => Minimum + Vector3.Scale(CellSize, new Vector3(x, y, z));
 
         /// <summary>Number of a grid vertex in the field.</summary>
-        /// <param name="x">Number along x, 0 to <see cref="Cells"/>.</param>
+        /// <param name="x">Number along x, 0 to the number of cells.</param>
         /// <param name="y">Number along y.</param>
         /// <param name="z">Number along z.</param>
         /// <returns>Index, x fastest.</returns>
-        public int Index(int x, int y, int z) => (z * VerticesPerSide + y) * VerticesPerSide + x;
+        public int Index(int x, int y, int z) => (z * Vertices.y + y) * Vertices.x + x;
 
         /// <inheritdoc/>
         public bool Equals(SurfaceGrid other) => Minimum == other.Minimum && Size == other.Size && Cells == other.Cells;
@@ -84,14 +119,14 @@ namespace SphFluid
         /// <summary>Where a corner of a cube lies, after Bourke's numbering; e.g. corner 2 at (1, 1, 0).</summary>
         internal static Vector3Int CornerOffset(int corner) => new Vector3Int((corner + 1) >> 1 & 1, corner >> 1 & 1, corner >> 2);
 
-        // The two vectors of Shaders/Surface/MarchingCubes.hlsl.
-        internal Vector4 MinimumAndCells => new Vector4(Minimum.x, Minimum.y, Minimum.z, Cells);
+        static int Product(Vector3Int counts) => counts.x * counts.y * counts.z;
 
-        internal Vector4 CellSizeAndIso(float isoValue)
-        {
-            Vector3 cell = CellSize;
-            return new Vector4(cell.x, cell.y, cell.z, isoValue);
-        }
+        static bool Fits(Vector3 cells) => ((double)cells.x + 3.0) * (cells.y + 3.0) * (cells.z + 3.0) <= MostNamedVertices;
+
+        static ArgumentOutOfRangeException TooMany(string parameter, Vector3 cells) => new ArgumentOutOfRangeException(parameter,
+            $"A surface grid of {cells.x:F0} x {cells.y:F0} x {cells.z:F0} cells has more edges than 32 bits can name. Choose larger cells or a smaller domain.");
+
+        static bool IsBox(Vector3 size) => size.x > 0f && size.y > 0f && size.z > 0f && IsFinite(size);
 
         static bool IsFinite(Vector3 v) => !float.IsNaN(v.sqrMagnitude) && !float.IsInfinity(v.sqrMagnitude);
     }

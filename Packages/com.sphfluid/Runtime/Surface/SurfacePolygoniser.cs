@@ -98,15 +98,15 @@ namespace SphFluid
                 kernel.SetBuffer(cmd, SurfaceShaderIds.MCGrid, field.Values);
                 kernel.SetBuffer(cmd, SurfaceShaderIds.MCTables, tables);
                 kernel.SetBuffer(cmd, SurfaceShaderIds.SurfaceVertexCount, counter);
-                kernel.SetVector(cmd, SurfaceShaderIds.MCGridMinimum, field.Grid.MinimumAndCells);
-                kernel.SetVector(cmd, SurfaceShaderIds.MCCellSize, field.Grid.CellSizeAndIso(isoValue));
+                kernel.SetGrid(cmd, field.Grid);
+                kernel.SetIsoValue(cmd, isoValue);
                 if (kernel == emitVertices)
                 {
                     kernel.SetBuffer(cmd, SurfaceShaderIds.SurfaceVertices, vertices);
                     kernel.SetInt(cmd, SurfaceShaderIds.SurfaceVertexCapacity, VertexCapacity);
                 }
-                int side = field.Grid.CubesPerSide;
-                kernel.DispatchThreads(cmd, side, side, side);
+                Vector3Int cubes = field.Grid.Cubes;
+                kernel.DispatchThreads(cmd, cubes.x, cubes.y, cubes.z);
                 cmd.EndSample(marker);
                 Graphics.ExecuteCommandBuffer(cmd);
             }
@@ -114,12 +114,12 @@ namespace SphFluid
             return total[0];
         }
 
-        void Reserve(uint count, int cells)
+        void Reserve(uint count, Vector3Int cells)
         {
             if (count > vertexLimit)
             {
                 throw new FluidDeviceException(
-                    $"The surface has {count / 3} triangles on a grid of {cells} cells a side; a buffer of {SystemInfo.graphicsDeviceName} holds " +
+                    $"The surface has {count / 3} triangles on a grid of {cells.x} x {cells.y} x {cells.z} cells; a buffer of {SystemInfo.graphicsDeviceName} holds " +
                     $"{vertexLimit / 3}. Choose a smaller grid size.");
             }
             if (count <= VertexCapacity)

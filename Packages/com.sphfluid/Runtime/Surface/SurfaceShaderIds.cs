@@ -7,12 +7,11 @@ namespace SphFluid
     {
         public static readonly int MCGrid = Shader.PropertyToID("_MCGrid");
         public static readonly int MCTables = Shader.PropertyToID("_MCTables");
-        public static readonly int MCGridMinimum = Shader.PropertyToID("_MCGridMinimum");
-        public static readonly int MCCellSize = Shader.PropertyToID("_MCCellSize");
         public static readonly int MCDensityScale = Shader.PropertyToID("_MCDensityScale");
         public static readonly int MCWallCompletion = Shader.PropertyToID("_MCWallCompletion");
         public static readonly int SurfaceVertexCount = Shader.PropertyToID("_SurfaceVertexCount");
         public static readonly int SurfaceVertices = Shader.PropertyToID("_SurfaceVertices");
+        public static readonly int SurfaceIndices = Shader.PropertyToID("_SurfaceIndices");
         public static readonly int SurfaceVertexCapacity = Shader.PropertyToID("_SurfaceVertexCapacity");
     }
 }

@@ -30,6 +30,18 @@ float3 FluidWorldDirection(float3 local)
     return mul((float3x3)_FluidLocalToWorld, local);
 }
 
+// From world space back to simulation space.
+float3 FluidLocalPosition(float3 world)
+{
+    float3 translation = float3(_FluidLocalToWorld[0].w, _FluidLocalToWorld[1].w, _FluidLocalToWorld[2].w);
+    return mul(transpose((float3x3)_FluidLocalToWorld), world - translation);
+}
+
+float3 FluidLocalDirection(float3 world)
+{
+    return mul(transpose((float3x3)_FluidLocalToWorld), world);
+}
+
 #if defined(FLUID_HDRP)
 
 Texture2D<float4> _ExposureTexture; // HDRP's exposure, one pixel

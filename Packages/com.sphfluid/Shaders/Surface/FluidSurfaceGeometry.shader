@@ -29,6 +29,7 @@ Shader "SPH Fluid/Surface (Geometry Shader)"
             #pragma geometry GenerateIsosurface
             #pragma fragment ShadeSurface
 
+            #include "SurfaceGeometry.hlsl"
             #include "SurfaceShading.hlsl"
             ENDHLSL
         }
@@ -51,6 +52,7 @@ Shader "SPH Fluid/Surface (Geometry Shader)"
             #pragma fragment CastSurfaceShadow
 
             #define FLUID_SHADOW_CASTER 1
+            #include "SurfaceGeometry.hlsl"
             #include "SurfaceShading.hlsl"
             ENDHLSL
         }
@@ -74,6 +76,7 @@ Shader "SPH Fluid/Surface (Geometry Shader)"
             #pragma geometry GenerateIsosurface
             #pragma fragment ShowSurfaceDepth
 
+            #include "SurfaceGeometry.hlsl"
             #include "SurfaceShading.hlsl"
             ENDHLSL
         }
@@ -95,6 +98,7 @@ Shader "SPH Fluid/Surface (Geometry Shader)"
             #pragma geometry GenerateIsosurface
             #pragma fragment ShowSurfaceNormal
 
+            #include "SurfaceGeometry.hlsl"
             #include "SurfaceShading.hlsl"
             ENDHLSL
         }

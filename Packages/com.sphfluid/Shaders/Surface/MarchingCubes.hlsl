@@ -1,99 +1,27 @@
-// Marching cubes (Lorensen & Cline 1987) over the grid of density factors. Included by the geometry shader and by the compute twin,
-// so that both emit the same triangles. Numbering of corners and edges, and the meaning of the tables, after Bourke,
-// "Polygonising a scalar field" (1994): corner c lies at ((c+1)/2 mod 2, c/2 mod 2, c/4), e.g. corner 2 at (1, 1, 0).
+// Marching cubes (Lorensen & Cline 1987) over the grid of density factors. Included by the geometry shader, by its compute twin and by the sparse
+// surface, so that all make the same triangles. Whoever includes it declares before where field values come from, e.g. by DenseField.hlsl:
+//     float MCFieldValue(int3 v)  0 outside the grid
+//     bool MCHasValue(int3 v)     whether the vertex lies in the grid and its value is known: gradients use such values only
 #ifndef SPHFLUID_MARCHING_CUBES_INCLUDED
 #define SPHFLUID_MARCHING_CUBES_INCLUDED
 
-// (cells + 1)^3 density factors, x fastest: density / rest density.
-StructuredBuffer<float> _MCGrid;
-// 256 edge flags, 256 rows of 16 edge numbers ending in -1, 12 pairs of corners (MarchingCubesTables.cs).
-StructuredBuffer<int> _MCTables;
-float4 _MCGridMinimum; // xyz: lowest corner of the domain [m], simulation space; w: cells a side
-float4 _MCCellSize;    // xyz: size of a cell [m]; w: iso value
-
-#define MC_EDGES 12
-#define MC_MAX_VERTICES 15
-#define MC_EDGE_FLAGS 0
-#define MC_TRIANGLES 256
-#define MC_EDGE_CORNERS 4352
-#define MC_ALL_OUTSIDE 255u // index of a cube without a vertex inside
+#include "SurfaceGrid.hlsl"
+#include "SurfaceVertex.hlsl"
+#include "MarchingCubesTables.hlsl"
 
 // A vertex never lies closer than this part of an edge to the edge's ends: no zero-area triangles.
 #define MC_EDGE_MARGIN 0.01
-// Thickness, in cells, of the ring of cubes that closes the mesh at the walls of the domain.
-#define MC_RING 0.02
-
-struct SurfaceVertex
-{
-    float3 position; // simulation space [m]
-    float3 normal;   // unit length, out of the liquid
-};
-
-uint MCCells()
-{
-    return (uint)_MCGridMinimum.w;
-}
-
-float MCIsoValue()
-{
-    return _MCCellSize.w;
-}
-
-// Cubes a side: those of the grid and the ring around them, whose outer vertices -1 and cells + 1 lie in empty space.
-uint MCCubes()
-{
-    return MCCells() + 2;
-}
-
-int3 MCCubeOrigin(uint cube)
-{
-    uint side = MCCubes();
-    uint row = cube / side;
-    uint layer = row / side;
-    return int3((int)(cube - row * side), (int)(row - layer * side), (int)layer) - 1;
-}
-
-int3 MCCornerOffset(uint corner)
-{
-    return int3((int)(((corner + 1) >> 1) & 1), (int)((corner >> 1) & 1), (int)(corner >> 2));
-}
-
-bool MCInGrid(int3 v)
-{
-    return all(v >= 0) && all(v <= (int)MCCells());
-}
-
-float MCFieldValue(int3 v)
-{
-    float value = 0.0;
-    if (MCInGrid(v))
-    {
-        uint side = MCCells() + 1;
-        value = _MCGrid[((uint)v.z * side + (uint)v.y) * side + (uint)v.x];
-    }
-    return value;
-}
-
-// The ring is squeezed against the wall from inside: liquid that touches a wall ends there, with a sharp edge. Of 64 cells the vertices
-// -1, 0, 1 ... 63, 64, 65 lie at 0, 0.02, 1 ... 63, 63.98, 64.
-float3 MCGridPosition(int3 v)
-{
-    float cells = (float)MCCells();
-    float3 position = clamp((float3)v, MC_RING, cells - MC_RING);
-    position = v < 0 ? (float3)0.0 : position;
-    return v > (int)MCCells() ? (float3)cells : position;
-}
 
 // Central differences, (22)-(24) of the thesis with the step of two cells that they lack; one-sided on the walls.
 float3 MCGradient(int3 v)
 {
-    int3 upper = min(v + 1, (int)MCCells());
-    int3 lower = max(v - 1, 0);
+    int3 upper = v + int3(MCHasValue(v + int3(1, 0, 0)), MCHasValue(v + int3(0, 1, 0)), MCHasValue(v + int3(0, 0, 1)));
+    int3 lower = v - int3(MCHasValue(v - int3(1, 0, 0)), MCHasValue(v - int3(0, 1, 0)), MCHasValue(v - int3(0, 0, 1)));
     float3 difference = float3(
         MCFieldValue(int3(upper.x, v.y, v.z)) - MCFieldValue(int3(lower.x, v.y, v.z)),
         MCFieldValue(int3(v.x, upper.y, v.z)) - MCFieldValue(int3(v.x, lower.y, v.z)),
         MCFieldValue(int3(v.x, v.y, upper.z)) - MCFieldValue(int3(v.x, v.y, lower.z)));
-    return difference / ((float3)(upper - lower) * _MCCellSize.xyz);
+    return difference / ((float3)max(upper - lower, 1) * _MCCellSize);
 }
 
 // Bit c is set when corner c lies outside the liquid: value < iso value, as the thesis has it.
@@ -102,27 +30,10 @@ uint MCCubeIndex(int3 origin)
     uint index = 0;
     for (uint corner = 0; corner < 8; corner++)
     {
-        if (MCFieldValue(origin + MCCornerOffset(corner)) < MCIsoValue())
+        if (MCFieldValue(origin + MCCornerOffset(corner)) < _MCIsoValue)
             index |= 1u << corner;
     }
     return index;
-}
-
-uint MCEdgeFlags(uint cubeIndex)
-{
-    return (uint)_MCTables[MC_EDGE_FLAGS + cubeIndex];
-}
-
-// The edge that holds the slot-th vertex of the cube's triangles, or -1 behind the last.
-int MCTriangleEdge(uint cubeIndex, uint slot)
-{
-    return _MCTables[MC_TRIANGLES + cubeIndex * 16 + slot];
-}
-
-// Corners of an edge, the lower one (nearer to the grid's origin) first: neighbouring cubes interpolate a shared edge alike, bit for bit.
-int3 MCEdgeCorner(int3 origin, uint edge, uint end)
-{
-    return origin + MCCornerOffset((uint)_MCTables[MC_EDGE_CORNERS + edge * 2 + end]);
 }
 
 // Out of the liquid: against the gradient within the grid, straight through the wall in the ring.
@@ -135,37 +46,35 @@ float3 MCEdgeNormal(int3 a, int3 b, float t, float3 alongEdge)
     return squared > 0.0 ? outwards * rsqrt(squared) : alongEdge;
 }
 
-SurfaceVertex MCEdgeVertex(int3 origin, uint edge)
+// Where between two neighbouring grid vertices the surface passes.
+float MCCrossing(float valueA, float valueB)
 {
-    int3 a = MCEdgeCorner(origin, edge, 0);
-    int3 b = MCEdgeCorner(origin, edge, 1);
+    return clamp((_MCIsoValue - valueA) / (valueB - valueA), MC_EDGE_MARGIN, 1.0 - MC_EDGE_MARGIN);
+}
+
+// The surface's vertex between two neighbouring grid vertices, the lower one first.
+SurfaceVertex MCVertexBetween(int3 a, int3 b)
+{
     float valueA = MCFieldValue(a);
     float valueB = MCFieldValue(b);
-    float t = clamp((MCIsoValue() - valueA) / (valueB - valueA), MC_EDGE_MARGIN, 1.0 - MC_EDGE_MARGIN);
+    float t = MCCrossing(valueA, valueB);
+    float3 start = MCGridPosition(a);
 
     SurfaceVertex surface;
-    surface.position = _MCGridMinimum.xyz + _MCCellSize.xyz * lerp(MCGridPosition(a), MCGridPosition(b), t);
+    surface.position = MCPosition(start + t * (MCGridPosition(b) - start)); // exactly on the edge, other than by lerp on some devices
     surface.normal = MCEdgeNormal(a, b, t, (float3)(b - a) * (valueA > valueB ? 1.0 : -1.0));
     return surface;
 }
 
-// A name of the edge that every cube around it shares: 3 * (number of its lower corner, the ring's included) + axis.
-uint MCEdgeName(int3 origin, uint edge)
+SurfaceVertex MCEdgeVertex(int3 origin, uint edge)
 {
-    uint3 a = (uint3)(MCEdgeCorner(origin, edge, 0) + 1);
-    uint3 b = (uint3)(MCEdgeCorner(origin, edge, 1) + 1);
-    uint axis = b.x != a.x ? 0u : (b.y != a.y ? 1u : 2u);
-    uint side = MCCubes() + 1;
-    return ((a.z * side + a.y) * side + a.x) * 3 + axis;
+    return MCVertexBetween(MCEdgeCorner(origin, edge, 0), MCEdgeCorner(origin, edge, 1));
 }
 
-// Three vertices a triangle: 0 where the surface misses the cube, 15 at most.
-uint MCVertexCount(uint cubeIndex)
+// The name that every cube around an edge gives it.
+uint MCEdgeName(int3 origin, uint edge)
 {
-    uint count = 0;
-    while (count < MC_MAX_VERTICES && MCTriangleEdge(cubeIndex, count) >= 0)
-        count += 3;
-    return count;
+    return MCEdgeNameAt(MCEdgeCorner(origin, edge, 0), MCEdgeAxis(edge));
 }
 
 // Fills the vertex of every edge that the surface cuts (6.4.4, lines 15-20); MCTriangleEdge then names the edges of each triangle.

@@ -3,19 +3,13 @@
 #ifndef SPHFLUID_SURFACE_GEOMETRY_INCLUDED
 #define SPHFLUID_SURFACE_GEOMETRY_INCLUDED
 
+#include "DenseField.hlsl"
 #include "MarchingCubes.hlsl"
-#include "../Rendering/FluidShading.hlsl"
+#include "SurfaceFragment.hlsl"
 
 struct CubePoint
 {
     uint cube : TEXCOORD0;
-};
-
-struct SurfaceFragment
-{
-    float4 clipPosition : SV_Position;
-    float3 world : TEXCOORD0;
-    float3 normal : TEXCOORD1;
 };
 
 CubePoint PassThrough(uint vertexId : SV_VertexID)
@@ -23,19 +17,6 @@ CubePoint PassThrough(uint vertexId : SV_VertexID)
     CubePoint output;
     output.cube = vertexId;
     return output;
-}
-
-SurfaceFragment ProjectSurfaceVertex(SurfaceVertex surface)
-{
-    SurfaceFragment fragment;
-    fragment.world = FluidWorldPosition(surface.position);
-    fragment.normal = FluidWorldDirection(surface.normal);
-#if defined(FLUID_SHADOW_CASTER)
-    fragment.clipPosition = FluidShadowClipPosition(fragment.world);
-#else
-    fragment.clipPosition = FluidClipPosition(fragment.world);
-#endif
-    return fragment;
 }
 
 #if defined(FLUID_CUBES)
@@ -47,7 +28,7 @@ SurfaceVertex CubeCorner(int3 v)
     float squared = dot(outwards, outwards);
 
     SurfaceVertex surface;
-    surface.position = _MCGridMinimum.xyz + _MCCellSize.xyz * MCGridPosition(v);
+    surface.position = MCPosition(MCGridPosition(v));
     surface.normal = squared > 0.0 ? outwards * rsqrt(squared) : float3(0.0, -1.0, 0.0);
     return surface;
 }

@@ -2,23 +2,12 @@
 #ifndef SPHFLUID_SURFACE_SHADING_INCLUDED
 #define SPHFLUID_SURFACE_SHADING_INCLUDED
 
-#include "SurfaceGeometry.hlsl"
+#include "SurfaceFragment.hlsl"
 
 float4 _Color;
 float _Smoothness;
 
 #define EDGE_BRIGHTENING 0.7 // share of the colour's square root, a paler tint of it, where the liquid is seen edge on, that is thin
-
-// Vertices at the water's edge belong to the open surface and to the face at the wall; on that face, which lies in the ring, the wall decides.
-float3 SurfaceNormal(SurfaceFragment input)
-{
-    float3 translation = float3(_FluidLocalToWorld[0].w, _FluidLocalToWorld[1].w, _FluidLocalToWorld[2].w);
-    float3 local = mul(transpose((float3x3)_FluidLocalToWorld), input.world - translation);
-    float3 fromLower = (local - _MCGridMinimum.xyz) / _MCCellSize.xyz;
-    float3 fromUpper = _MCGridMinimum.w - fromLower;
-    float3 wall = (fromUpper < 1.5 * MC_RING ? (float3)1.0 : (float3)0.0) - (fromLower < 1.5 * MC_RING ? (float3)1.0 : (float3)0.0);
-    return normalize(any(wall != 0.0) ? FluidWorldDirection(wall) : input.normal);
-}
 
 float4 ShadeSurface(SurfaceFragment input) : SV_Target
 {

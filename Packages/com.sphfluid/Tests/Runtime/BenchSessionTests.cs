@@ -89,6 +89,36 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator SurfacesAreMeasuredOnTheSameParticles()
+        {
+            using (BenchSession session = Create("--table", "surface", "--particles", "250", "--grids", "8,16"))
+            {
+                while (session.Step())
+                    yield return null;
+            }
+            string[][] lines = File.ReadAllLines(Path.Combine(folder, "surface.csv")).Select(CsvText.Split).ToArray();
+            string Cell(string[] line, string name) => line[Array.IndexOf(lines[0], name)];
+            double Number(string[] line, string name) => double.Parse(Cell(line, name), CultureInfo.InvariantCulture);
+            bool hasGeometry = GeometrySurface.MissingSupport() == null;
+            Assert.That(lines, Has.Length.EqualTo(1 + (hasGeometry ? 9 : 7)));
+            foreach (string[] line in lines.Skip(1))
+            {
+                string text = string.Join(",", line);
+                bool sparse = Cell(line, "surface") == "marching-cubes";
+                Assert.That(Cell(line, "samples"), Is.EqualTo("5"), text);
+                Assert.That(Number(line, "blocks_over_frame"), Is.InRange(0.5, 1.1), text);
+                Assert.That(Number(line, "neighbours_ms"), Is.GreaterThan(0.0), text);
+                Assert.That(Number(line, "triangles"), Is.GreaterThan(50.0), text);
+                Assert.That(Cell(line, "blocks_active") != "", Is.EqualTo(sparse), text);
+                bool halved = Cell(line, "field") == "thesis" && Cell(line, "grid") == "16";
+                Assert.That(Cell(line, "over_half_grid") != "", Is.EqualTo(halved), text);
+                Assert.That(Cell(line, "speedup_gs") != "", Is.EqualTo(hasGeometry && Cell(line, "field") == "thesis"), text);
+            }
+            foreach (IGrouping<string, string[]> rows in lines.Skip(1).Where(l => Cell(l, "field") == "thesis").GroupBy(l => Cell(l, "grid")))
+                Assert.That(rows.Select(l => Cell(l, "triangles")).Distinct().Count(), Is.EqualTo(1), "one field, one mesh");
+        }
+
+        [UnityTest]
         public IEnumerator StoppedEarlyLeavesAValidFile()
         {
             using (BenchSession session = Create("--particles", "128", "--grids", "none"))

@@ -16,21 +16,27 @@ namespace SphFluid.Validation
         /// <summary>The thesis's pipeline against the Standard method.</summary>
         public const string SolverTable = "solver";
 
+        /// <summary>Surfaces alone: the thesis's against sparse ones.</summary>
+        public const string SurfaceTable = "surface";
+
+        /// <summary>Every table.</summary>
+        public const string AllTables = "all";
+
         const int MaximumSamples = 1000;
         const int MinimumParticles = 64;
         static readonly string[] flags = { "--table", "--particles", "--grids", "--repeat", "--out", "--sweep", "--no-sweep" };
-        static readonly string[] tables = { ThesisTable, SolverTable, "all" };
+        static readonly string[] tables = { ThesisTable, SolverTable, SurfaceTable, AllTables };
 
         int[] particles;
-        int[] grids = { 32, 64, 128, 256 };
+        int[] grids;
 
-        /// <summary>The table: <see cref="ThesisTable"/>, <see cref="SolverTable"/>, or all.</summary>
+        /// <summary>The table: <see cref="ThesisTable"/>, <see cref="SolverTable"/>, <see cref="SurfaceTable"/> or <see cref="AllTables"/>.</summary>
         public string Table { get; private set; } = ThesisTable;
 
         /// <summary>Numbers of particles; null leaves them to the table and the device.</summary>
         public IReadOnlyList<int> Particles => particles;
 
-        /// <summary>Cells a side of the marching-cubes grids.</summary>
+        /// <summary>Cells a side of the marching-cubes grids; null leaves them to the table.</summary>
         public IReadOnlyList<int> Grids => grids;
 
         /// <summary>Samples of each row, <see cref="MinimumSamples"/> or more.</summary>
@@ -58,6 +64,10 @@ namespace SphFluid.Validation
             });
             return result;
         }
+
+        /// <summary>Whether a table is asked for.</summary>
+        /// <param name="table">Its name.</param>
+        internal bool Wants(string table) => Table == table || Table == AllTables;
 
         void Read(string flag, string value)
         {

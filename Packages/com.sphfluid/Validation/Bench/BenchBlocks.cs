@@ -20,6 +20,17 @@ namespace SphFluid.Validation
             "ResetMCGrid", "SetMCGridDensityFactors", DrawParticles, DrawSurface,
         }.Select(name => new BenchBlock(name)).ToArray();
 
+        /// <summary>What a surface consists of; each kind has some of them.</summary>
+        public static readonly IReadOnlyList<BenchBlock> Surface = new[]
+        {
+            new BenchBlock("prepare", "ClearSurfaceBlocks", "PrepareSurfaceParticles"),
+            new BenchBlock("list", "ListSurfaceBlocks", "BeginSurfaceRound"),
+            new BenchBlock("field", "ResetMCGrid", "SetMCGridDensityFactors", "SampleBlocks"),
+            new BenchBlock("count", "CountBlocks", "SurfaceDrawArguments"),
+            new BenchBlock("emit", "EmitSurfaceVertices", "EmitBlocks"),
+            new BenchBlock("draw", DrawSurface),
+        };
+
         /// <summary>What a step of every method consists of.</summary>
         public static readonly IReadOnlyList<BenchBlock> Step = new[]
         {

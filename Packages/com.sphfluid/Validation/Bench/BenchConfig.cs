@@ -1,51 +1,105 @@
 namespace SphFluid.Validation
 {
-    /// <summary>What a row's frame does: one step, and what is drawn. Names of drawings as in the thesis's tables.</summary>
+    /// <summary>What a row's frame does: a step or none, and what is drawn.</summary>
     public readonly struct BenchConfig
     {
-        BenchConfig(BenchSolver solver, string name, string surface, int grid)
+        BenchConfig(BenchSolver solver, string name, BenchSurfaceKind kind, int grid = 0, bool hasStep = true, FluidSurfaceQuality? quality = null)
         {
             Solver = solver;
             Name = name;
-            Surface = surface;
+            Kind = kind;
             Grid = grid;
+            HasStep = hasStep;
+            Quality = quality;
         }
 
         /// <summary>The thesis's step alone.</summary>
-        public static BenchConfig SphOnly => new BenchConfig(BenchSolver.ThesisOctant, "sph_only", "none", 0);
+        public static BenchConfig SphOnly => new BenchConfig(BenchSolver.ThesisOctant, "sph_only", BenchSurfaceKind.None);
 
         /// <summary>The thesis's step, and the particles drawn as textured squares.</summary>
-        public static BenchConfig SphParticles => new BenchConfig(BenchSolver.ThesisOctant, "sph_particles", "particles", 0);
+        public static BenchConfig SphParticles => new BenchConfig(BenchSolver.ThesisOctant, "sph_particles", BenchSurfaceKind.Particles);
 
-        /// <summary>What computes the step.</summary>
+        /// <summary>What computes the step and holds the particles.</summary>
         public BenchSolver Solver { get; }
 
-        /// <summary>sph_only, sph_particles or sph_mc; of a step alone its solver's name.</summary>
+        /// <summary>Name in tables: sph_only, sph_particles or sph_mc; of a step alone its solver's, of a surface alone its own.</summary>
         public string Name { get; }
 
-        /// <summary>The drawing in the words of --surface.</summary>
-        public string Surface { get; }
+        /// <summary>What is drawn.</summary>
+        public BenchSurfaceKind Kind { get; }
 
-        /// <summary>Cells a side of the marching-cubes grid; 0 without one.</summary>
+        /// <summary>Cells a side of the marching-cubes grid; 0 without one, and where the field's quality gives the cell.</summary>
         public int Grid { get; }
+
+        /// <summary>Whether a frame takes a step; else the liquid stands still.</summary>
+        public bool HasStep { get; }
+
+        /// <summary>Quality of the sparse surface's own field; null for the thesis's field.</summary>
+        public FluidSurfaceQuality? Quality { get; }
+
+        /// <summary>Whether a surface is drawn.</summary>
+        public bool HasSurface => Kind > BenchSurfaceKind.Particles;
+
+        /// <summary>The drawing in the words of --surface, and of one that only the benchmark has.</summary>
+        public string Surface
+        {
+            get
+            {
+                switch (Kind)
+                {
+                    case BenchSurfaceKind.None: return "none";
+                    case BenchSurfaceKind.Particles: return "particles";
+                    case BenchSurfaceKind.Geometry: return "marching-cubes-gs";
+                    case BenchSurfaceKind.DenseCompute: return "marching-cubes-dense";
+                    default: return "marching-cubes";
+                }
+            }
+        }
+
+        /// <summary>The surface's field: thesis, or the quality's name; empty without a surface.</summary>
+        public string Field => !HasSurface ? "" : Quality.HasValue ? Quality.Value.ToString().ToLowerInvariant() : "thesis";
 
         /// <summary>Name for people, e.g. SPH + MC 64.</summary>
         public string Title
         {
             get
             {
-                if (Grid > 0)
+                if (!HasStep)
+                    return Quality.HasValue ? $"Sparse, {Field}" : $"{Drawing} {Grid}";
+                if (HasSurface)
                     return $"SPH + MC {Grid}";
-                return Name == Solver.Name ? Solver.Title : Surface == "none" ? "SPH only" : "SPH + particles";
+                return Name == Solver.Name ? Solver.Title : Kind == BenchSurfaceKind.None ? "SPH only" : "SPH + particles";
             }
         }
 
+        string Drawing => Kind == BenchSurfaceKind.Geometry ? "Geometry shader" : Kind == BenchSurfaceKind.DenseCompute ? "Dense compute" : "Sparse";
+
         /// <summary>The thesis's step, and the surface by marching cubes in a geometry shader.</summary>
         /// <param name="cells">Cells a side of its grid.</param>
-        public static BenchConfig SphMarchingCubes(int cells) => new BenchConfig(BenchSolver.ThesisOctant, "sph_mc", "marching-cubes-gs", cells);
+        public static BenchConfig SphMarchingCubes(int cells) => new BenchConfig(BenchSolver.ThesisOctant, "sph_mc", BenchSurfaceKind.Geometry, cells);
 
         /// <summary>A step alone.</summary>
         /// <param name="solver">What computes it.</param>
-        public static BenchConfig Step(BenchSolver solver) => new BenchConfig(solver, solver.Name, "none", 0);
+        public static BenchConfig Step(BenchSolver solver) => new BenchConfig(solver, solver.Name, BenchSurfaceKind.None);
+
+        /// <summary>The thesis's surface without a step.</summary>
+        /// <param name="cells">Cells a side of its grid.</param>
+        public static BenchConfig GeometrySurface(int cells) => Still("gs", BenchSurfaceKind.Geometry, cells);
+
+        /// <summary>The dense compute surface without a step.</summary>
+        /// <param name="cells">Cells a side of its grid.</param>
+        public static BenchConfig DenseSurface(int cells) => Still("dense", BenchSurfaceKind.DenseCompute, cells);
+
+        /// <summary>The sparse surface with the thesis's field, without a step.</summary>
+        /// <param name="cells">Cells a side of the grid that its blocks are cut from.</param>
+        public static BenchConfig SparseSurface(int cells) => Still("sparse", BenchSurfaceKind.Sparse, cells);
+
+        /// <summary>The sparse surface with a field and a cell of its own, without a step.</summary>
+        /// <param name="quality">The field's quality.</param>
+        public static BenchConfig SparseSurface(FluidSurfaceQuality quality) =>
+            Still("sparse_" + quality.ToString().ToLowerInvariant(), BenchSurfaceKind.Sparse, 0, quality);
+
+        static BenchConfig Still(string name, BenchSurfaceKind kind, int cells, FluidSurfaceQuality? quality = null) =>
+            new BenchConfig(BenchSolver.ThesisOctant, name, kind, cells, false, quality);
     }
 }

@@ -6,31 +6,36 @@ using UnityEngine.Rendering;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Draws the liquid as the components do, with their materials, into a picture of its own: into the same command buffer as the
-    /// step, so that nothing else of a game's frame is measured.
+    /// The picture that drawings of the benchmark go to, with its camera and light, and the particles: recorded into the same command buffer as
+    /// the step, so that nothing else of a game's frame is measured.
     /// </summary>
     sealed class BenchDrawing : IDisposable
     {
         public const int Width = 1280;
         public const int Height = 720;
+        public const int ForwardPass = 0;
 
-        const int ForwardPass = 0;
-        const float IsoValue = 0.5f;
+        /// <summary>Iso value of every surface with the thesis's field.</summary>
+        public const float IsoValue = 0.5f;
+
+        /// <summary>Smoothness of every surface.</summary>
+        public const float Smoothness = 0.75f;
+
+        /// <summary>Colour of every drawing.</summary>
+        public static readonly Color Colour = new Color(0.06f, 0.4f, 0.66f);
+
         const float SquareSize = 1.2f; // as FluidParticleRenderer's default
 
         static readonly ProfilerMarker ParticlesMarker = ComputeKernel.CreateMarker(BenchBlocks.DrawParticles);
         static readonly ProfilerMarker SurfaceMarker = ComputeKernel.CreateMarker(BenchBlocks.DrawSurface);
-        static readonly Color Colour = new Color(0.06f, 0.4f, 0.66f);
         static readonly Vector3 Eye = new Vector3(1f, 0.7f, -1.6f);
         static readonly int CameraPosition = Shader.PropertyToID("_WorldSpaceCameraPos");
         static readonly int LightDirection = Shader.PropertyToID("_WorldSpaceLightPos0");
         static readonly int LightColour = Shader.PropertyToID("_LightColor0");
 
-        readonly DrawPlacement placement = new DrawPlacement(Matrix4x4.identity, Vector3.one * BenchLiquid.Edge, 0f, 0, false);
         readonly Matrix4x4 view;
         readonly Matrix4x4 projection = Matrix4x4.Perspective(45f, (float)Width / Height, 0.1f, 10f);
         readonly ParticleSquares squares;
-        readonly GeometrySurface surface;
         RenderTexture target;
 
         public BenchDrawing(FluidShaderSet shaders)
@@ -39,13 +44,12 @@ namespace SphFluid.Validation
             Quaternion rotation = Quaternion.LookRotation(-Eye, Vector3.up);
             view = Matrix4x4.Scale(new Vector3(1f, 1f, -1f)) * Matrix4x4.TRS(Eye, rotation, Vector3.one).inverse;
             squares = new ParticleSquares(shaders);
-            surface = GeometrySurface.MissingSupport() == null ? new GeometrySurface(shaders) : null;
             target = new RenderTexture(Width, Height, 24) { name = "SPH Fluid benchmark", hideFlags = HideFlags.HideAndDontSave };
             target.Create();
         }
 
-        /// <summary>Whether the device has geometry shaders.</summary>
-        public bool HasSurface => surface != null;
+        /// <summary>Where the liquid stands in the picture.</summary>
+        public DrawPlacement Placement { get; } = new DrawPlacement(Matrix4x4.identity, Vector3.one * BenchLiquid.Edge, 0f, 0, false);
 
         /// <summary>The picture drawn last.</summary>
         public RenderTexture Target => target;
@@ -56,23 +60,23 @@ namespace SphFluid.Validation
             cmd.BeginSample(ParticlesMarker);
             Begin(cmd);
             cmd.DrawProcedural(Matrix4x4.identity, squares.Material, ForwardPass, MeshTopology.Triangles,
-                solver.ParticleCount * ParticleSquares.VerticesPerParticle, 1, squares.Properties(solver.Particles, look, placement));
+                solver.ParticleCount * ParticleSquares.VerticesPerParticle, 1, squares.Properties(solver.Particles, look, Placement));
             cmd.EndSample(ParticlesMarker);
         }
 
-        public void RecordSurface(CommandBuffer cmd, SurfaceField field)
+        /// <summary>Before the drawing of a surface: an empty picture.</summary>
+        public void BeginSurface(CommandBuffer cmd)
         {
             cmd.BeginSample(SurfaceMarker);
             Begin(cmd);
-            cmd.DrawProcedural(Matrix4x4.identity, surface.Material, ForwardPass, MeshTopology.Points, field.Grid.CubeCount, 1,
-                surface.Properties(field, IsoValue, Colour, 0.75f, placement));
-            cmd.EndSample(SurfaceMarker);
         }
+
+        /// <summary>Behind the drawing of a surface.</summary>
+        public void EndSurface(CommandBuffer cmd) => cmd.EndSample(SurfaceMarker);
 
         public void Dispose()
         {
             squares.Dispose();
-            surface?.Dispose();
             if (target != null)
                 target.Release();
             DrawMaterial.Destroy(ref target);

@@ -40,6 +40,9 @@ namespace SphFluid.Validation
         /// <summary>What samples start from: settled by <see cref="Settle"/>, or another liquid's.</summary>
         public BenchState State { get; set; }
 
+        /// <summary>A marching-cubes grid over the domain.</summary>
+        public static SurfaceGrid SurfaceGrid(int cells) => new SurfaceGrid(Vector3.one * (-0.5f * Edge), Vector3.one * Edge, cells);
+
         /// <summary>Records some of the steps to the saved state; false when all are done and the state is saved.</summary>
         public bool Settle(CommandBuffer cmd, int steps)
         {

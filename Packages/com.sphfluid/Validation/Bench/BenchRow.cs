@@ -7,6 +7,7 @@ namespace SphFluid.Validation
     public sealed class BenchRow
     {
         readonly List<BenchTimes> samples = new List<BenchTimes>();
+        readonly List<double> setups = new List<double>();
 
         /// <summary>A row without samples.</summary>
         /// <param name="config">What a frame does.</param>
@@ -50,6 +51,9 @@ namespace SphFluid.Validation
         /// <summary>Compute dispatches of a frame.</summary>
         public long Dispatches { get; set; }
 
+        /// <summary>The surface that was drawn last; all nothing without one.</summary>
+        public BenchSurfaceFacts Surface { get; set; }
+
         /// <summary>What is to be known when the row is read; empty when nothing.</summary>
         public string Note { get; set; } = "";
 
@@ -79,8 +83,15 @@ namespace SphFluid.Validation
         /// <param name="index">Number of the block.</param>
         public double Share(int index) => SampleStatistics.Of(samples.Select(s => s.Block(index) / s.Frame).ToList()).Median;
 
+        /// <summary>GPU time of the neighbour setup before the frames of a sample, and no part of them, median of the samples [ms]; not a number where there was none.</summary>
+        public double NeighbourSetup => setups.Count > 0 ? SampleStatistics.Of(setups).Median : double.NaN;
+
         /// <summary>Adds a sample.</summary>
         /// <param name="times">Times of one frame or more.</param>
         public void Add(BenchTimes times) => samples.Add(times);
+
+        /// <summary>Adds a time of the neighbour setup.</summary>
+        /// <param name="milliseconds">GPU time [ms].</param>
+        public void AddNeighbourSetup(double milliseconds) => setups.Add(milliseconds);
     }
 }

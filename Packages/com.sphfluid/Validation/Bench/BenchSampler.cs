@@ -7,18 +7,19 @@ using UnityEngine.Rendering;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Records frames of the benchmark, one step each, and measures them. All waiting is by yielding a frame of the engine.</summary>
+    /// <summary>Records frames of the benchmark and measures them. All waiting is by yielding a frame of the engine.</summary>
     sealed class BenchSampler : IDisposable
     {
         // One submission: bounded so that no driver takes it for a hang.
         const int MostFramesAtOnce = 128;
         const double SubmissionMilliseconds = 500.0;
         const int EngineFramesToWait = 200;
+        const int MostTrials = 16;
 
         static readonly ProfilerMarker frameMarker = ComputeKernel.CreateMarker(BenchBlocks.Frame);
 
         readonly FluidShaderSet shaders;
-        readonly Dictionary<int, SurfaceField> fields = new Dictionary<int, SurfaceField>();
+        readonly Dictionary<BenchConfig, IBenchSurface> surfaces = new Dictionary<BenchConfig, IBenchSurface>();
         readonly GpuClock clock;
         readonly CommandBuffer cmd = new CommandBuffer { name = "Fluid Benchmark" };
         readonly BenchDrawing drawing;
@@ -38,6 +39,9 @@ namespace SphFluid.Validation
 
         /// <summary>Compute dispatches of a frame of the last sample.</summary>
         public long Dispatches { get; private set; }
+
+        /// <summary>Time of the neighbour setup that the last sample's surface read [ms]; null without a surface.</summary>
+        public double? NeighbourSetup { get; private set; }
 
         /// <summary>Runs the steps before the saved state; <see cref="Last"/> then is their time.</summary>
         public IEnumerator Settle(BenchLiquid liquid)
@@ -62,6 +66,8 @@ namespace SphFluid.Validation
         /// <param name="expected">Expected time of a frame [ms]; 0 when it is not known.</param>
         public IEnumerator Sample(BenchLiquid liquid, BenchConfig config, double expected)
         {
+            IBenchSurface surface = SurfaceOf(config, liquid.Solver);
+            NeighbourSetup = null;
             BenchTimes? sum = null;
             do
             {
@@ -70,13 +76,13 @@ namespace SphFluid.Validation
                 // particles in, and the sort of a surface serves the next step.
                 if (liquid.Solver.Kind == FluidMethodKind.Standard)
                     yield return Prepare(liquid.Solver, () => liquid.Solver.RecordSteps(cmd, 1));
-                if (config.Grid > 0)
-                    yield return Prepare(liquid.Solver, () => liquid.Solver.RecordNeighbourSetup(cmd));
+                if (surface != null)
+                    yield return PrepareSurface(liquid.Solver, surface);
                 double missing = Math.Min(SubmissionMilliseconds, SampleMilliseconds - (sum?.Total ?? 0.0));
                 int frames = expected > 0.0 ? (int)Math.Max(1.0, Math.Min(MostFramesAtOnce, Math.Ceiling(1.05 * missing / expected))) : 1;
                 cmd.Clear();
                 for (int i = 0; i < frames; i++)
-                    Record(liquid, config);
+                    Record(liquid, config, surface);
                 yield return Submit(() => liquid.Solver.ReadCountersNow(), frames);
                 expected = Last.Frame;
                 sum = sum?.Plus(Last) ?? Last;
@@ -100,11 +106,27 @@ namespace SphFluid.Validation
 
         public void Dispose()
         {
-            foreach (SurfaceField field in fields.Values)
-                field.Dispose();
+            foreach (IBenchSurface surface in surfaces.Values)
+                surface.Dispose();
             clock.Dispose();
             cmd.Dispose();
             drawing.Dispose();
+        }
+
+        /// <summary>What a configuration's surface consisted of when it was drawn last; all nothing without one.</summary>
+        public BenchSurfaceFacts FactsOf(in BenchConfig config) => surfaces.TryGetValue(config, out IBenchSurface surface) ? surface.Facts : default;
+
+        IEnumerator PrepareSurface(FluidSolver solver, IBenchSurface surface)
+        {
+            yield return Prepare(solver, () => solver.RecordNeighbourSetup(cmd));
+            NeighbourSetup = Last.Total;
+            for (int trial = 0; !surface.HasRoom; trial++)
+            {
+                if (trial == MostTrials)
+                    throw new FluidDeviceException($"A surface found no room for its mesh in {MostTrials} frames.");
+                yield return Prepare(solver, () => surface.RecordTrial(cmd, solver));
+                surface.TakeTrial();
+            }
         }
 
         IEnumerator Prepare(FluidSolver solver, Action record)
@@ -116,21 +138,15 @@ namespace SphFluid.Validation
             return Submit(() => solver.ReadCountersNow(), 1);
         }
 
-        void Record(BenchLiquid liquid, in BenchConfig config)
+        void Record(BenchLiquid liquid, in BenchConfig config, IBenchSurface surface)
         {
             long before = ComputeKernel.DispatchesRecorded;
             cmd.BeginSample(frameMarker);
-            liquid.Solver.RecordSteps(cmd, 1);
-            if (config.Grid > 0)
-            {
-                SurfaceField field = Field(config.Grid);
-                field.Record(cmd, liquid.Solver);
-                drawing.RecordSurface(cmd, field);
-            }
-            else if (config.Surface == BenchConfig.SphParticles.Surface)
-            {
+            if (config.HasStep)
+                liquid.Solver.RecordSteps(cmd, 1);
+            if (config.Kind == BenchSurfaceKind.Particles)
                 drawing.RecordParticles(cmd, liquid.Solver);
-            }
+            surface?.Record(cmd, liquid.Solver, drawing);
             cmd.EndSample(frameMarker);
             Dispatches = ComputeKernel.DispatchesRecorded - before;
         }
@@ -153,14 +169,26 @@ namespace SphFluid.Validation
             Last = clock.Times(frames);
         }
 
-        SurfaceField Field(int cells)
+        IBenchSurface SurfaceOf(in BenchConfig config, FluidSolver solver)
         {
-            if (!fields.TryGetValue(cells, out SurfaceField field))
+            if (!config.HasSurface)
+                return null;
+            if (!surfaces.TryGetValue(config, out IBenchSurface surface))
             {
-                field = new SurfaceField(shaders, new SurfaceGrid(Vector3.one * (-0.5f * BenchLiquid.Edge), Vector3.one * BenchLiquid.Edge, cells));
-                fields.Add(cells, field);
+                surface = Create(config, solver);
+                surfaces.Add(config, surface);
             }
-            return field;
+            return surface;
+        }
+
+        IBenchSurface Create(in BenchConfig config, FluidSolver solver)
+        {
+            switch (config.Kind)
+            {
+                case BenchSurfaceKind.Geometry: return new GeometryBenchSurface(shaders, config.Grid);
+                case BenchSurfaceKind.DenseCompute: return new DenseBenchSurface(shaders, config.Grid);
+                default: return new SparseBenchSurface(shaders, config, solver.Settings);
+            }
         }
     }
 }

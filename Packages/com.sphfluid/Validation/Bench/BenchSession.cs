@@ -89,17 +89,17 @@ namespace SphFluid.Validation
 
         IEnumerable<BenchPlan> Plans()
         {
-            if (arguments.Table != BenchArguments.SolverTable)
+            string lack = GeometrySurface.MissingSupport();
+            if (arguments.Wants(BenchArguments.ThesisTable))
             {
-                string missing = GeometrySurface.MissingSupport();
-                if (missing != null && arguments.Grids.Count > 0)
-                    progress.Say(missing + " The rows with marching cubes are left out.");
-                yield return BenchPlan.Thesis(arguments.Particles, missing == null ? arguments.Grids : Array.Empty<int>());
+                yield return BenchPlan.Thesis(arguments.Particles, arguments.Grids, lack);
                 if (arguments.Sweep ?? !SurfaceGridSizes.IsSoftwareDevice)
                     yield return BenchPlan.Sweep(SweepParticles());
             }
-            if (arguments.Table != BenchArguments.ThesisTable)
+            if (arguments.Wants(BenchArguments.SolverTable))
                 yield return BenchPlan.Solver(arguments.Particles);
+            if (arguments.Wants(BenchArguments.SurfaceTable))
+                yield return BenchPlan.Surface(arguments.Particles, arguments.Grids, lack);
         }
 
         IEnumerator Measure(BenchPlan plan)
@@ -108,17 +108,19 @@ namespace SphFluid.Validation
             var table = new BenchTable(plan.Name, SystemInfo.graphicsDeviceName, date, plan.Layout);
             tables.Add(table);
             table.Write(arguments.OutputFolder);
-            sampler = new BenchSampler(shaders, plan.Blocks) { SampleMilliseconds = SampleMilliseconds };
+            if (plan.LeftOut != null)
+                progress.Say(plan.LeftOut);
             IEnumerable<IReadOnlyList<int>> sizes = plan.SizeBySize ? plan.Particles.Select(n => (IReadOnlyList<int>)new[] { n }) : new[] { plan.Particles };
             foreach (IReadOnlyList<int> particles in sizes)
             {
+                sampler = new BenchSampler(shaders, plan.Blocks) { SampleMilliseconds = SampleMilliseconds };
                 run = new BenchTableRun(table, sampler, arguments, progress);
                 yield return run.Run(shaders, plan, particles);
                 run.Dispose();
+                sampler.Dispose();
                 run = null;
+                sampler = null;
             }
-            sampler.Dispose();
-            sampler = null;
         }
 
         void SayTable(BenchTable table)

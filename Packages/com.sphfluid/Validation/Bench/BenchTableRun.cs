@@ -3,6 +3,7 @@ using System.Collections;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
+using System.Linq;
 
 namespace SphFluid.Validation
 {
@@ -33,7 +34,7 @@ namespace SphFluid.Validation
         public IEnumerator Run(FluidShaderSet shaders, BenchPlan plan, IReadOnlyList<int> particles)
         {
             var clock = Stopwatch.StartNew();
-            progress.Say($"{table.Name}: {particles.Count * plan.Configs.Count} rows on {table.Device}; letting {string.Join(", ", particles)} particles fall first.");
+            progress.Say($"{table.Name}: {particles.Sum(n => plan.ConfigsOf(n).Count)} rows on {table.Device}; letting {string.Join(", ", particles)} particles fall first.");
             if (plan.NeedsCopySpeed)
                 yield return MeasureCopy();
             foreach (int count in particles)
@@ -101,14 +102,14 @@ namespace SphFluid.Validation
                 }
                 liquid.State = state;
             }
-            foreach (BenchConfig config in plan.Configs)
+            foreach (BenchConfig config in plan.ConfigsOf(count))
                 AddRow(liquidsOfSize[config.Solver], config);
         }
 
         void AddRow(BenchLiquid liquid, BenchConfig config)
         {
             FluidSolver solver = liquid.Solver;
-            bool limited = config.Grid > 0 && !SurfaceGridSizes.IsSoftwareDevice;
+            bool limited = config.Kind == BenchSurfaceKind.Geometry && !SurfaceGridSizes.IsSoftwareDevice;
             var row = new BenchRow(config, solver.ParticleCount)
             {
                 Spacing = solver.Settings.Spacing,
@@ -132,10 +133,18 @@ namespace SphFluid.Validation
             yield return sampler.Sample(liquidOf[row], row.Config, cost.Frame);
             row.Dispatches = sampler.Dispatches;
             row.IsListed = liquidOf[row].Solver.State.Standard?.List != null;
+            row.Surface = sampler.FactsOf(row.Config);
             if (keep)
-                row.Add(sampler.Last);
+                Keep(row);
             double wall = clock.Elapsed.TotalSeconds;
             costs[row] = (cost.Frame > 0.0 ? 0.7 * cost.Wall + 0.3 * wall : wall, sampler.Last.Frame);
+        }
+
+        void Keep(BenchRow row)
+        {
+            row.Add(sampler.Last);
+            if (sampler.NeighbourSetup is double milliseconds)
+                row.AddNeighbourSetup(milliseconds);
         }
 
         // Each row costs what its samples did, the last ones more.

@@ -42,7 +42,7 @@ namespace SphFluid.Validation
         }
 
         /// <summary>
-        /// Measures the tables of the thesis, or the methods' steps against each other, on this device: the flags --table, --particles,
+        /// Measures the tables of the thesis, the methods' steps or the surfaces against each other, on this device: the flags --table, --particles,
         /// --grids, --repeat, --out, --sweep and --no-sweep; see <see cref="BenchArguments"/>. The program ends with it. A wrong flag ends it with exit code 2.
         /// </summary>
         public static void Bench() =>
@@ -68,6 +68,13 @@ namespace SphFluid.Validation
         /// </summary>
         public static void Leaks() =>
             Measure((words, progress) => new LeakSession(LeakArguments.Parse(words), SessionAssets.FindShaders(), progress));
+
+        /// <summary>
+        /// Measures how good surfaces of known liquids are: the flags --quick, --state, --variant and --out; see
+        /// <see cref="SurfaceArguments"/>. The program ends with it. A wrong flag ends it with exit code 2.
+        /// </summary>
+        public static void Surfaces() =>
+            Measure((words, progress) => new SurfaceSession(SurfaceArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         internal static void Prepare(PlayArguments arguments)
         {

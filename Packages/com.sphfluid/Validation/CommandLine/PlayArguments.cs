@@ -12,12 +12,12 @@ namespace SphFluid.Validation
     public sealed class PlayArguments
     {
         static readonly string[] flags = { "--method", "--surface", "--particles", "--seed", "--state", "--mesh", "--record" };
-        static readonly string[] surfaces = { "particles", "cubes", "marching-cubes-gs", "none" };
+        static readonly string[] surfaces = { "marching-cubes", "marching-cubes-gs", "cubes", "particles", "none" };
 
         /// <summary>Method for every simulation; null keeps the scene's.</summary>
         public FluidMethodKind? Method { get; private set; }
 
-        /// <summary>Drawing for every simulation: particles, cubes, marching-cubes-gs or none; null keeps the scene's.</summary>
+        /// <summary>Drawing for every simulation: marching-cubes, marching-cubes-gs, cubes, particles or none; null keeps the scene's.</summary>
         public string Surface { get; private set; }
 
         /// <summary>Number of particles for every simulation, by rescaling its spacing; null keeps the scene's.</summary>

@@ -26,20 +26,24 @@ namespace SphFluid.Validation
         public int CountWithin(Vector3[] positions, int particle, float radius)
         {
             int count = 0;
-            Vector3Int centre = Cell(positions[particle]);
+            foreach (int other in Around(positions[particle]))
+                count += other != particle && (positions[other] - positions[particle]).sqrMagnitude < radius * radius ? 1 : 0;
+            return count;
+        }
+
+        /// <summary>The particles of the 27 cells around a position: all within the cells' edge of it, and others.</summary>
+        public IEnumerable<int> Around(Vector3 position)
+        {
+            Vector3Int centre = Cell(position);
             for (int z = -1; z <= 1; z++)
             for (int y = -1; y <= 1; y++)
             for (int x = -1; x <= 1; x++)
             {
                 if (!cells.TryGetValue(centre + new Vector3Int(x, y, z), out List<int> list))
                     continue;
-                foreach (int other in list)
-                {
-                    if (other != particle && (positions[other] - positions[particle]).sqrMagnitude < radius * radius)
-                        count++;
-                }
+                foreach (int particle in list)
+                    yield return particle;
             }
-            return count;
         }
 
         Vector3Int Cell(Vector3 position) => Vector3Int.FloorToInt(position / edge);

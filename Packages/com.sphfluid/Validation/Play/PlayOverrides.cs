@@ -24,61 +24,52 @@ namespace SphFluid.Validation
         /// <summary>What draws a simulation now, in the words of --surface.</summary>
         public static string SurfaceOf(FluidSimulation simulation)
         {
-            foreach (FluidRenderer renderer in Renderers(simulation))
+            foreach (FluidView view in ViewsOf(simulation))
             {
-                if (!renderer.isActiveAndEnabled)
-                    continue;
-                return NameOf(renderer);
+                if (view.isActiveAndEnabled)
+                    return NameOf(view);
             }
             return "none";
         }
 
-        static string NameOf(FluidRenderer renderer)
+        /// <summary>The components that show a simulation, disabled ones too.</summary>
+        public static IEnumerable<FluidView> ViewsOf(FluidSimulation simulation)
         {
-            if (!(renderer is FluidSurfaceRenderer surface) || surface.UsesFallback)
+            foreach (FluidView view in Object.FindObjectsByType<FluidView>(FindObjectsInactive.Include, FindObjectsSortMode.InstanceID))
+            {
+                if (view.Simulation == simulation)
+                    yield return view;
+            }
+        }
+
+        static string NameOf(FluidView view)
+        {
+            if (view is FluidParticleRenderer)
                 return "particles";
-            return surface.Style == FluidSurfaceStyle.Cubes ? "cubes" : "marching-cubes-gs";
-        }
-
-        /// <summary>The iso value of a simulation's surface; the default where it has none.</summary>
-        public static float IsoValueOf(FluidSimulation simulation)
-        {
-            foreach (FluidRenderer renderer in Renderers(simulation))
-            {
-                if (renderer is FluidSurfaceRenderer surface)
-                    return surface.IsoValue;
-            }
-            return 0.5f;
-        }
-
-        /// <summary>Cells a side of a simulation's surface grid; automatic where it has none.</summary>
-        public static SurfaceGridSize GridSizeOf(FluidSimulation simulation)
-        {
-            foreach (FluidRenderer renderer in Renderers(simulation))
-            {
-                if (renderer is FluidSurfaceRenderer surface)
-                    return surface.GridSize;
-            }
-            return SurfaceGridSize.Automatic;
+            if (!(view is FluidGeometrySurfaceRenderer thesis) || thesis.UsesFallback)
+                return "marching-cubes";
+            return thesis.Style == FluidSurfaceStyle.Cubes ? "cubes" : "marching-cubes-gs";
         }
 
         static void SetSurface(FluidSimulation simulation, string surface)
         {
-            foreach (FluidRenderer renderer in Renderers(simulation))
-                renderer.enabled = false;
+            foreach (FluidView view in ViewsOf(simulation))
+                view.enabled = false;
             if (surface == "particles")
                 Enable<FluidParticleRenderer>(simulation);
+            else if (surface == "marching-cubes")
+                Enable<FluidSurfaceRenderer>(simulation);
             else if (surface == "cubes")
-                Enable<FluidSurfaceRenderer>(simulation).Style = FluidSurfaceStyle.Cubes;
+                Enable<FluidGeometrySurfaceRenderer>(simulation).Style = FluidSurfaceStyle.Cubes;
             else if (surface == "marching-cubes-gs")
-                Enable<FluidSurfaceRenderer>(simulation).Style = FluidSurfaceStyle.MarchingCubes;
+                Enable<FluidGeometrySurfaceRenderer>(simulation).Style = FluidSurfaceStyle.MarchingCubes;
         }
 
-        static T Enable<T>(FluidSimulation simulation) where T : FluidRenderer
+        static T Enable<T>(FluidSimulation simulation) where T : FluidView
         {
-            foreach (FluidRenderer renderer in Renderers(simulation))
+            foreach (FluidView view in ViewsOf(simulation))
             {
-                if (renderer is T found)
+                if (view is T found)
                 {
                     found.enabled = true;
                     return found;
@@ -87,15 +78,6 @@ namespace SphFluid.Validation
             var added = simulation.gameObject.AddComponent<T>();
             added.Simulation = simulation;
             return added;
-        }
-
-        static IEnumerable<FluidRenderer> Renderers(FluidSimulation simulation)
-        {
-            foreach (FluidRenderer renderer in Object.FindObjectsByType<FluidRenderer>(FindObjectsInactive.Include, FindObjectsSortMode.InstanceID))
-            {
-                if (renderer.Simulation == simulation)
-                    yield return renderer;
-            }
         }
     }
 }

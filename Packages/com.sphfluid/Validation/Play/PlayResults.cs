@@ -47,8 +47,7 @@ namespace SphFluid.Validation
 
         static void WriteMesh(string file, FluidSimulation simulation)
         {
-            SurfaceMesh mesh = FluidSurfaceMesher.Extract(simulation.Solver, simulation.Profile.Shaders,
-                PlayOverrides.GridSizeOf(simulation), PlayOverrides.IsoValueOf(simulation));
+            SurfaceMesh mesh = PlaySurface.Extract(simulation);
             PlyWriter.WriteMesh(file, mesh.Transformed(simulation.LocalToWorld));
         }
 

@@ -13,7 +13,8 @@ namespace SphFluid.Validation
         /// <exception cref="FluidDeviceException">There is none.</exception>
         public static FluidShaderSet FindShaders()
         {
-            FluidShaderSet shaders = FluidSimulation.Active.Where(s => s.Profile != null).Select(s => s.Profile.Shaders).FirstOrDefault(s => s != null) ?? FromDatabase();
+            FluidShaderSet shaders = FluidSimulation.Active.Where(s => s.Profile != null).Select(s => s.Profile.Shaders).FirstOrDefault(s => s != null) ??
+                Load<FluidShaderSet>(ShaderSet);
             if (shaders == null)
             {
                 throw new FluidDeviceException("No shaders were found: in a built player load a scene with a fluid simulation before, " +
@@ -22,12 +23,14 @@ namespace SphFluid.Validation
             return shaders;
         }
 
-        // By reflection: this assembly is also part of built players, which have no UnityEditor.
-        static FluidShaderSet FromDatabase()
+        /// <summary>An asset of the package by its path, in the Editor and the headless player; null elsewhere, and where there is none.</summary>
+        /// <param name="path">Path that starts with Packages/com.sphfluid.</param>
+        public static T Load<T>(string path) where T : UnityEngine.Object
         {
+            // By reflection: this assembly is also part of built players, which have no UnityEditor.
             Type database = Type.GetType("UnityEditor.AssetDatabase, UnityEditor");
             MethodInfo load = database?.GetMethod("LoadAssetAtPath", new[] { typeof(string), typeof(Type) });
-            return (FluidShaderSet)load?.Invoke(null, new object[] { ShaderSet, typeof(FluidShaderSet) });
+            return (T)load?.Invoke(null, new object[] { path, typeof(T) });
         }
     }
 }

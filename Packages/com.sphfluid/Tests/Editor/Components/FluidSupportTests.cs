@@ -45,7 +45,7 @@ namespace SphFluid.Tests
             FluidSupport support = FluidSupport.From(device);
             Assert.That(support.Simulation);
             Assert.That(support.GeometrySurface, Is.False);
-            Assert.That(support.Messages.Single().Cure, Does.Contain("Fluid Particle Renderer"));
+            Assert.That(support.Messages.Single().Cure, Does.Contain("Fluid Surface Renderer"));
         }
 
         static DeviceCapabilities Device() => new DeviceCapabilities

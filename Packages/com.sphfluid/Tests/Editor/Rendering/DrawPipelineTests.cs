@@ -17,18 +17,35 @@ namespace SphFluid.Tests
         static readonly string[] shaderFiles =
         {
             "Rendering/FluidParticles.shader", "Rendering/ParticleSquares.hlsl", "Rendering/FluidShading.hlsl",
-            "Surface/FluidSurfaceGeometry.shader", "Surface/SurfaceGeometry.hlsl", "Surface/SurfaceShading.hlsl", "Surface/MarchingCubes.hlsl",
+            "Rendering/FluidSurface.shader", "Rendering/FluidWater.shader", "Rendering/WaterThickness.shader", "Rendering/WaterDepth.shader",
+            "Rendering/SurfaceDrawing.hlsl",
+            "Rendering/WaterPath.hlsl", "Rendering/WaterShading.hlsl", "Rendering/WaterThickness.hlsl",
+            "Surface/FluidSurfaceGeometry.shader", "Surface/SurfaceFragment.hlsl", "Surface/SurfaceGeometry.hlsl", "Surface/SurfaceShading.hlsl",
+            "Surface/SurfaceGrid.hlsl", "Surface/MarchingCubes.hlsl", "Surface/Sparse/SurfaceVertices.hlsl",
         };
 
         [TestCase("Rendering/FluidParticles.shader")]
+        [TestCase("Rendering/FluidSurface.shader")]
         [TestCase("Surface/FluidSurfaceGeometry.shader")]
-        public void PassesServeBuiltInAndScriptablePipelines(string file)
+        public void PassesServeBuiltInAndScriptablePipelines(string file) => CheckPasses(file, "ShadowCaster", "DepthOnly", "DepthNormalsOnly");
+
+        // Of transparent things no pipeline wants the depth.
+        [Test]
+        public void WaterIsTransparentAndCastsShadows()
+        {
+            CheckPasses("Rendering/FluidWater.shader", "ShadowCaster");
+            string text = Text("Rendering/FluidWater.shader");
+            StringAssert.Contains("\"Queue\" = \"Transparent\"", text);
+            StringAssert.Contains("Blend One OneMinusSrcAlpha", text);
+        }
+
+        static void CheckPasses(string file, params string[] expected)
         {
             string text = Text(file);
             var modes = new List<string>();
             foreach (Match match in Regex.Matches(text, "\"LightMode\" = \"(\\w+)\""))
                 modes.Add(match.Groups[1].Value);
-            Assert.AreEqual(new[] { "ShadowCaster", "DepthOnly", "DepthNormalsOnly" }, modes.ToArray());
+            Assert.AreEqual(expected, modes.ToArray());
             StringAssert.IsMatch("Name \"Forward\"\\s+Cull", text, "the first pass has no LightMode: every pipeline draws it");
             StringAssert.DoesNotContain("RenderPipeline", text, "one SubShader for all pipelines");
         }

@@ -101,10 +101,12 @@ namespace SphFluid.Tests
         public void PackedTablesLieWhereTheShaderLooks()
         {
             int[] packed = MarchingCubesTables.Pack();
-            Assert.AreEqual(256 + 4096 + 24, packed.Length);
+            Assert.AreEqual(256 + 4096 + 24 + 256, packed.Length);
             Assert.AreEqual(MarchingCubesTables.EdgeTable[255 - 1], packed[254]);
             Assert.AreEqual(MarchingCubesTables.TriangleTable[254 * 16], packed[256 + 254 * 16]);
             Assert.AreEqual(MarchingCubesTables.EdgeCorners[23], packed[4352 + 23]);
+            for (int index = 0; index < MarchingCubesTables.CaseCount; index++)
+                Assert.AreEqual(Row(index).Count, packed[4376 + index], $"case {index}");
         }
 
         static void CompareJoints(Dictionary<int, string> joints, int index, int axis, int side, int direction)

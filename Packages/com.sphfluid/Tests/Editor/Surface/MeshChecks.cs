@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using NUnit.Framework;
+using SphFluid.Validation;
 using UnityEngine;
 
 namespace SphFluid.Tests
@@ -10,14 +11,8 @@ namespace SphFluid.Tests
         /// <summary>Each side of a triangle belongs to exactly one other triangle, which runs along it the other way.</summary>
         public static void AssertClosed(SurfaceMesh mesh)
         {
-            var sides = new HashSet<(int from, int to)>();
-            for (int i = 0; i < mesh.Indices.Length; i++)
-            {
-                int next = i % 3 == 2 ? i - 2 : i + 1;
-                Assert.IsTrue(sides.Add((mesh.Indices[i], mesh.Indices[next])), $"two triangles share a side in the same direction, at index {i}");
-            }
-            foreach ((int from, int to) in sides)
-                Assert.IsTrue(sides.Contains((to, from)), $"open side between {mesh.Positions[from]} and {mesh.Positions[to]}");
+            MeshEdges edges = MeshEdges.Of(mesh);
+            Assert.IsTrue(edges.IsClosed, $"{edges.OpenEdges} open edges, {edges.NonManifoldEdges} of three triangles or more, {edges.FlippedEdges} flipped");
         }
 
         /// <summary>No triangle without area, no vertex that is not a number, normals of unit length.</summary>
@@ -30,6 +25,89 @@ namespace SphFluid.Tests
             }
             for (int i = 0; i < mesh.Indices.Length; i += 3)
                 Assert.Greater(FaceNormal(mesh, i).magnitude, 0f, $"triangle {i / 3} has no area");
+        }
+
+        /// <summary>No two triangles with the same three corners.</summary>
+        public static void AssertNoDuplicates(SurfaceMesh mesh)
+        {
+            var seen = new HashSet<(int, int, int)>();
+            for (int i = 0; i < mesh.Indices.Length; i += 3)
+            {
+                var corners = new[] { mesh.Indices[i], mesh.Indices[i + 1], mesh.Indices[i + 2] };
+                System.Array.Sort(corners);
+                Assert.IsTrue(seen.Add((corners[0], corners[1], corners[2])), $"triangle {i / 3} is there twice");
+            }
+        }
+
+        /// <summary>Vertices less edges plus triangles: 2 a ball, 0 a torus.</summary>
+        public static int EulerCharacteristic(SurfaceMesh mesh) => MeshEdges.Of(mesh).Euler;
+
+        /// <summary>Sides that belong to one triangle only.</summary>
+        public static List<(Vector3 a, Vector3 b)> BoundarySides(SurfaceMesh mesh)
+        {
+            var sides = new HashSet<(int from, int to)>();
+            for (int i = 0; i < mesh.Indices.Length; i++)
+                sides.Add((mesh.Indices[i], mesh.Indices[i % 3 == 2 ? i - 2 : i + 1]));
+            var boundary = new List<(Vector3 a, Vector3 b)>();
+            foreach ((int from, int to) in sides)
+            {
+                if (!sides.Contains((to, from)))
+                    boundary.Add((mesh.Positions[from], mesh.Positions[to]));
+            }
+            return boundary;
+        }
+
+        /// <summary>The same triangles in any order: each has one in the other mesh whose corners lie within the tolerance.</summary>
+        public static void AssertSameTriangles(SurfaceMesh expected, SurfaceMesh found, float tolerance)
+        {
+            Assert.AreEqual(expected.TriangleCount, found.TriangleCount, "triangles");
+            Assert.AreEqual(expected.VertexCount, found.VertexCount, "vertices");
+            int[] twins = NearestVertices(expected, found, tolerance);
+            var triangles = new HashSet<(int, int, int)>();
+            for (int i = 0; i < found.Indices.Length; i += 3)
+                triangles.Add(LowestFirst(found.Indices[i], found.Indices[i + 1], found.Indices[i + 2]));
+            for (int i = 0; i < expected.Indices.Length; i += 3)
+            {
+                (int, int, int) twin = LowestFirst(twins[expected.Indices[i]], twins[expected.Indices[i + 1]], twins[expected.Indices[i + 2]]);
+                Assert.IsTrue(triangles.Contains(twin), $"triangle {i / 3} at {expected.Positions[expected.Indices[i]]} is missing");
+            }
+        }
+
+        // Vertices of a mesh are farther apart than the tolerance, the edge of a cell of the hash.
+        static int[] NearestVertices(SurfaceMesh from, SurfaceMesh to, float tolerance)
+        {
+            var cells = new Dictionary<Vector3Int, int>();
+            for (int i = 0; i < to.VertexCount; i++)
+                cells[Vector3Int.FloorToInt(to.Positions[i] / tolerance)] = i;
+            var nearest = new int[from.VertexCount];
+            for (int i = 0; i < nearest.Length; i++)
+            {
+                nearest[i] = -1;
+                Vector3Int centre = Vector3Int.FloorToInt(from.Positions[i] / tolerance);
+                for (int k = 0; k < 27; k++)
+                {
+                    var neighbour = centre + new Vector3Int(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+                    if (cells.TryGetValue(neighbour, out int other) && (to.Positions[other] - from.Positions[i]).magnitude <= tolerance)
+                        nearest[i] = other;
+                }
+                Assert.GreaterOrEqual(nearest[i], 0, $"no vertex at {from.Positions[i]:F9}; the nearest lies {Nearest(to, from.Positions[i])} m away");
+            }
+            return nearest;
+        }
+
+        static float Nearest(SurfaceMesh mesh, Vector3 p)
+        {
+            float nearest = float.PositiveInfinity;
+            foreach (Vector3 q in mesh.Positions)
+                nearest = Mathf.Min(nearest, (q - p).magnitude);
+            return nearest;
+        }
+
+        static (int, int, int) LowestFirst(int a, int b, int c)
+        {
+            if (a < b && a < c)
+                return (a, b, c);
+            return b < c ? (b, c, a) : (c, a, b);
         }
 
         /// <summary>Twice the area along the side that a triangle faces.</summary>

@@ -72,8 +72,8 @@ namespace SphFluid.Tests
                     float[] factors = GpuTest.Read<float>(field.Values, grid.VertexCount);
                     for (int i = 0; i < factors.Length; i++)
                     {
-                        Vector3 position = grid.Position(i % grid.VerticesPerSide, i / grid.VerticesPerSide % grid.VerticesPerSide,
-                            i / (grid.VerticesPerSide * grid.VerticesPerSide));
+                        Vector3Int sides = grid.Vertices;
+                        Vector3 position = grid.Position(i % sides.x, i / sides.x % sides.y, i / (sides.x * sides.y));
                         if ((position - one[0].Position).magnitude > 1.0001f * settings.SupportRadius)
                             Assert.AreEqual(0f, factors[i], $"{position} is out of reach");
                         else if ((position - one[0].Position).magnitude < 0.99f * settings.SupportRadius)
@@ -106,13 +106,13 @@ namespace SphFluid.Tests
             }
         }
 
-        static IEnumerable<Vector3Int> SomeVertices(int cells, int count)
+        static IEnumerable<Vector3Int> SomeVertices(Vector3Int cells, int count)
         {
             for (int corner = 0; corner < 8; corner++)
-                yield return new Vector3Int((corner & 1) * cells, (corner >> 1 & 1) * cells, (corner >> 2) * cells);
+                yield return new Vector3Int((corner & 1) * cells.x, (corner >> 1 & 1) * cells.y, (corner >> 2) * cells.z);
             var random = new System.Random(3);
             for (int i = 0; i < count; i++)
-                yield return new Vector3Int(random.Next(cells + 1), random.Next(cells + 1), random.Next(cells + 1));
+                yield return new Vector3Int(random.Next(cells.x + 1), random.Next(cells.y + 1), random.Next(cells.z + 1));
         }
 
         static double Factor(FluidParticle[] particles, FluidSolverSettings settings, Vector3 position)

@@ -28,11 +28,11 @@ namespace SphFluid.Tests
         public static SurfaceField Field(FluidShaderSet shaders, SurfaceGrid grid, Func<Vector3, float> density)
         {
             var values = new float[grid.VertexCount];
-            for (int z = 0; z <= grid.Cells; z++)
+            for (int z = 0; z <= grid.Cells.z; z++)
             {
-                for (int y = 0; y <= grid.Cells; y++)
+                for (int y = 0; y <= grid.Cells.y; y++)
                 {
-                    for (int x = 0; x <= grid.Cells; x++)
+                    for (int x = 0; x <= grid.Cells.x; x++)
                         values[grid.Index(x, y, z)] = density(grid.Position(x, y, z));
                 }
             }

@@ -17,6 +17,7 @@ namespace SphFluid.Tests
 
         [TestCase("particles")]
         [TestCase("cubes")]
+        [TestCase("marching-cubes")]
         [TestCase("marching-cubes-gs")]
         [TestCase("none")]
         public void SurfaceIsReportedAsItWasAskedFor(string surface)
@@ -28,7 +29,7 @@ namespace SphFluid.Tests
         [Test]
         public void StyleOfTheScenesRendererFollows()
         {
-            var drawing = simulation.gameObject.AddComponent<FluidSurfaceRenderer>();
+            var drawing = simulation.gameObject.AddComponent<FluidGeometrySurfaceRenderer>();
             Apply("cubes");
             Assert.AreEqual(FluidSurfaceStyle.Cubes, drawing.Style);
             Assert.AreEqual(1, simulation.GetComponents<FluidRenderer>().Length, "no second renderer");

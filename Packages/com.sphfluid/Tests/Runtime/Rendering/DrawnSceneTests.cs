@@ -12,47 +12,33 @@ namespace SphFluid.Tests
         const int Height = 64;
 
         SimulationRig rig;
-        Camera camera;
-        Light light;
-        RenderTexture target;
+        PictureRig view;
 
         [SetUp]
         public void SetUp()
         {
             rig = new SimulationRig();
-            target = new RenderTexture(Width, Height, 24);
-            camera = rig.NewObject("Camera").AddComponent<Camera>();
-            camera.transform.position = new Vector3(0f, 0f, -2f);
-            camera.orthographic = true;
-            camera.orthographicSize = 0.25f;
-            camera.clearFlags = CameraClearFlags.SolidColor;
-            camera.backgroundColor = Color.black;
-            camera.targetTexture = target;
-            light = rig.NewObject("Light").AddComponent<Light>();
-            light.type = LightType.Directional;
-            light.transform.rotation = Quaternion.Euler(30f, 20f, 0f);
+            view = new PictureRig(Width, Height, 0.25f);
         }
 
         [TearDown]
         public void TearDown()
         {
-            camera.targetTexture = null;
+            view.Dispose();
             rig.Dispose();
-            target.Release();
-            Object.DestroyImmediate(target);
         }
 
         [UnityTest]
         public IEnumerator TwoLiquidsKeepTheirColours()
         {
             var left = rig.Create("Left", position: new Vector3(-0.25f, 0f, 0f)).gameObject.AddComponent<FluidParticleRenderer>();
-            var right = rig.Create("Right", position: new Vector3(0.25f, 0f, 0f)).gameObject.AddComponent<FluidSurfaceRenderer>();
+            var right = rig.Create("Right", position: new Vector3(0.25f, 0f, 0f)).gameObject.AddComponent<FluidGeometrySurfaceRenderer>();
             if (right.MissingSupport() != null)
                 Assert.Ignore(right.MissingSupport());
             left.Colour = Color.red;
             right.Colour = Color.green;
             right.GridSize = SurfaceGridSize.Cells32;
-            yield return Frames(3);
+            yield return PictureRig.Frames(3);
 
             Color[] picture = Picture();
             Assert.Greater(Count(picture, 0, Width / 2, p => p.r > 2f * p.g && p.r > 0.2f), 200, "red pixels on the left");
@@ -61,7 +47,7 @@ namespace SphFluid.Tests
 
             left.enabled = false;
             right.gameObject.SetActive(false);
-            yield return Frames(2);
+            yield return PictureRig.Frames(2);
             Assert.AreEqual(0, Count(Picture(), 0, Width, p => p.maxColorComponent > 0.05f), "pixels of liquids that are switched off");
         }
 
@@ -70,13 +56,13 @@ namespace SphFluid.Tests
         {
             FluidSimulation simulation = rig.Create();
             simulation.transform.rotation = Quaternion.Euler(0f, 0f, 90f);
-            var drawing = simulation.gameObject.AddComponent<FluidSurfaceRenderer>();
+            var drawing = simulation.gameObject.AddComponent<FluidGeometrySurfaceRenderer>();
             if (drawing.MissingSupport() != null)
                 Assert.Ignore(drawing.MissingSupport());
             drawing.GridSize = SurfaceGridSize.Cells32;
-            yield return Frames(2);
+            yield return PictureRig.Frames(2);
             float before = MeanRow(Picture());
-            yield return Frames(15);
+            yield return PictureRig.Frames(15);
             float after = MeanRow(Picture());
             Assert.Less(after, before - 2f, "the liquid falls in the picture");
         }
@@ -85,22 +71,22 @@ namespace SphFluid.Tests
         public IEnumerator ThreeDrawingsOfOneLiquidDiffer()
         {
             FluidSimulation simulation = rig.Create();
-            var surface = simulation.gameObject.AddComponent<FluidSurfaceRenderer>();
+            var surface = simulation.gameObject.AddComponent<FluidGeometrySurfaceRenderer>();
             if (surface.MissingSupport() != null)
                 Assert.Ignore(surface.MissingSupport());
             surface.GridSize = SurfaceGridSize.Cells32;
-            yield return Frames(2);
+            yield return PictureRig.Frames(2);
             int mesh = Lit(Picture());
 
             surface.Style = FluidSurfaceStyle.Cubes;
-            yield return Frames(2);
+            yield return PictureRig.Frames(2);
             int cubes = Lit(Picture());
             Assert.Greater(cubes, 100, "pixels of wires");
             Assert.Greater(mesh, 200, "pixels of the surface");
 
             surface.enabled = false;
             simulation.gameObject.AddComponent<FluidParticleRenderer>();
-            yield return Frames(2);
+            yield return PictureRig.Frames(2);
             Assert.Greater(Lit(Picture()), 200, "pixels of particles");
         }
 
@@ -108,11 +94,11 @@ namespace SphFluid.Tests
         public IEnumerator LiquidIsLitByTheMainLight()
         {
             rig.Create().gameObject.AddComponent<FluidParticleRenderer>().Colour = Color.white;
-            light.transform.rotation = Quaternion.LookRotation(Vector3.forward);
-            yield return Frames(2);
+            view.Light.transform.rotation = Quaternion.LookRotation(Vector3.forward);
+            yield return PictureRig.Frames(2);
             float front = Brightness(Picture());
-            light.transform.rotation = Quaternion.LookRotation(Vector3.back);
-            yield return Frames(2);
+            view.Light.transform.rotation = Quaternion.LookRotation(Vector3.back);
+            yield return PictureRig.Frames(2);
             float back = Brightness(Picture());
             Assert.Greater(front, 2f * back, "lit from the camera's side and from behind");
             Assert.Greater(back, 0f, "ambient light remains");
@@ -128,25 +114,7 @@ namespace SphFluid.Tests
             return sum;
         }
 
-        static IEnumerator Frames(int count)
-        {
-            for (int i = 0; i < count; i++)
-                yield return null;
-        }
-
-        // What the last frame drew; a liquid is drawn for one frame at a time, so Camera.Render between frames would not see it.
-        Color[] Picture()
-        {
-            RenderTexture before = RenderTexture.active;
-            var picture = new Texture2D(Width, Height, TextureFormat.RGBA32, false);
-            RenderTexture.active = target;
-            picture.ReadPixels(new Rect(0, 0, Width, Height), 0, 0);
-            picture.Apply();
-            RenderTexture.active = before;
-            Color[] pixels = picture.GetPixels();
-            Object.DestroyImmediate(picture);
-            return pixels;
-        }
+        Color[] Picture() => view.Pixels();
 
         static int Count(Color[] picture, int from, int to, System.Predicate<Color> which)
         {

@@ -21,25 +21,25 @@ namespace SphFluid.Tests
         {
             FluidSimulation simulation = rig.Create();
             Assert.AreSame(simulation, simulation.gameObject.AddComponent<FluidParticleRenderer>().Simulation);
-            Assert.AreSame(simulation, simulation.gameObject.AddComponent<FluidSurfaceRenderer>().Simulation);
+            Assert.AreSame(simulation, simulation.gameObject.AddComponent<FluidGeometrySurfaceRenderer>().Simulation);
         }
 
         [Test]
         public void MissingSimulationIsNamedOnce()
         {
-            var drawing = rig.NewObject("Alone").AddComponent<FluidSurfaceRenderer>();
-            LogAssert.Expect(LogType.Warning, new Regex("'Alone'.*FluidSurfaceRenderer has no simulation to draw"));
+            var drawing = rig.NewObject("Alone").AddComponent<FluidGeometrySurfaceRenderer>();
+            LogAssert.Expect(LogType.Warning, new Regex("'Alone'.*FluidGeometrySurfaceRenderer has no simulation to draw"));
             drawing.DrawFrame();
             drawing.DrawFrame();
             LogAssert.NoUnexpectedReceived();
         }
 
         [Test]
-        public void WithoutGeometryShadersTheParticlesAreDrawnAndThisIsSaidOnce()
+        public void WithoutGeometryShadersTheSparseSurfaceIsDrawnAndThisIsSaidOnce()
         {
-            var drawing = StartLiquid().gameObject.AddComponent<FluidSurfaceRenderer>();
+            var drawing = StartLiquid().gameObject.AddComponent<FluidGeometrySurfaceRenderer>();
             drawing.MissingSupport = () => "The toaster has no geometry shaders.";
-            LogAssert.Expect(LogType.Warning, new Regex("'Fluid'.*The toaster has no geometry shaders.*particles are drawn instead"));
+            LogAssert.Expect(LogType.Warning, new Regex("'Fluid'.*The toaster has no geometry shaders.*sparse surface is drawn instead"));
             drawing.DrawFrame();
             drawing.DrawFrame();
             Assert.IsTrue(drawing.UsesFallback);
@@ -69,7 +69,7 @@ namespace SphFluid.Tests
         [Test]
         public void DisablingFreesTheGrid()
         {
-            FluidSurfaceRenderer drawing = AddSurface(StartLiquid());
+            FluidGeometrySurfaceRenderer drawing = AddSurface(StartLiquid());
             drawing.DrawFrame();
             Assert.Greater(drawing.GpuBytes, 0);
             drawing.enabled = false;
@@ -118,9 +118,9 @@ namespace SphFluid.Tests
             return simulation;
         }
 
-        static FluidSurfaceRenderer AddSurface(FluidSimulation simulation)
+        static FluidGeometrySurfaceRenderer AddSurface(FluidSimulation simulation)
         {
-            var drawing = simulation.gameObject.AddComponent<FluidSurfaceRenderer>();
+            var drawing = simulation.gameObject.AddComponent<FluidGeometrySurfaceRenderer>();
             string lack = drawing.MissingSupport();
             if (lack != null)
                 Assert.Ignore(lack);

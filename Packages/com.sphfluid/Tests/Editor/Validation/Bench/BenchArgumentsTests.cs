@@ -12,7 +12,7 @@ namespace SphFluid.Tests
 
             Assert.That(arguments.Table, Is.EqualTo("thesis"));
             Assert.That(arguments.Particles, Is.Null, "the table's own");
-            Assert.That(arguments.Grids, Is.EqualTo(new[] { 32, 64, 128, 256 }));
+            Assert.That(arguments.Grids, Is.Null, "the table's own");
             Assert.That(arguments.Samples, Is.EqualTo(5));
             Assert.That(arguments.Sweep, Is.Null);
         }
@@ -47,7 +47,7 @@ namespace SphFluid.Tests
         }
 
         [TestCase("--tabel", "thesis", "--particles")]
-        [TestCase("--table", "surface", "thesis, solver, all")]
+        [TestCase("--table", "surfaces", "thesis, solver, surface, all")]
         [TestCase("--particles", "63", "64")]
         [TestCase("--particles", "1000,x", "'x'")]
         [TestCase("--particles", "1000,", "''")]

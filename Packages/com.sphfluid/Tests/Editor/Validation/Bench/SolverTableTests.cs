@@ -17,9 +17,9 @@ namespace SphFluid.Tests
             BenchTable table = Table((BenchSolver.ThesisCells, 1000, 9.0), (BenchSolver.ThesisOctant, 1000, 12.0), (BenchSolver.Standard, 1000, 3.0),
                 (BenchSolver.ThesisCells, 4000, 44.0), (BenchSolver.Standard, 4000, 12.0), (BenchSolver.StandardWide, 4000, 20.0));
 
-            Assert.That(Column(table, "speedup_thesis_27"), Is.EqualTo(new[] { "1", "0.75", "3", "1", "3.66667", "" }));
-            Assert.That(Column(table, "speedup_thesis_8"), Is.EqualTo(new[] { "1.33333", "1", "4", "", "", "" }));
-            Assert.That(Column(table, "kappa"), Is.EqualTo(new[] { "2", "2", "2", "2", "2", "2.25" }));
+            Assert.That(table.Column("speedup_thesis_27"), Is.EqualTo(new[] { "1", "0.75", "3", "1", "3.66667", "" }));
+            Assert.That(table.Column("speedup_thesis_8"), Is.EqualTo(new[] { "1.33333", "1", "4", "", "", "" }));
+            Assert.That(table.Column("kappa"), Is.EqualTo(new[] { "2", "2", "2", "2", "2", "2.25" }));
         }
 
         [Test]
@@ -28,7 +28,7 @@ namespace SphFluid.Tests
             BenchTable table = Table((BenchSolver.Standard, 1000, 100.0), (BenchSolver.Standard, 4000, 8.0), (BenchSolver.Standard, 16000, 32.0),
                 (BenchSolver.Standard, 64000, 512.0));
 
-            Assert.That(Column(table, "growth_exponent"), Is.EqualTo(new[] { "", "-1.82193", "-0.410964", "1.5" }));
+            Assert.That(table.Column("growth_exponent"), Is.EqualTo(new[] { "", "-1.82193", "-0.410964", "1.5" }));
         }
 
         [Test]
@@ -39,13 +39,13 @@ namespace SphFluid.Tests
             table.Rows[0].CopySpeed = 1e9;
 
             // 168 · 1,000 + 36 · 500 bytes at 1 GB/s.
-            Assert.That(Column(table, "bytes_per_particle").Single(), Is.EqualTo("186"));
-            Assert.That(Column(table, "roofline_ms").Single(), Is.EqualTo("0.186"));
-            Assert.That(Column(table, "roofline_fraction").Single(), Is.EqualTo("0.093"));
-            Assert.That(Column(table, "share.sort").Single(), Is.EqualTo("0.25"));
-            Assert.That(Column(table, "share.motion").Single(), Is.EqualTo("0.5"));
-            Assert.That(Column(table, "mpairs_per_s").Single(), Is.EqualTo("15"));
-            Assert.That(Column(table, "candidates_per_neighbour").Single(), Is.EqualTo("6.5"));
+            Assert.That(table.Column("bytes_per_particle").Single(), Is.EqualTo("186"));
+            Assert.That(table.Column("roofline_ms").Single(), Is.EqualTo("0.186"));
+            Assert.That(table.Column("roofline_fraction").Single(), Is.EqualTo("0.093"));
+            Assert.That(table.Column("share.sort").Single(), Is.EqualTo("0.25"));
+            Assert.That(table.Column("share.motion").Single(), Is.EqualTo("0.5"));
+            Assert.That(table.Column("mpairs_per_s").Single(), Is.EqualTo("15"));
+            Assert.That(table.Column("candidates_per_neighbour").Single(), Is.EqualTo("6.5"));
         }
 
         // 1,000 particles are padded to 1,024 pairs: 10 dispatches of the sort move 16 bytes a pair each.
@@ -146,13 +146,6 @@ namespace SphFluid.Tests
                 table.Rows.Add(row);
             }
             return table;
-        }
-
-        static string[] Column(BenchTable table, string head)
-        {
-            string[][] lines = table.Lines().Select(CsvText.Split).ToArray();
-            int column = System.Array.IndexOf(lines[0], head);
-            return lines.Skip(1).Select(cells => cells[column]).ToArray();
         }
     }
 }

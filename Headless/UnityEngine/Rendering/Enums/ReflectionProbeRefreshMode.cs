@@ -1,0 +1,8 @@
+namespace UnityEngine.Rendering;
+
+public enum ReflectionProbeRefreshMode
+{
+    OnAwake = 0,
+    EveryFrame = 1,
+    ViaScripting = 2,
+}

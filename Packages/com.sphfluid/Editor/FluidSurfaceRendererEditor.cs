@@ -1,0 +1,40 @@
+using System.Collections.Generic;
+using UnityEditor;
+using UnityEngine;
+
+namespace SphFluid.Editor
+{
+    /// <summary>Inspector of the surface: the settings of its look, how the render pipeline serves it, and in play mode what it is made of.</summary>
+    [CustomEditor(typeof(FluidSurfaceRenderer))]
+    [CanEditMultipleObjects]
+    public sealed class FluidSurfaceRendererEditor : UnityEditor.Editor
+    {
+        FluidSurfaceRenderer Renderer => (FluidSurfaceRenderer)target;
+
+        /// <inheritdoc/>
+        public override bool RequiresConstantRepaint() => Application.isPlaying && Renderer.isActiveAndEnabled;
+
+        /// <inheritdoc/>
+        public override void OnInspectorGUI()
+        {
+            serializedObject.Update();
+            DrawPropertiesExcluding(serializedObject, Hidden(Renderer.Look));
+            serializedObject.ApplyModifiedProperties();
+            if (Renderer.Look == FluidSurfaceLook.Water)
+            {
+                WaterRoute route = WaterRoute.Active;
+                EditorGUILayout.HelpBox(route.Text, route.IsComplete ? MessageType.Info : MessageType.Warning);
+            }
+            if (Application.isPlaying && !serializedObject.isEditingMultipleObjects)
+                SurfaceStatusGUI.Draw(Renderer.Status, Renderer.GpuBytes);
+        }
+
+        /// <summary>Fields that a look does not read.</summary>
+        internal static string[] Hidden(FluidSurfaceLook look)
+        {
+            var hidden = new List<string> { "m_Script" };
+            hidden.AddRange(look == FluidSurfaceLook.Water ? new[] { "colour", "smoothness" } : new[] { "water" });
+            return hidden.ToArray();
+        }
+    }
+}

@@ -1,0 +1,68 @@
+using System.Collections.Generic;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>The Built-in pipeline: a command buffer on each camera copies its picture before transparent things are drawn.</summary>
+    sealed class BuiltInSceneTextures : ISceneTextureSource
+    {
+        const CameraEvent Moment = CameraEvent.BeforeForwardAlpha;
+
+        readonly Dictionary<Camera, Before> cameras = new Dictionary<Camera, Before>();
+        CommandBuffer copy;
+
+        public SceneTextures Request(Camera camera)
+        {
+            if (!cameras.ContainsKey(camera))
+                Attach(camera);
+            camera.depthTextureMode |= DepthTextureMode.Depth;
+            return new SceneTextures(SceneColourSource.Copy, true);
+        }
+
+        public void Release()
+        {
+            foreach (KeyValuePair<Camera, Before> entry in cameras)
+            {
+                Camera camera = entry.Key;
+                if (camera == null)
+                    continue;
+                camera.RemoveCommandBuffer(Moment, copy);
+                camera.forceIntoRenderTexture = entry.Value.IntoTexture;
+                if (!entry.Value.Depth)
+                    camera.depthTextureMode &= ~DepthTextureMode.Depth;
+            }
+            cameras.Clear();
+            copy?.Dispose();
+            copy = null;
+        }
+
+        // Copies of the screen itself may lie upside down; of a texture they never do.
+        void Attach(Camera camera)
+        {
+            copy = copy ?? RecordCopy();
+            cameras.Add(camera, new Before
+            {
+                IntoTexture = camera.forceIntoRenderTexture,
+                Depth = (camera.depthTextureMode & DepthTextureMode.Depth) != 0,
+            });
+            camera.forceIntoRenderTexture = true;
+            camera.AddCommandBuffer(Moment, copy);
+        }
+
+        static CommandBuffer RecordCopy()
+        {
+            var cmd = new CommandBuffer { name = "Fluid Scene Colour" };
+            cmd.GetTemporaryRT(RenderShaderIds.FluidSceneColour, -1, -1, 0, FilterMode.Bilinear, RenderTextureFormat.DefaultHDR);
+            cmd.Blit(BuiltinRenderTextureType.CurrentActive, RenderShaderIds.FluidSceneColour);
+            return cmd;
+        }
+
+        // What a camera was like before.
+        struct Before
+        {
+            public bool IntoTexture;
+            public bool Depth;
+        }
+    }
+}

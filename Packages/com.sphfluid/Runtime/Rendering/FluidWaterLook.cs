@@ -1,0 +1,95 @@
+using System;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>How clear water looks.</summary>
+    [Serializable]
+    public sealed class FluidWaterLook
+    {
+        // Contrast that is left at the visibility: 2 % (Koschmieder 1924), so a coefficient of 3.912 / visibility.
+        const float VisibilityConstant = 3.912f;
+
+        // A channel that a metre of water swallows whole would have an infinite coefficient.
+        const float LeastTransmittance = 1e-3f;
+
+        [SerializeField, Tooltip("Colour that white light has after one metre of water.")]
+        Color colourAtOneMetre = new Color(0.5f, 0.85f, 0.94f);
+
+        [SerializeField, Min(0.01f), Tooltip("How far one sees in it [m]. Small: milky.")]
+        float visibility = 12f;
+
+        [SerializeField, Tooltip("Colour of the light that it scatters back: white for water, brown for a river.")]
+        Color scattering = Color.white;
+
+        [SerializeField, Range(0f, 1f), Tooltip("How much the scene behind is displaced. 1: as much as by water.")]
+        float refraction = 1f;
+
+        [SerializeField, Range(0f, 1f), Tooltip("How small and bright the sun's highlights are.")]
+        float smoothness = 0.9f;
+
+        [SerializeField, Range(0f, 1f), Tooltip("How dark its shadow is: water lets most of the light through.")]
+        float shadow = 0.25f;
+
+        [SerializeField, Tooltip("Whether its thickness is measured at half the picture's resolution: cheaper, a little softer at edges.")]
+        bool halfResolution;
+
+        /// <summary>Colour that white light has after one metre of water.</summary>
+        public Color ColourAtOneMetre { get => colourAtOneMetre; set => colourAtOneMetre = value; }
+
+        /// <summary>How far one sees in it [m]: at that distance 2 % of the contrast is left.</summary>
+        public float Visibility { get => visibility; set => visibility = value; }
+
+        /// <summary>Colour of the light that it scatters back.</summary>
+        public Color Scattering { get => scattering; set => scattering = value; }
+
+        /// <summary>How much the scene behind is displaced, 0 to 1; 1: as much as by water.</summary>
+        public float Refraction { get => refraction; set => refraction = value; }
+
+        /// <summary>Smoothness of the surface, 0 to 1.</summary>
+        public float Smoothness { get => smoothness; set => smoothness = value; }
+
+        /// <summary>How much of the light its shadow takes away, 0 to 1.</summary>
+        public float Shadow { get => shadow; set => shadow = value; }
+
+        /// <summary>Whether its thickness is measured at half the picture's resolution.</summary>
+        public bool HalfResolution { get => halfResolution; set => halfResolution = value; }
+
+        /// <summary>Light absorbed or scattered a metre [1/m], in the colours that shaders use.</summary>
+        internal Vector4 Extinction
+        {
+            get
+            {
+                Vector4 scattered = ScatteringCoefficient;
+                Color left = InShaderColours(colourAtOneMetre);
+                return new Vector4(Absorption(left.r) + scattered.x, Absorption(left.g) + scattered.y, Absorption(left.b) + scattered.z, 0f);
+            }
+        }
+
+        /// <summary>Share of the extinction that is scattered rather than absorbed, 0 to 1.</summary>
+        internal Vector4 Albedo
+        {
+            get
+            {
+                Vector4 scattered = ScatteringCoefficient;
+                Vector4 all = Extinction;
+                return new Vector4(Share(scattered.x, all.x), Share(scattered.y, all.y), Share(scattered.z, all.z), 0f);
+            }
+        }
+
+        Vector4 ScatteringCoefficient
+        {
+            get
+            {
+                Color tint = InShaderColours(scattering);
+                return new Vector4(tint.r, tint.g, tint.b, 0f) * (VisibilityConstant / Mathf.Max(visibility, 0.01f));
+            }
+        }
+
+        static float Absorption(float left) => -Mathf.Log(Mathf.Clamp(left, LeastTransmittance, 1f));
+
+        static float Share(float part, float whole) => whole > 0f ? part / whole : 0f;
+
+        static Color InShaderColours(Color colour) => QualitySettings.activeColorSpace == ColorSpace.Linear ? colour.linear : colour;
+    }
+}

@@ -1,0 +1,71 @@
+using System;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace SphFluid
+{
+    /// <summary>Makes the sparse surface of a simulation and draws it, as clear water or as an opaque body.</summary>
+    sealed class LiquidDrawing : IDisposable
+    {
+        readonly FluidShaderSet shaders;
+        readonly SurfaceSource source;
+        WaterDrawing water;
+        OpaqueDrawing opaque;
+
+        /// <exception cref="FluidDeviceException">The device cannot make the surface.</exception>
+        public LiquidDrawing(FluidShaderSet shaders)
+        {
+            this.shaders = shaders;
+            source = new SurfaceSource(shaders);
+        }
+
+        /// <summary>Makes the surface from the present particles and draws it as clear water for every camera of this frame.</summary>
+        public void DrawWater(FluidSolver solver, FluidSurfaceOptions options, FluidWaterLook look, Material ownMaterial, in DrawPlacement placement, Object owner)
+        {
+            Dispose(ref opaque);
+            water = water ?? new WaterDrawing(shaders);
+            if (!TryFill(water, solver, options, placement, owner, out SurfaceBuffers surface))
+                return;
+            water.SetLook(surface, look, WaterCameras.LargestView, placement);
+            if (ownMaterial == null)
+                water.SetSurface(look);
+            water.Draw(surface, ownMaterial, placement);
+        }
+
+        /// <summary>Makes the surface from the present particles and draws it as an opaque body for every camera of this frame.</summary>
+        public void DrawOpaque(FluidSolver solver, FluidSurfaceOptions options, Color colour, float smoothness, Material ownMaterial, in DrawPlacement placement, Object owner)
+        {
+            Dispose(ref water);
+            opaque = opaque ?? new OpaqueDrawing(shaders);
+            if (!TryFill(opaque, solver, options, placement, owner, out SurfaceBuffers surface))
+                return;
+            if (ownMaterial == null)
+                opaque.SetLook(colour, smoothness);
+            opaque.Draw(surface, ownMaterial, placement);
+        }
+
+        /// <summary>The surface that is drawn.</summary>
+        public SparseSurface Surface => source.Surface;
+
+        public void Dispose()
+        {
+            Dispose(ref water);
+            Dispose(ref opaque);
+            source.Dispose();
+        }
+
+        bool TryFill(SurfaceDrawing drawing, FluidSolver solver, FluidSurfaceOptions options, in DrawPlacement placement, Object owner, out SurfaceBuffers surface)
+        {
+            if (!source.Update(solver, options, owner, out surface))
+                return false;
+            drawing.Fill(surface, source.Grid, options.Walls, placement);
+            return true;
+        }
+
+        static void Dispose<T>(ref T drawing) where T : SurfaceDrawing
+        {
+            drawing?.Dispose();
+            drawing = null;
+        }
+    }
+}

@@ -1,0 +1,72 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// What a liquid mirrors: the smallest of the most important reflection probes around it, else the scene's own reflection, which is the sky.
+    /// Read from the scene rather than from a pipeline's shader variables, as <see cref="SceneLighting"/> reads the light.
+    /// </summary>
+    sealed class SceneReflection
+    {
+        // Frames between two searches for a probe.
+        const int SearchInterval = 30;
+
+        // Of Unity's reflection maps, which are blurred from sharp (level 0) to rough (6).
+        const float RoughestLevel = 6f;
+
+        ReflectionProbe probe;
+        int searchedAt = int.MinValue;
+
+        /// <summary>Sets the map and how to read it; without one, shaders take the ambient light.</summary>
+        /// <param name="properties">Where it is set.</param>
+        /// <param name="bounds">Where the liquid is; a probe must hold its middle.</param>
+        /// <param name="smoothness">Smoothness of the surface, 0 to 1.</param>
+        public void Apply(MaterialPropertyBlock properties, Bounds bounds, float smoothness)
+        {
+            ReflectionProbe found = ProbeAround(bounds.center);
+            Texture map = found != null ? found.texture : ReflectionProbe.defaultTexture;
+            bool usable = map != null && map.dimension == TextureDimension.Cube && DrawPipeline.Active != DrawPipelineKind.HighDefinition;
+            properties.SetVector(RenderShaderIds.FluidReflection, new Vector4(usable ? 1f : 0f, Level(smoothness), 0f, 0f));
+            if (!usable)
+                return;
+            properties.SetTexture(RenderShaderIds.FluidReflectionMap, map);
+            properties.SetVector(RenderShaderIds.FluidReflectionDecode, found != null ? found.textureHDRDecodeValues : ReflectionProbe.defaultTextureHDRDecodeValues);
+        }
+
+        // Unity's step from perceptual roughness r to a level: 6 r (1.7 - 0.7 r), e.g. 0.98 for r = 0.1.
+        static float Level(float smoothness)
+        {
+            float roughness = 1f - Mathf.Clamp01(smoothness);
+            return RoughestLevel * roughness * (1.7f - 0.7f * roughness);
+        }
+
+        ReflectionProbe ProbeAround(Vector3 point)
+        {
+            int frame = Time.frameCount;
+            if (frame < searchedAt || frame - (long)searchedAt >= SearchInterval || (probe != null && !Holds(probe, point)))
+            {
+                probe = Find(point);
+                searchedAt = frame;
+            }
+            return probe != null ? probe : null;
+        }
+
+        static ReflectionProbe Find(Vector3 point)
+        {
+            ReflectionProbe best = null;
+            foreach (ReflectionProbe candidate in Object.FindObjectsByType<ReflectionProbe>(FindObjectsSortMode.InstanceID))
+            {
+                if (Holds(candidate, point) && (best == null || IsBetter(candidate, best)))
+                    best = candidate;
+            }
+            return best;
+        }
+
+        static bool Holds(ReflectionProbe candidate, Vector3 point) =>
+            candidate.isActiveAndEnabled && candidate.texture != null && candidate.bounds.Contains(point);
+
+        static bool IsBetter(ReflectionProbe a, ReflectionProbe b) =>
+            a.importance > b.importance || (a.importance == b.importance && a.bounds.size.sqrMagnitude < b.bounds.size.sqrMagnitude);
+    }
+}

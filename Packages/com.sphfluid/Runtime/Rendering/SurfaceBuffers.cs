@@ -1,0 +1,25 @@
+using System;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>A surface as the GPU draws it.</summary>
+    readonly struct SurfaceBuffers
+    {
+        /// <param name="vertices">Vertices, Shaders/Surface/Sparse/SurfaceVertices.hlsl.</param>
+        /// <param name="indices">32-bit indices, three a triangle.</param>
+        /// <param name="arguments">One <see cref="GraphicsBuffer.IndirectDrawIndexedArgs"/>.</param>
+        public SurfaceBuffers(GraphicsBuffer vertices, GraphicsBuffer indices, GraphicsBuffer arguments)
+        {
+            Vertices = vertices ?? throw new ArgumentNullException(nameof(vertices));
+            Indices = indices ?? throw new ArgumentNullException(nameof(indices));
+            Arguments = arguments ?? throw new ArgumentNullException(nameof(arguments));
+        }
+
+        public GraphicsBuffer Vertices { get; }
+
+        public GraphicsBuffer Indices { get; }
+
+        public GraphicsBuffer Arguments { get; }
+    }
+}

@@ -1,0 +1,63 @@
+using System;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>Draws a sparse surface for every camera of a frame: what its looks have in common.</summary>
+    abstract class SurfaceDrawing : IDisposable
+    {
+        // The vertices.
+        const int VertexStageBuffers = 1;
+
+        readonly SceneLighting lighting = new SceneLighting();
+        Material material;
+
+        /// <exception cref="FluidDeviceException">The shader is missing, or the device cannot run it.</exception>
+        protected SurfaceDrawing(Shader shader, string field)
+        {
+            string lack = MissingSupport();
+            if (lack != null)
+                throw new FluidDeviceException(lack);
+            material = DrawMaterial.Create(shader, field);
+        }
+
+        public Material Material => material;
+
+        /// <summary>The properties filled last.</summary>
+        public MaterialPropertyBlock Block { get; } = new MaterialPropertyBlock();
+
+        /// <summary>What the device lacks to draw a sparse surface, as a sentence; null when nothing.</summary>
+        public static string MissingSupport()
+        {
+            string device = $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType})";
+            if (SystemInfo.maxComputeBufferInputsVertex < VertexStageBuffers)
+                return $"{device} cannot read a buffer in the vertex shader, which the surface needs.";
+            if (!SystemInfo.supportsIndirectArgumentsBuffer)
+                return $"{device} cannot draw what the GPU has counted, which the surface needs.";
+            return null;
+        }
+
+        /// <summary>Draws for every camera of this frame with the properties filled last.</summary>
+        public virtual void Draw(in SurfaceBuffers surface, Material ownMaterial, in DrawPlacement placement)
+        {
+            DrawPipeline.Prepare(material, placement.Pipeline);
+            Render(placement.Parameters(ownMaterial != null ? ownMaterial : material, Block), surface);
+        }
+
+        public virtual void Dispose() => DrawMaterial.Destroy(ref material);
+
+        protected static void Render(in RenderParams parameters, in SurfaceBuffers surface) =>
+            Graphics.RenderPrimitivesIndexedIndirect(parameters, MeshTopology.Triangles, surface.Indices, surface.Arguments);
+
+        /// <summary>Fills what every look needs.</summary>
+        public void Fill(in SurfaceBuffers surface, in SurfaceGrid grid, SurfaceWalls walls, in DrawPlacement placement)
+        {
+            Block.Clear();
+            Block.SetBuffer(SurfaceShaderIds.SurfaceVertices, surface.Vertices);
+            Block.SetGrid(grid, walls);
+            Block.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
+            lighting.Apply(Block);
+            DrawPipeline.Apply(Block, placement.Pipeline);
+        }
+    }
+}

@@ -1,0 +1,110 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// How much water lies behind each pixel of a camera: the closed surface drawn with additive blending into a texture of two half floats,
+    /// Shaders/Rendering/WaterThickness.hlsl. One texture serves all cameras of a frame, one after the other; smaller ones fill its lower left part.
+    /// </summary>
+    sealed class ThicknessPass : IDisposable
+    {
+        const RenderTextureFormat Format = RenderTextureFormat.RGHalf;
+
+        readonly MaterialPropertyBlock block = new MaterialPropertyBlock();
+        Material material;
+        RenderTexture texture;
+        SurfaceBuffers surface;
+        int divisor = 1;
+
+        /// <exception cref="FluidDeviceException">The shader is missing, or the device cannot blend half floats.</exception>
+        public ThicknessPass(FluidShaderSet shaders)
+        {
+            if (!SystemInfo.SupportsRenderTextureFormat(Format) || !SystemInfo.SupportsBlendingOnRenderTextureFormat(Format))
+            {
+                throw new FluidDeviceException(
+                    $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) cannot add up half floats in a picture, which the water look needs. " +
+                    "Choose the opaque look.");
+            }
+            material = DrawMaterial.Create(shaders.WaterThicknessShader, "waterThicknessShader");
+        }
+
+        /// <summary>Red: sum of far depths minus sum of near ones [m]; green: number of far faces minus number of near ones.</summary>
+        public RenderTexture Texture => texture;
+
+        /// <summary>Layer of the liquid: cameras that do not see it are skipped.</summary>
+        public int Layer { get; private set; }
+
+        /// <summary>Takes the surface of this frame and makes the texture as large as the largest view asks.</summary>
+        /// <param name="drawn">The surface.</param>
+        /// <param name="placement">Where it is.</param>
+        /// <param name="largestView">Pixels of the largest picture that will be asked for.</param>
+        /// <param name="halfResolution">Whether four pixels of a picture share one of the texture.</param>
+        public void Prepare(in SurfaceBuffers drawn, in DrawPlacement placement, Vector2Int largestView, bool halfResolution)
+        {
+            surface = drawn;
+            Layer = placement.Layer;
+            divisor = halfResolution ? 2 : 1;
+            DrawPipeline.Prepare(material, placement.Pipeline);
+            block.SetBuffer(SurfaceShaderIds.SurfaceVertices, surface.Vertices);
+            block.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
+            Fit(ViewSize(largestView));
+        }
+
+        /// <summary>Sets the texture for the draw that reads it.</summary>
+        public void Apply(MaterialPropertyBlock properties)
+        {
+            properties.SetTexture(RenderShaderIds.FluidThickness, texture);
+            properties.SetVector(RenderShaderIds.FluidThicknessSize, new Vector4(texture.width, texture.height, divisor, 0f));
+        }
+
+        /// <summary>Records the thickness as one camera sees it.</summary>
+        /// <param name="cmd">Where it is recorded.</param>
+        /// <param name="view">World to camera.</param>
+        /// <param name="projection">The camera's projection.</param>
+        /// <param name="size">Pixels of the camera's picture.</param>
+        public void Record(CommandBuffer cmd, Matrix4x4 view, Matrix4x4 projection, Vector2Int size)
+        {
+            if (texture == null)
+                return;
+            Vector2Int part = ViewSize(size);
+            cmd.SetRenderTarget(texture);
+            cmd.ClearRenderTarget(false, true, Color.clear);
+            cmd.SetViewport(new Rect(0f, 0f, Mathf.Min(part.x, texture.width), Mathf.Min(part.y, texture.height)));
+            cmd.SetViewProjectionMatrices(view, projection);
+            cmd.DrawProceduralIndirect(surface.Indices, Matrix4x4.identity, material, 0, MeshTopology.Triangles, surface.Arguments, 0, block);
+        }
+
+        public void Dispose()
+        {
+            DrawMaterial.Destroy(ref material);
+            Release();
+        }
+
+        // Half of an odd number is rounded up, e.g. 5 pixels to 3.
+        Vector2Int ViewSize(Vector2Int size) => new Vector2Int((size.x + divisor - 1) / divisor, (size.y + divisor - 1) / divisor);
+
+        void Fit(Vector2Int size)
+        {
+            if (texture != null && texture.width == size.x && texture.height == size.y)
+                return;
+            Release();
+            texture = new RenderTexture(size.x, size.y, 0, Format, RenderTextureReadWrite.Linear)
+            {
+                name = "Water Thickness",
+                filterMode = FilterMode.Bilinear,
+                wrapMode = TextureWrapMode.Clamp,
+                hideFlags = HideFlags.HideAndDontSave,
+            };
+            texture.Create();
+        }
+
+        void Release()
+        {
+            if (texture != null)
+                texture.Release();
+            DrawMaterial.Destroy(ref texture);
+        }
+    }
+}

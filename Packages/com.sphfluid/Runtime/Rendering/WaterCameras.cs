@@ -1,0 +1,102 @@
+using System.Collections.Generic;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Prepares each camera for the water that it is about to draw: the scene's textures are asked for, and every liquid's thickness is drawn as
+    /// the camera sees it. Listens to cameras only while there is water.
+    /// </summary>
+    static class WaterCameras
+    {
+        static readonly List<ThicknessPass> passes = new List<ThicknessPass>();
+        static readonly BuiltInSceneTextures builtIn = new BuiltInSceneTextures();
+        static CommandBuffer cmd;
+        static Vector2Int largestView;
+
+        /// <summary>The Universal Render Pipeline's textures, where the package's assembly for it is compiled; else null.</summary>
+        internal static ISceneTextureSource Universal { get; set; }
+
+        /// <summary>Whether any water is drawn, so that cameras are listened to.</summary>
+        public static bool IsListening => passes.Count > 0;
+
+        /// <summary>Pixels of the largest camera's picture so far, at least one.</summary>
+        public static Vector2Int LargestView
+        {
+            get
+            {
+                foreach (Camera camera in Camera.allCameras)
+                    Widen(camera);
+                return Vector2Int.Max(largestView, Vector2Int.one);
+            }
+        }
+
+        public static void Add(ThicknessPass pass)
+        {
+            if (passes.Count == 0)
+                Listen();
+            passes.Add(pass);
+        }
+
+        public static void Remove(ThicknessPass pass)
+        {
+            if (passes.Remove(pass) && passes.Count == 0)
+                StopListening();
+        }
+
+        static void Listen()
+        {
+            cmd = new CommandBuffer { name = "Fluid Water" };
+            Camera.onPreCull += PrepareBuiltIn;
+            RenderPipelineManager.beginCameraRendering += PrepareScriptable;
+        }
+
+        static void StopListening()
+        {
+            Camera.onPreCull -= PrepareBuiltIn;
+            RenderPipelineManager.beginCameraRendering -= PrepareScriptable;
+            builtIn.Release();
+            Universal?.Release();
+            cmd.Dispose();
+            cmd = null;
+            largestView = Vector2Int.zero;
+        }
+
+        static void PrepareBuiltIn(Camera camera)
+        {
+            if (!Record(camera, builtIn))
+                return;
+            Graphics.ExecuteCommandBuffer(cmd);
+        }
+
+        static void PrepareScriptable(ScriptableRenderContext context, Camera camera)
+        {
+            bool universal = DrawPipeline.Active == DrawPipelineKind.Universal;
+            if (!Record(camera, universal ? Universal : null))
+                return;
+            context.ExecuteCommandBuffer(cmd);
+        }
+
+        static bool Record(Camera camera, ISceneTextureSource source)
+        {
+            if (camera.cameraType == CameraType.Preview)
+                return false;
+            Widen(camera);
+            var size = new Vector2Int(camera.pixelWidth, camera.pixelHeight);
+            SceneTextures scene = source != null ? source.Request(camera) : default;
+            cmd.Clear();
+            cmd.SetGlobalVector(RenderShaderIds.FluidScene, scene.ToVector());
+            cmd.SetGlobalVector(RenderShaderIds.FluidThicknessView, new Vector4(size.x, size.y, 0f, 0f));
+            foreach (ThicknessPass pass in passes)
+            {
+                if ((camera.cullingMask & (1 << pass.Layer)) != 0)
+                    pass.Record(cmd, camera.worldToCameraMatrix, camera.projectionMatrix, size);
+            }
+            return true;
+        }
+
+        static void Widen(Camera camera) =>
+            largestView = Vector2Int.Max(largestView, new Vector2Int(camera.pixelWidth, camera.pixelHeight));
+    }
+}

@@ -1,0 +1,67 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Draws a sparse surface as clear water, with a thickness picture that is made before each camera draws.</summary>
+    sealed class WaterDrawing : SurfaceDrawing
+    {
+        readonly ThicknessPass thickness;
+        readonly SceneReflection reflection = new SceneReflection();
+        Material depth;
+
+        /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
+        public WaterDrawing(FluidShaderSet shaders)
+            : base(shaders.WaterShader, "waterShader")
+        {
+            depth = DrawMaterial.Create(shaders.WaterDepthShader, "waterDepthShader");
+            thickness = new ThicknessPass(shaders);
+            WaterCameras.Add(thickness);
+        }
+
+        /// <summary>The thickness picture.</summary>
+        public ThicknessPass Thickness => thickness;
+
+        /// <summary>Takes this frame's surface for the thickness picture, and sets what the water looks like and mirrors.</summary>
+        public void SetLook(in SurfaceBuffers surface, FluidWaterLook look, Vector2Int largestView, in DrawPlacement placement)
+        {
+            thickness.Prepare(surface, placement, largestView, look.HalfResolution);
+            thickness.Apply(Block);
+            reflection.Apply(Block, placement.WorldBounds, look.Smoothness);
+            Block.SetVector(RenderShaderIds.FluidExtinction, look.Extinction);
+            Block.SetVector(RenderShaderIds.FluidScattering, look.Albedo);
+        }
+
+        /// <summary>Sets refraction, smoothness and shadow, where no material of the user's does.</summary>
+        public void SetSurface(FluidWaterLook look)
+        {
+            Block.SetFloat(RenderShaderIds.Refraction, look.Refraction);
+            Block.SetFloat(RenderShaderIds.Smoothness, look.Smoothness);
+            Block.SetFloat(RenderShaderIds.ShadowStrength, look.Shadow);
+        }
+
+        public override void Draw(in SurfaceBuffers surface, Material ownMaterial, in DrawPlacement placement)
+        {
+            if (!WaterRoute.Active.IsComplete)
+                DrawDepth(surface, placement);
+            base.Draw(surface, ownMaterial, placement);
+        }
+
+        // Where water is blended, so that only its nearest layer is.
+        void DrawDepth(in SurfaceBuffers surface, in DrawPlacement placement)
+        {
+            DrawPipeline.Prepare(depth, placement.Pipeline);
+            RenderParams parameters = placement.Parameters(depth, Block);
+            parameters.shadowCastingMode = ShadowCastingMode.Off;
+            Render(parameters, surface);
+        }
+
+        public override void Dispose()
+        {
+            WaterCameras.Remove(thickness);
+            thickness?.Dispose();
+            DrawMaterial.Destroy(ref depth);
+            base.Dispose();
+        }
+    }
+}

@@ -1,0 +1,42 @@
+using System;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>How the surface of a liquid is made: what the components that draw it and those that hand it on as a mesh ask alike.</summary>
+    [Serializable]
+    public sealed class FluidSurfaceOptions
+    {
+        [SerializeField, Tooltip("How much work the surface may take: Cheap for weak devices, High for finer cells.")]
+        FluidSurfaceQuality quality = FluidSurfaceQuality.Default;
+
+        [SerializeField, Min(0f), Tooltip("Edge of a cell in particle spacings. 0: what the quality says. Smaller: finer and dearer.")]
+        float cellSize;
+
+        [SerializeField, Tooltip("Whether the surface is closed where the liquid touches the domain's walls. Off: only the open surface, e.g. behind glass of your own.")]
+        bool closedAtWalls = true;
+
+        [SerializeField, Min(0), Tooltip("Most triangles of the surface. 0: as many as the device holds. A surface that wants more is not drawn anew, and this is said.")]
+        int triangleBudget;
+
+        /// <summary>How much work the surface may take.</summary>
+        public FluidSurfaceQuality Quality { get => quality; set => quality = value; }
+
+        /// <summary>Edge of a cell in particle spacings; 0 for what the quality says.</summary>
+        public float CellSize { get => cellSize; set => cellSize = value; }
+
+        /// <summary>Whether the surface is closed where the liquid touches the domain's walls.</summary>
+        public bool ClosedAtWalls { get => closedAtWalls; set => closedAtWalls = value; }
+
+        /// <summary>Most triangles of the surface; 0 for as many as the device holds.</summary>
+        public int TriangleBudget { get => triangleBudget; set => triangleBudget = value; }
+
+        /// <summary>What becomes of the surface at the domain's walls.</summary>
+        internal SurfaceWalls Walls => closedAtWalls ? SurfaceWalls.Closed : SurfaceWalls.Open;
+
+        /// <summary>The field for a liquid.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a positive number.</exception>
+        internal SurfaceFieldSettings Field(in FluidSolverSettings settings) =>
+            cellSize == 0f ? SurfaceFieldSettings.For(quality, settings) : SurfaceFieldSettings.For(quality, settings, cellSize);
+    }
+}

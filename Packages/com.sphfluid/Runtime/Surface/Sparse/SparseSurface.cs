@@ -1,0 +1,156 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// The surface of a liquid as triangles on the GPU, made only where it is: a scalar field in blocks of 8^3 cells near the surface, marching cubes
+    /// in those. Nothing waits for the GPU; the buffers grow by what was wanted a few frames ago. A surface that does not fit as a whole
+    /// is not emitted: the last complete one stays, and it is said.
+    /// </summary>
+    public sealed class SparseSurface : IDisposable
+    {
+        readonly BlockField field;
+        readonly BlockPolygoniser polygoniser;
+        readonly SurfaceBlocks blocks = new SurfaceBlocks();
+        readonly SurfaceReadback readback;
+        readonly SurfaceWarnings warnings = new SurfaceWarnings();
+        readonly SurfaceRoom room;
+
+        /// <summary>A surface; buffers are made when it is first recorded.</summary>
+        /// <param name="shaders">Shader set with the kernels of the sparse surface.</param>
+        /// <exception cref="FluidDeviceException">The device cannot run a kernel.</exception>
+        public SparseSurface(FluidShaderSet shaders)
+            : this(shaders, 0, 0)
+        {
+        }
+
+        internal SparseSurface(FluidShaderSet shaders, int firstBlocks, int firstTriangles)
+        {
+            field = new BlockField(shaders);
+            polygoniser = new BlockPolygoniser(shaders);
+            readback = new SurfaceReadback(Take);
+            room = new SurfaceRoom(firstBlocks, firstTriangles);
+        }
+
+        /// <summary>Vertices, 16 bytes each: Shaders/Surface/Sparse/SurfaceVertices.hlsl. Ask again after each recording: it may have grown.</summary>
+        public GraphicsBuffer Vertices => polygoniser.Mesh.Vertices;
+
+        /// <summary>32-bit indices, three a triangle, clockwise seen from outside the liquid. Ask again after each recording.</summary>
+        public GraphicsBuffer Indices => polygoniser.Mesh.Indices;
+
+        /// <summary>One <see cref="GraphicsBuffer.IndirectDrawIndexedArgs"/>: all triangles, one instance.</summary>
+        public GraphicsBuffer DrawArguments => polygoniser.Mesh.DrawArguments;
+
+        /// <summary>Most triangles; 0: as many as the device holds.</summary>
+        public int TriangleBudget { get => room.TriangleBudget; set => room.TriangleBudget = Math.Max(value, 0); }
+
+        /// <summary>What became of the last surface that was read back.</summary>
+        public SurfaceStatus Status { get; private set; }
+
+        /// <summary>Bytes of GPU memory.</summary>
+        public long GpuBytes => field.GpuBytes + blocks.GpuBytes + polygoniser.GpuBytes;
+
+        internal SurfaceBlocks Blocks => blocks;
+
+        internal BlockMesh Mesh => polygoniser.Mesh;
+
+        /// <summary>Records everything from the particles' present positions to the arguments of the draw.</summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        /// <param name="solver">The particles; they are sorted into cells first.</param>
+        /// <param name="settings">The field.</param>
+        /// <param name="grid">The grid, over the solver's domain.</param>
+        /// <param name="walls">What becomes of the surface at the domain's walls.</param>
+        /// <exception cref="FluidDeviceException">The device has no room for the first buffers.</exception>
+        public void Record(CommandBuffer cmd, FluidSolver solver, in SurfaceFieldSettings settings, SurfaceGrid grid, SurfaceWalls walls)
+        {
+            if (cmd == null)
+                throw new ArgumentNullException(nameof(cmd));
+            if (solver == null)
+                throw new ArgumentNullException(nameof(solver), "A surface needs a running solver.");
+            if (grid.Cells.x < 1)
+                throw new ArgumentException("A sparse surface needs a grid that was made with a size.", nameof(grid));
+            if (!settings.IsSet)
+                throw new ArgumentException("A sparse surface needs a field made by SurfaceFieldSettings.For or Thesis.", nameof(settings));
+            if (!SystemInfo.supportsAsyncGPUReadback && blocks.Counters != null)
+                readback.ReadNow(blocks);
+            room.Reserve(blocks, polygoniser.Mesh, grid, settings, solver.ParticleCount, Status);
+
+            bool closed = walls == SurfaceWalls.Closed;
+            field.Record(cmd, solver, settings, grid, closed, blocks);
+            polygoniser.RecordCount(cmd, blocks, grid, walls, settings.IsoValue);
+            field.RecordLate(cmd, solver, settings, grid, closed, blocks);
+            polygoniser.RecordCount(cmd, blocks, grid, walls, settings.IsoValue);
+            polygoniser.RecordEmit(cmd, blocks, grid, walls, settings.IsoValue);
+            readback.RecordRequest(cmd, blocks);
+        }
+
+        /// <summary>Something that the user must know, e.g. that the surface does not fit its budget; each kind of trouble is told once.</summary>
+        /// <returns>A sentence with the cure, or null.</returns>
+        public string TakeWarning() => warnings.Take();
+
+        /// <summary>Waits for the GPU and reads what became of the surface that was recorded and executed last.</summary>
+        internal SurfaceStatus ReadStatus()
+        {
+            readback.ReadNow(blocks);
+            return Status;
+        }
+
+        /// <summary>Waits for the GPU and reads what was recorded and executed last.</summary>
+        /// <returns>A mesh in simulation space [m] in which all triangles around a vertex share it. The same liquid gives the same mesh.</returns>
+        /// <exception cref="InvalidOperationException">Nothing was recorded, or the surface did not fit the buffers.</exception>
+        public SurfaceMesh ReadMesh()
+        {
+            if (blocks.Counters == null)
+                throw new InvalidOperationException("No surface was recorded: call Record and execute the command buffer first.");
+            readback.ReadNow(blocks);
+            if (!Status.IsComplete)
+            {
+                throw new InvalidOperationException("The surface did not fit its buffers. " +
+                    (room.Obstacle(Status) ?? "Record and execute it again: the buffers have grown by then."));
+            }
+            return BlockMeshReader.Read(blocks, polygoniser.Mesh, Status);
+        }
+
+        /// <summary>Makes the surface now and reads it: records, executes, and repeats with more room until all of it fits.</summary>
+        /// <param name="solver">The particles; they are sorted into cells first.</param>
+        /// <param name="settings">The field.</param>
+        /// <param name="grid">The grid, over the solver's domain.</param>
+        /// <param name="walls">What becomes of the surface at the domain's walls.</param>
+        /// <returns>See <see cref="ReadMesh"/>.</returns>
+        /// <exception cref="FluidDeviceException">The surface is larger than the budget or the device allows.</exception>
+        public SurfaceMesh Extract(FluidSolver solver, in SurfaceFieldSettings settings, SurfaceGrid grid, SurfaceWalls walls)
+        {
+            do
+            {
+                using (var cmd = new CommandBuffer { name = "Fluid Surface" })
+                {
+                    Record(cmd, solver, settings, grid, walls);
+                    Graphics.ExecuteCommandBuffer(cmd);
+                }
+                readback.ReadNow(blocks);
+                string obstacle = Status.IsComplete ? null : room.Obstacle(Status);
+                if (obstacle != null)
+                    throw new FluidDeviceException(obstacle);
+            }
+            while (!Status.IsComplete);
+            return BlockMeshReader.Read(blocks, polygoniser.Mesh, Status);
+        }
+
+        /// <summary>Releases the buffers.</summary>
+        public void Dispose()
+        {
+            readback.Dispose();
+            field.Dispose();
+            polygoniser.Dispose();
+            blocks.Dispose();
+        }
+
+        void Take(SurfaceStatus status)
+        {
+            Status = status;
+            warnings.Check(status, room.Obstacle(status));
+        }
+    }
+}

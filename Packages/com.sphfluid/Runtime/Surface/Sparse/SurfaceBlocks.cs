@@ -1,0 +1,125 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Blocks of 8³ cubes over a surface grid, of which only those near the surface hold samples: a table over all blocks, and slots
+    /// (Shaders/Surface/Sparse/SurfaceBlocks.hlsl). Cubes and samples count the ring that closes the surface at the walls.
+    /// </summary>
+    public sealed class SurfaceBlocks : IDisposable
+    {
+        /// <summary>Cubes of a block along an axis.</summary>
+        public const int CubesPerSide = 8;
+
+        /// <summary>Samples of a block along an axis: neighbours share a layer, each stores its own.</summary>
+        public const int SamplesPerSide = CubesPerSide + 1;
+
+        /// <summary>Samples of a block.</summary>
+        public const int SamplesPerBlock = SamplesPerSide * SamplesPerSide * SamplesPerSide;
+
+        // First vertex, vertex count, first index, index count.
+        const int RangeStride = 4 * sizeof(uint);
+
+        static readonly int BlockCountsId = Shader.PropertyToID("_BlockCounts");
+        static readonly int BlockCapacityId = Shader.PropertyToID("_BlockCapacity");
+
+        // Copied when recorded, so one array serves; command buffers are recorded on the main thread.
+        static readonly int[] CountsValue = new int[3];
+
+        GraphicsBuffer table, list, samples, ranges, counters, roundArguments;
+
+        /// <summary>Blocks along each axis; zero before <see cref="Reserve"/>.</summary>
+        public Vector3Int Counts { get; private set; }
+
+        /// <summary>Number of blocks of the grid, active or not.</summary>
+        public int BlockCount => Counts.x * Counts.y * Counts.z;
+
+        /// <summary>Slots: blocks that can hold samples at once.</summary>
+        public int Capacity { get; private set; }
+
+        /// <summary>uint a block of the grid: 0, <c>BLOCK_MARKED</c>, or slot + 1.</summary>
+        public GraphicsBuffer Table => table;
+
+        /// <summary>uint a slot: number of its block, x fastest.</summary>
+        public GraphicsBuffer List => list;
+
+        /// <summary>Field values, float, <see cref="SamplesPerBlock"/> a slot, x fastest; the surface is where they equal the iso value.</summary>
+        public GraphicsBuffer Samples => samples;
+
+        /// <summary>uint4 a slot: first vertex, vertices, first index, indices.</summary>
+        public GraphicsBuffer Ranges => ranges;
+
+        /// <summary>uint each, see <see cref="SurfaceCounters"/>.</summary>
+        public GraphicsBuffer Counters => counters;
+
+        /// <summary>Groups along x, y and z of a dispatch with a group a slot of the present round.</summary>
+        public GraphicsBuffer RoundArguments => roundArguments;
+
+        /// <summary>Bytes of GPU memory.</summary>
+        public long GpuBytes => table == null ? 0 : GpuBuffers.Size(table, list, samples, ranges, counters, roundArguments);
+
+        /// <summary>Most slots that buffers of this device, and 32-bit sample numbers, allow.</summary>
+        public static int DeviceCapacity =>
+            (int)(Math.Min(SystemInfo.maxGraphicsBufferSize / sizeof(float), uint.MaxValue) / SamplesPerBlock);
+
+        /// <summary>Blocks that a grid has along each axis.</summary>
+        /// <param name="cells">Cells of the grid along each axis.</param>
+        public static Vector3Int CountsOver(Vector3Int cells) => new Vector3Int(CountOver(cells.x), CountOver(cells.y), CountOver(cells.z));
+
+        /// <summary>Makes the buffers as large as they must be; what they held may be lost.</summary>
+        /// <param name="cells">Cells of the surface grid along each axis, one or more.</param>
+        /// <param name="capacity">Least number of slots, one or more.</param>
+        /// <exception cref="ArgumentOutOfRangeException">A number is too small.</exception>
+        /// <exception cref="FluidDeviceException">The device has no room.</exception>
+        public void Reserve(Vector3Int cells, int capacity)
+        {
+            if (cells.x < 1 || cells.y < 1 || cells.z < 1)
+                throw new ArgumentOutOfRangeException(nameof(cells), cells, "A surface grid has one cell or more along each axis.");
+            if (capacity < 1)
+                throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "A sparse surface needs room for one block or more.");
+            if (capacity > DeviceCapacity)
+            {
+                throw new FluidDeviceException($"A sparse surface of {capacity} blocks does not fit: a buffer of {SystemInfo.graphicsDeviceName} holds " +
+                    $"{DeviceCapacity}. Choose a coarser surface.");
+            }
+
+            Vector3Int counts = CountsOver(cells);
+            GpuBuffers.Reserve(ref table, "BlockTable", (long)counts.x * counts.y * counts.z, sizeof(uint));
+            GpuBuffers.Reserve(ref list, "BlockList", capacity, sizeof(uint));
+            GpuBuffers.Reserve(ref samples, "BlockSamples", (long)capacity * SamplesPerBlock, sizeof(float));
+            GpuBuffers.Reserve(ref ranges, "BlockRanges", capacity, RangeStride);
+            GpuBuffers.Reserve(ref counters, "SurfaceCounters", SurfaceCounters.Slots, sizeof(uint));
+            roundArguments ??= GpuBuffers.Create("SurfaceRoundArguments", 4, sizeof(uint), GraphicsBuffer.Target.IndirectArguments);
+            Counts = counts;
+            Capacity = list.count;
+        }
+
+        /// <summary>Releases the buffers.</summary>
+        public void Dispose()
+        {
+            GpuBuffers.Dispose(ref table);
+            GpuBuffers.Dispose(ref list);
+            GpuBuffers.Dispose(ref samples);
+            GpuBuffers.Dispose(ref ranges);
+            GpuBuffers.Dispose(ref counters);
+            GpuBuffers.Dispose(ref roundArguments);
+            Counts = Vector3Int.zero;
+            Capacity = 0;
+        }
+
+        /// <summary>Records the globals of SurfaceBlocks.hlsl; buffers are the pass's own matter.</summary>
+        internal void SetGlobals(CommandBuffer cmd, ComputeKernel kernel)
+        {
+            CountsValue[0] = Counts.x;
+            CountsValue[1] = Counts.y;
+            CountsValue[2] = Counts.z;
+            kernel.SetInts(cmd, BlockCountsId, CountsValue);
+            kernel.SetInt(cmd, BlockCapacityId, Capacity);
+        }
+
+        // 64 cells have 66 cubes, 9 blocks.
+        static int CountOver(int cells) => (cells + 2 + CubesPerSide - 1) / CubesPerSide;
+    }
+}

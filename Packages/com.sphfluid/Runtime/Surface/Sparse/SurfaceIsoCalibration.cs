@@ -1,0 +1,144 @@
+using System;
+using System.Collections.Generic;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// The iso value at which the surface of a perfect lattice pool lies half a spacing above its last layer, on average over sub-cell positions
+    /// of the grid: volumes then come out right. Lengths are in particle spacings. Values are computed once and kept.
+    /// </summary>
+    public static class SurfaceIsoCalibration
+    {
+        // Positions of the pool against the grid: along z they divide a cell evenly; across, any incommensurate ones serve.
+        const int Phases = 6;
+        const double PhaseX = 0.137 * 1.3, PhaseY = 0.731;
+
+        // Columns of samples whose heights are averaged: a square of 8 spacings, or as many columns as take the time of a blink.
+        const double ColumnsFrom = 6.0, ColumnsTo = 14.0;
+        const int MostColumns = 24;
+
+        // Layers of the pool, deep enough for the lowest ones not to be felt, and halvings of the interval from 0 to 1.
+        const int Layers = 10;
+        const int Halvings = 26;
+
+        // Depth below the last layer in which the surface is looked for.
+        const double DeepestTop = 1.5;
+
+        // Keys are rounded so that sizes that differ in the last bits share a value.
+        const double KeySteps = 4096.0;
+
+        static readonly Dictionary<(long, long, long, int, long, bool), float> Known = new Dictionary<(long, long, long, int, long, bool), float>();
+
+        /// <summary>The iso value of a smooth field.</summary>
+        /// <param name="supportRatio">R/dx of the field's kernel, above 1.</param>
+        /// <param name="cellRatio">Edge of a cell over dx.</param>
+        /// <param name="smoothing">λ.</param>
+        /// <param name="filterPasses">Passes of the filter.</param>
+        /// <param name="unionOffset">δ.</param>
+        /// <param name="anisotropic">Whether kernels are stretched along the surface.</param>
+        /// <returns>The value.</returns>
+        public static float IsoValue(double supportRatio, double cellRatio, double smoothing, int filterPasses, double unionOffset, bool anisotropic = false)
+        {
+            var key = (Round(supportRatio), Round(cellRatio), Round(smoothing), filterPasses, Round(unionOffset), anisotropic);
+            lock (Known)
+            {
+                if (!Known.TryGetValue(key, out float iso))
+                    Known.Add(key, iso = (float)Compute(new LatticePool(supportRatio, smoothing, Layers, anisotropic), cellRatio, filterPasses, unionOffset));
+                return iso;
+            }
+        }
+
+        static long Round(double value) => (long)Math.Round(value * KeySteps);
+
+        static double Compute(LatticePool pool, double cell, int filterPasses, double unionOffset)
+        {
+            var columns = new List<double[]>();
+            var bottoms = new List<double>();
+            for (int phase = 0; phase < Phases; phase++)
+            {
+                double x = 0.5 + PhaseX * phase * cell, y = 0.5 + PhaseY * phase * cell, z = 0.5 + cell * (phase + 0.5) / Phases;
+                AddColumns(pool, cell, filterPasses, unionOffset, x, y, z, columns, bottoms);
+            }
+
+            double low = 0.0, high = 1.0;
+            for (int i = 0; i < Halvings; i++)
+            {
+                double middle = 0.5 * (low + high);
+                if (MeanHeight(columns, bottoms, cell, middle) > 0.5) low = middle;
+                else high = middle;
+            }
+
+            return 0.5 * (low + high);
+        }
+
+        // Field values of columns of samples from below the surface upwards; bottoms: height of each column's first sample above the last layer.
+        static void AddColumns(LatticePool pool, double cell, int passes, double unionOffset, double shiftX, double shiftY, double shiftZ,
+            List<double[]> columns, List<double> bottoms)
+        {
+            int firstX = (int)Math.Ceiling(ColumnsFrom / cell), firstY = firstX;
+            int count = Math.Min((int)Math.Floor(ColumnsTo / cell) - firstX + 1, MostColumns);
+            int firstZ = (int)Math.Ceiling((shiftZ - DeepestTop) / cell) - passes;
+            int nx = count + 2 * passes, ny = nx, nz = (int)Math.Ceiling((shiftZ + pool.Radius) / cell) + 1 + passes - firstZ;
+            var raw = new double[nx, ny, nz];
+            for (int x = 0; x < nx; x++)
+            {
+                for (int y = 0; y < ny; y++)
+                {
+                    for (int z = 0; z < nz; z++)
+                        raw[x, y, z] = pool.At((firstX - passes + x) * cell - shiftX, (firstY - passes + y) * cell - shiftY, (firstZ + z) * cell - shiftZ);
+                }
+            }
+
+            double[,,] filtered = raw;
+            for (int pass = 0; pass < passes; pass++)
+                filtered = Filter(filtered);
+            for (int x = passes; x < nx - passes; x++)
+            {
+                for (int y = passes; y < ny - passes; y++)
+                {
+                    var column = new double[nz];
+                    for (int z = 0; z < nz; z++)
+                        column[z] = Math.Max(filtered[x, y, z], passes > 0 ? raw[x, y, z] - unionOffset : 0.0);
+                    columns.Add(column);
+                    bottoms.Add(firstZ * cell - shiftZ);
+                }
+            }
+        }
+
+        // 1 2 1 along each axis; the outermost values stay, nobody asks for them.
+        static double[,,] Filter(double[,,] source)
+        {
+            double[,,] result = (double[,,])source.Clone();
+            for (int axis = 0; axis < 3; axis++)
+            {
+                double[,,] from = (double[,,])result.Clone();
+                int dx = axis == 0 ? 1 : 0, dy = axis == 1 ? 1 : 0, dz = axis == 2 ? 1 : 0;
+                for (int x = dx; x < from.GetLength(0) - dx; x++)
+                {
+                    for (int y = dy; y < from.GetLength(1) - dy; y++)
+                    {
+                        for (int z = dz; z < from.GetLength(2) - dz; z++)
+                            result[x, y, z] = 0.25 * (from[x - dx, y - dy, z - dz] + 2.0 * from[x, y, z] + from[x + dx, y + dy, z + dz]);
+                    }
+                }
+            }
+
+            return result;
+        }
+
+        static double MeanHeight(List<double[]> columns, List<double> bottoms, double cell, double iso)
+        {
+            double sum = 0.0;
+            for (int i = 0; i < columns.Count; i++)
+            {
+                double[] column = columns[i];
+                int z = column.Length - 2;
+                while (z > 0 && column[z] <= iso)
+                    z--;
+                sum += bottoms[i] + cell * (z + (column[z] - iso) / (column[z] - column[z + 1]));
+            }
+
+            return sum / columns.Count;
+        }
+    }
+}

@@ -1,0 +1,89 @@
+// How far a line of sight runs through water.
+#ifndef SPHFLUID_WATER_PATH_INCLUDED
+#define SPHFLUID_WATER_PATH_INCLUDED
+
+#include "../Surface/SurfaceFragment.hlsl"
+
+float4 _ProjectionParams; // x: -1 where the picture is drawn upside down
+float4 _ZBufferParams;
+float4 unity_OrthoParams; // w: 1 for an orthographic camera
+
+Texture2D<float2> _FluidThickness;  // WaterThickness.hlsl
+Texture2D<float> _CameraDepthTexture;
+SamplerState sampler_LinearClamp;
+SamplerState sampler_PointClamp;
+float4 _FluidThicknessSize; // xy: pixels of _FluidThickness; z: pixels of the picture to one of its, along an axis
+float4 _FluidThicknessView; // xy: pixels of the camera's picture
+float4 _FluidScene;         // x: where the scene's colour is, WATER_SCENE_*; y: 1 if _CameraDepthTexture is there
+
+#define WATER_SCENE_NONE 0.0      // SceneTextures.cs
+#define WATER_SCENE_COPY 1.0
+#define WATER_SCENE_UNIVERSAL 2.0
+#define NOTHING_BEHIND 1e6 // metres
+
+// Unit vector to the camera.
+float3 WaterView(float3 world)
+{
+    return unity_OrthoParams.w > 0.5 ? normalize(unity_MatrixV[2].xyz) : normalize(_WorldSpaceCameraPos - world);
+}
+
+// 0 to 1 over the camera's picture, from its lower left corner.
+float2 WaterScreen(float3 world)
+{
+    float4 clipPosition = FluidClipPosition(world);
+    return clipPosition.xy / clipPosition.w * float2(0.5, 0.5 * _ProjectionParams.x) + 0.5;
+}
+
+// Metres along the camera's axis.
+float WaterEyeDepth(float3 world)
+{
+    return -dot(unity_MatrixV[2], float4(FluidMatrixPosition(world), 1.0));
+}
+
+float SceneEyeDepth(float2 screen)
+{
+    float depth = NOTHING_BEHIND;
+    if (_FluidScene.y > 0.5)
+    {
+        float raw = _CameraDepthTexture.SampleLevel(sampler_PointClamp, screen, 0.0);
+        float near = _ProjectionParams.y;
+        float far = _ProjectionParams.z;
+#if defined(FLUID_REVERSED_Z)
+        float between = 1.0 - raw;
+#else
+        float between = raw;
+#endif
+        depth = unity_OrthoParams.w > 0.5 ? lerp(near, far, between) : 1.0 / (_ZBufferParams.z * raw + _ZBufferParams.w);
+    }
+    return depth;
+}
+
+// Where the line of sight enters and leaves the domain, metres along the camera's axis.
+float2 DomainSpan(float3 world, float3 view, float alongAxis)
+{
+    float3 position = FluidLocalPosition(world);
+    float3 direction = FluidLocalDirection(-view);
+    float3 reciprocal = 1.0 / (abs(direction) > 1e-6 ? direction : (float3)1e-6);
+    float3 a = (_MCMinimum - position) * reciprocal;
+    float3 b = (_MCMinimum + _MCCells * _MCCellSize - position) * reciprocal;
+    float3 entries = min(a, b);
+    float3 exits = max(a, b);
+    float entry = max(max(entries.x, entries.y), entries.z);
+    float exit = min(min(exits.x, exits.y), exits.z);
+    return max(WaterEyeDepth(world) + float2(entry, exit) * alongAxis, 0.0);
+}
+
+// Water behind a point of the surface, metres along the camera's axis. A surface that is open at the walls, or a camera within the water, leaves
+// faces without a partner: the domain's wall, or the camera, takes its place.
+float WaterBehind(float3 world, float3 view, float alongAxis)
+{
+    float2 part = ceil(_FluidThicknessView.xy / _FluidThicknessSize.z);
+    float2 used = min(part / _FluidThicknessSize.xy, 1.0);
+    float2 uv = min(WaterScreen(world) * used, used - 0.5 / _FluidThicknessSize.xy);
+    float2 sums = _FluidThickness.SampleLevel(sampler_LinearClamp, uv, 0.0);
+    float2 span = DomainSpan(world, view, alongAxis);
+    float unpaired = sums.y > 0.0 ? span.x : span.y;
+    return max(sums.x + sums.y * (WaterEyeDepth(FluidWorldPosition(0.0)) - unpaired), 0.0);
+}
+
+#endif

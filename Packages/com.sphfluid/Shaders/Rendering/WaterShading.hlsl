@@ -1,0 +1,98 @@
+// Clear water: refracted scene, absorption and scattering along the way, mirror of the surroundings, highlight of the sun.
+#ifndef SPHFLUID_WATER_SHADING_INCLUDED
+#define SPHFLUID_WATER_SHADING_INCLUDED
+
+#include "SurfaceDrawing.hlsl"
+#include "WaterPath.hlsl"
+
+Texture2D<float4> _FluidSceneColour;    // Built-in: a copy of the camera's picture before transparent things
+Texture2D<float4> _CameraOpaqueTexture; // URP
+float4 _FluidExtinction; // rgb: light lost per metre, absorbed or scattered [1/m]
+float4 _FluidScattering; // rgb: of that, scattered, 0 to 1
+TextureCube<float4> _FluidReflectionMap;
+float4 _FluidReflection;       // x: 1 with a map, 0 without; y: mip level
+float4 _FluidReflectionDecode; // as Unity decodes HDR pictures, intensity included
+float _Refraction;     // 1: as much as in nature
+float _Smoothness;
+float _ShadowStrength; // light that the shadow takes away, 0 to 1
+
+#define AIR_TO_WATER 0.75 // ratio of the refractive indices, 1 / 1.33
+
+float3 SceneColour(float2 screen)
+{
+    float3 colour = 0.0;
+    if (_FluidScene.x == WATER_SCENE_COPY)
+        colour = _FluidSceneColour.SampleLevel(sampler_LinearClamp, screen, 0.0).rgb;
+    else
+        colour = _CameraOpaqueTexture.SampleLevel(sampler_LinearClamp, screen, 0.0).rgb;
+    return colour;
+}
+
+// Light that a metre's worth of scattering sends to the camera: half of what comes from above, as water sends it forwards and back alike.
+float3 WaterInnerLight()
+{
+    float3 up = float3(0.0, 1.0, 0.0);
+    return 0.5 * (FluidLampColour() * saturate(_FluidLightDirection.y) + FluidAmbient(up));
+}
+
+// What is mirrored: the scene's reflection probe or sky where there is one, else the ambient light.
+float3 WaterMirror(float3 direction)
+{
+    float3 colour = FluidAmbient(direction);
+    if (_FluidReflection.x > 0.0)
+    {
+        float4 encoded = _FluidReflectionMap.SampleLevel(sampler_LinearClamp, direction, _FluidReflection.y);
+        float alpha = _FluidReflectionDecode.w * (encoded.a - 1.0) + 1.0;
+#if defined(UNITY_COLORSPACE_GAMMA)
+        colour = encoded.rgb * (_FluidReflectionDecode.x * alpha);
+#else
+        colour = encoded.rgb * (_FluidReflectionDecode.x * pow(max(alpha, 0.0), _FluidReflectionDecode.y));
+#endif
+    }
+    return colour;
+}
+
+float4 ShadeWater(SurfaceFragment input) : SV_Target
+{
+    float3 view = WaterView(input.world);
+    float3 normal = SurfaceNormal(input);
+    float alongAxis = dot(view, normalize(unity_MatrixV[2].xyz));
+    float front = WaterEyeDepth(input.world);
+    float2 screen = WaterScreen(input.world);
+    float behind = WaterBehind(input.world, view, alongAxis);
+
+    float path = max(min(behind, SceneEyeDepth(screen) - front), 0.0) / alongAxis;
+    float3 bent = refract(-view, normal, AIR_TO_WATER);
+    float2 shifted = WaterScreen(input.world + lerp(-view, bent, _Refraction) * path);
+    float sceneDepth = SceneEyeDepth(shifted);
+    if (sceneDepth < front)
+    {
+        shifted = screen;
+        sceneDepth = SceneEyeDepth(screen);
+    }
+    path = max(min(behind, sceneDepth - front), 0.0) / alongAxis;
+
+    float3 transmitted = exp(-_FluidExtinction.rgb * path);
+    float3 body = _FluidScattering.rgb * (1.0 - transmitted) * WaterInnerLight();
+    float mirrored = FluidFresnel(normal, view);
+    float3 surface = WaterMirror(reflect(-view, normal)) * mirrored + FluidHighlight(_Smoothness, normal, view);
+    float3 colour = FluidExposed(body * (1.0 - mirrored) + surface);
+    float cover = 1.0;
+    if (_FluidScene.x == WATER_SCENE_NONE)
+        cover = 1.0 - (1.0 - mirrored) * dot(transmitted, 1.0 / 3.0);
+    else
+        colour += SceneColour(shifted) * transmitted * (1.0 - mirrored);
+    return float4(colour, cover);
+}
+
+// A shadow map knows only light and no light: of each three by three texels as many are left out as the shadow lets light through, and the
+// filters of soft shadows make an even half-shadow of it. Filters that average three texels, or five in a tent, see no pattern.
+float4 CastWaterShadow(SurfaceFragment input) : SV_Target
+{
+    uint2 texel = (uint2)input.clipPosition.xy % 3u;
+    float rank = (float)(3u * ((texel.x + texel.y) % 3u) + texel.y);
+    clip(_ShadowStrength * 9.0 - rank - 0.5);
+    return 0.0;
+}
+
+#endif

@@ -1,0 +1,38 @@
+// A point of the liquid's surface on its way to the pixel, and its normal there.
+#ifndef SPHFLUID_SURFACE_FRAGMENT_INCLUDED
+#define SPHFLUID_SURFACE_FRAGMENT_INCLUDED
+
+#include "SurfaceGrid.hlsl"
+#include "SurfaceVertex.hlsl"
+#include "../Rendering/FluidShading.hlsl"
+
+struct SurfaceFragment
+{
+    float4 clipPosition : SV_Position;
+    float3 world : TEXCOORD0;
+    float3 normal : TEXCOORD1;
+};
+
+SurfaceFragment ProjectSurfaceVertex(SurfaceVertex surface)
+{
+    SurfaceFragment fragment;
+    fragment.world = FluidWorldPosition(surface.position);
+    fragment.normal = FluidWorldDirection(surface.normal);
+#if defined(FLUID_SHADOW_CASTER)
+    fragment.clipPosition = FluidShadowClipPosition(fragment.world);
+#else
+    fragment.clipPosition = FluidClipPosition(fragment.world);
+#endif
+    return fragment;
+}
+
+// Vertices at the water's edge belong to the open surface and to the face at the wall; on that face, which lies in the ring, the wall decides.
+float3 SurfaceNormal(SurfaceFragment input)
+{
+    float3 fromLower = (FluidLocalPosition(input.world) - _MCMinimum) / _MCCellSize;
+    float3 fromUpper = _MCCells - fromLower;
+    float3 wall = (fromUpper < 1.5 * _MCRing ? (float3)1.0 : (float3)0.0) - (fromLower < 1.5 * _MCRing ? (float3)1.0 : (float3)0.0);
+    return normalize(any(wall != 0.0) ? FluidWorldDirection(wall) : input.normal);
+}
+
+#endif

@@ -1,0 +1,27 @@
+using NUnit.Framework;
+
+namespace SphFluid.Tests
+{
+    /// <summary>What the inspector says of each render pipeline.</summary>
+    public sealed class WaterRouteTests
+    {
+        [TestCase(0, false, true, "copy of each camera's picture")]
+        [TestCase(1, true, true, "opaque texture")]
+        [TestCase(1, false, false, "Refraction is missing")]
+        [TestCase(2, true, false, "Refraction, reflection probes and shadows are missing")]
+        public void EachPipelineIsToldWhatIsMissing(int kind, bool hasUniversal, bool isComplete, string said)
+        {
+            WaterRoute route = WaterRoute.Of((DrawPipelineKind)kind, hasUniversal);
+            Assert.AreEqual(isComplete, route.IsComplete);
+            StringAssert.Contains(said, route.Text);
+        }
+
+        [Test]
+        public void SourcesAreNumberedAsTheShaderReadsThem()
+        {
+            Assert.AreEqual(new UnityEngine.Vector4(1f, 1f, 0f, 0f), new SceneTextures(SceneColourSource.Copy, true).ToVector());
+            Assert.AreEqual(new UnityEngine.Vector4(2f, 0f, 0f, 0f), new SceneTextures(SceneColourSource.OpaqueTexture, false).ToVector());
+            Assert.AreEqual(UnityEngine.Vector4.zero, default(SceneTextures).ToVector());
+        }
+    }
+}

@@ -1,0 +1,92 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid.Tests
+{
+    /// <summary>The polygoniser of the sparse surface on samples that are written by hand into every block of a grid.</summary>
+    sealed class BlockPolygonRig : IDisposable
+    {
+        const float Iso = 0.5f;
+        const int Plenty = 1 << 20;
+
+        readonly SurfaceGrid grid;
+        readonly BlockPolygoniser polygoniser;
+
+        /// <param name="value">Field value at a grid vertex, which lies in the grid.</param>
+        /// <param name="isActive">Whether a block has a slot.</param>
+        public BlockPolygonRig(FluidShaderSet shaders, SurfaceGrid grid, Func<Vector3Int, float> value, Predicate<Vector3Int> isActive = null)
+        {
+            this.grid = grid;
+            polygoniser = new BlockPolygoniser(shaders);
+            polygoniser.Mesh.Reserve(Plenty, Plenty);
+            Blocks = new SurfaceBlocks();
+            Vector3Int counts = SurfaceBlocks.CountsOver(grid.Cells);
+            Blocks.Reserve(grid.Cells, counts.x * counts.y * counts.z);
+            Upload(value, isActive ?? (_ => true));
+        }
+
+        public SurfaceBlocks Blocks { get; }
+
+        public BlockMesh Mesh => polygoniser.Mesh;
+
+        public SurfaceWalls Walls { get; set; }
+
+        public void RecordCount(CommandBuffer cmd) => polygoniser.RecordCount(cmd, Blocks, grid, Walls, Iso);
+
+        public void RecordEmit(CommandBuffer cmd) => polygoniser.RecordEmit(cmd, Blocks, grid, Walls, Iso);
+
+        public SurfaceStatus Status() => new SurfaceStatus(GpuTest.Read<uint>(Blocks.Counters, SurfaceCounters.Slots));
+
+        /// <summary>Counts, emits and reads the mesh back.</summary>
+        public SurfaceMesh Polygonise()
+        {
+            GpuTest.Run(cmd =>
+            {
+                RecordCount(cmd);
+                RecordEmit(cmd);
+            });
+            return BlockMeshReader.Read(Blocks, Mesh, Status());
+        }
+
+        public void Dispose()
+        {
+            polygoniser.Dispose();
+            Blocks.Dispose();
+        }
+
+        void Upload(Func<Vector3Int, float> value, Predicate<Vector3Int> isActive)
+        {
+            Vector3Int counts = Blocks.Counts;
+            var table = new uint[Blocks.BlockCount];
+            var list = new uint[Blocks.BlockCount];
+            var samples = new float[Blocks.BlockCount * SurfaceBlocks.SamplesPerBlock];
+            uint slots = 0;
+            for (int number = 0; number < table.Length; number++)
+            {
+                var block = new Vector3Int(number % counts.x, number / counts.x % counts.y, number / (counts.x * counts.y));
+                if (!isActive(block))
+                    continue;
+                for (int i = 0; i < SurfaceBlocks.SamplesPerBlock; i++)
+                    samples[slots * SurfaceBlocks.SamplesPerBlock + i] = Sample(BlockFieldRig.SampleAt(block, i), value);
+                list[slots] = (uint)number;
+                table[number] = ++slots;
+            }
+            var counters = new uint[SurfaceCounters.Slots];
+            counters[SurfaceCounters.BlocksWanted] = slots;
+            counters[SurfaceCounters.BlocksListed] = slots;
+            counters[SurfaceCounters.RoundCount] = slots;
+            Blocks.Table.SetData(table);
+            Blocks.List.SetData(list);
+            Blocks.Samples.SetData(samples);
+            Blocks.Counters.SetData(counters);
+            Blocks.RoundArguments.SetData(new[] { slots, 1u, 1u, 0u });
+        }
+
+        float Sample(Vector3Int s, Func<Vector3Int, float> value)
+        {
+            bool inGrid = s == Vector3Int.Max(Vector3Int.zero, Vector3Int.Min(s, grid.Cells));
+            return inGrid ? value(s) : 0f;
+        }
+    }
+}

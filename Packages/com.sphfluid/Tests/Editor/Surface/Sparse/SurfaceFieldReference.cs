@@ -1,0 +1,166 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>The field of the sparse surface in double precision, by brute force over all particles; written from the formulas, not from the shaders.</summary>
+    sealed class SurfaceFieldReference
+    {
+        readonly SurfaceFieldSettings field;
+        readonly SurfaceGrid grid;
+        readonly FluidSolverSettings settings;
+        readonly Double3[] centres;
+        readonly double[] volumes; // in dx³
+        readonly Covariance[] shapes; // of stretched kernels; null where all are round
+        readonly Dictionary<Vector3Int, double> raw = new Dictionary<Vector3Int, double>();
+
+        public SurfaceFieldReference(IReadOnlyList<FluidParticle> particles, in FluidSolverSettings settings, in SurfaceFieldSettings field, SurfaceGrid grid)
+        {
+            this.field = field;
+            this.grid = grid;
+            this.settings = settings;
+            centres = new Double3[particles.Count];
+            volumes = new double[particles.Count];
+            for (int i = 0; i < particles.Count; i++)
+            {
+                centres[i] = particles[i].Position;
+                volumes[i] = field.IsThesis ? settings.ParticleMass / (settings.RestDensity * Math.Pow(settings.Spacing, 3.0)) : 0.0;
+            }
+            if (field.IsAnisotropic)
+                shapes = new Covariance[particles.Count];
+            if (!field.IsThesis)
+                Smooth(particles);
+        }
+
+        /// <summary>The value at a sample, -1 to cells + 1 along each axis.</summary>
+        public double Value(Vector3Int s)
+        {
+            for (int axis = 0; axis < 3; axis++)
+            {
+                if (s[axis] < 0 || s[axis] > grid.Cells[axis])
+                    return 0.0;
+            }
+            return field.FilterPasses == 0 ? Raw(s) : Math.Max(Filtered(s), Raw(s) - field.UnionOffset);
+        }
+
+        // One pass of 1 2 1 is a binomial of three, two passes are one of five.
+        double Filtered(Vector3Int s)
+        {
+            int reach = field.FilterPasses;
+            double[] weights = reach == 1 ? new[] { 0.25, 0.5, 0.25 } : new[] { 0.0625, 0.25, 0.375, 0.25, 0.0625 };
+            double sum = 0.0;
+            for (int z = -reach; z <= reach; z++)
+            {
+                for (int y = -reach; y <= reach; y++)
+                {
+                    for (int x = -reach; x <= reach; x++)
+                        sum += weights[x + reach] * weights[y + reach] * weights[z + reach] * Raw(Mirrored(s + new Vector3Int(x, y, z)));
+                }
+            }
+            return sum;
+        }
+
+        Vector3Int Mirrored(Vector3Int s)
+        {
+            for (int axis = 0; axis < 3; axis++)
+            {
+                if (HasWalls(axis))
+                    s[axis] = s[axis] < 0 ? -s[axis] : s[axis] > grid.Cells[axis] ? 2 * grid.Cells[axis] - s[axis] : s[axis];
+            }
+            return s;
+        }
+
+        double Raw(Vector3Int s)
+        {
+            if (!raw.TryGetValue(s, out double sum))
+            {
+                Vector3 cell = grid.CellSize;
+                var position = new Double3(grid.Minimum.x + (double)cell.x * s.x, grid.Minimum.y + (double)cell.y * s.y, grid.Minimum.z + (double)cell.z * s.z);
+                for (int i = 0; i < centres.Length; i++)
+                {
+                    Double3 d = Separation(centres[i], position);
+                    sum += volumes[i] * Kernel(shapes == null ? d.Length : Math.Sqrt(shapes[i].Product(d, d)));
+                }
+                if (field.WallCompletion)
+                    sum /= KernelPartInside(position);
+                raw.Add(s, sum);
+            }
+            return sum;
+        }
+
+        void Smooth(IReadOnlyList<FluidParticle> particles)
+        {
+            double radius = field.SupportRadius;
+            for (int i = 0; i < particles.Count; i++)
+            {
+                double density = 0.0, weights = 0.0;
+                var mean = new Double3(0.0, 0.0, 0.0);
+                var moments = new Covariance();
+                int count = 0;
+                Double3 position = particles[i].Position;
+                foreach (FluidParticle other in particles)
+                {
+                    Double3 d = Separation(other.Position, position);
+                    if (d.Length >= radius)
+                        continue;
+                    double w = 1.0 - Math.Pow(d.Length / radius, 3.0);
+                    density += Kernel(d.Length);
+                    weights += w;
+                    mean += w * d;
+                    moments.Add(w, d);
+                    count++;
+                }
+                var shift = field.Smoothing / weights * mean;
+                shift = new Double3(shift.X * Fade(position.X, 0), shift.Y * Fade(position.Y, 1), shift.Z * Fade(position.Z, 2));
+                double longest = field.Smoothing * settings.Spacing;
+                centres[i] = position + Math.Min(1.0, longest / Math.Max(shift.Length, 1e-30)) * shift;
+                volumes[i] = KernelPartInside(position) / density;
+                if (shapes == null)
+                    continue;
+                moments.Add(-1.0 / weights, mean);
+                bool lone = count - 1 <= 6;
+                shapes[i] = lone ? Covariance.Ball(0.5) : moments.Stretched(4.0);
+                volumes[i] = lone ? 8.0 : 1.0;
+            }
+        }
+
+        double Kernel(double r) => ThesisReference.Poly6(r, field.SupportRadius) * Math.Pow(settings.Spacing, 3.0);
+
+        Double3 Separation(Double3 a, Double3 b) => new Double3(Nearest(a.X - b.X, 0), Nearest(a.Y - b.Y, 1), Nearest(a.Z - b.Z, 2));
+
+        double Nearest(double d, int axis) => HasWalls(axis) ? d : d - settings.DomainSize[axis] * Math.Round(d / settings.DomainSize[axis]);
+
+        bool HasWalls(int axis) => ((int)settings.Boundaries.Periodic >> axis & 1) == 0;
+
+        double Fade(double x, int axis)
+        {
+            double s = (0.5 * settings.DomainSize[axis] - Math.Abs(x)) / field.SupportRadius;
+            return !HasWalls(axis) || s > 1.0 ? 1.0 : s < 0.0 ? 0.0 : 3.0 * s * s - 2.0 * s * s * s;
+        }
+
+        double KernelPartInside(Double3 p) => Math.Max(0.125, PartInside(p.X, 0) * PartInside(p.Y, 1) * PartInside(p.Z, 2));
+
+        // Simpson's rule over the slices of the kernel, (1 - x²)⁴ each.
+        double PartInside(double x, int axis)
+        {
+            if (!HasWalls(axis))
+                return 1.0;
+            double half = 0.5 * settings.DomainSize[axis], radius = field.SupportRadius;
+            double low = Math.Max(-1.0, Math.Min(0.0, (-half - x) / radius)), high = Math.Min(1.0, Math.Max(0.0, (half - x) / radius));
+            return Simpson(low, high) / Simpson(-1.0, 1.0);
+        }
+
+        static double Simpson(double from, double to)
+        {
+            const int intervals = 64;
+            double step = (to - from) / intervals, sum = 0.0;
+            for (int i = 0; i <= intervals; i++)
+            {
+                double x = from + i * step;
+                sum += (i == 0 || i == intervals ? 1.0 : i % 2 == 1 ? 4.0 : 2.0) * Math.Pow(1.0 - x * x, 4.0);
+            }
+            return sum * step / 3.0;
+        }
+    }
+}

@@ -1,0 +1,102 @@
+using System;
+using System.IO;
+using System.Linq;
+using NUnit.Framework;
+using SphFluid.Validation;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>The states, flags and table of the surface measurement.</summary>
+    public sealed class SurfaceStatesTests
+    {
+        static readonly SurfaceScale scale = new SurfaceScale();
+
+        [Test]
+        public void StatesAreTheSameAtEveryCallAndLieInTheirDomains()
+        {
+            foreach (SurfaceStates states in SurfaceStates.All.Where(s => s.Build(scale).Prepare == null))
+            {
+                SurfaceState state = states.Build(scale), again = states.Build(scale);
+                Vector3 half = 0.5f * state.Settings.DomainSize;
+                Assert.That(state.Frames.Select(f => f.Length).Distinct().Count(), Is.EqualTo(1), states.Name);
+                for (int i = 0; i < state.Frames.Count; i++)
+                {
+                    Assert.That(state.Frames[i], Is.EqualTo(again.Frames[i]), states.Name);
+                    Assert.That(state.Frames[i].All(p => Vector3.Max(-half, Vector3.Min(half, p)) == p), states.Name);
+                }
+            }
+        }
+
+        [Test]
+        public void CellsDivideTheDomainsEvenly()
+        {
+            foreach (SurfaceStates states in SurfaceStates.All)
+            {
+                SurfaceState state = states.Build(scale);
+                foreach (float cell in new[] { 0.5f, 0.75f, 1f })
+                {
+                    Vector3 cells = state.Settings.DomainSize / (cell * state.Spacing);
+                    for (int axis = 0; axis < 3; axis++)
+                        Assert.That(cells[axis], Is.EqualTo(Mathf.Round(cells[axis])).Within(1e-3), $"{states.Name}, cells of {cell} dx");
+                }
+            }
+        }
+
+        [Test]
+        public void PackedParticlesLieAboutASpacingApart()
+        {
+            Vector3[] places = ParticlePacking.Box(new Vector3Int(10, 8, 10), 5).ToArray();
+            double[] nearest = places.Select((p, i) => (double)places.Where((_, j) => j != i).Min(q => (q - p).magnitude)).ToArray();
+
+            Assert.That(places.Length, Is.EqualTo(800));
+            Assert.That(nearest.Average(), Is.InRange(0.85, 1.0));
+            Assert.That(nearest.Min(), Is.GreaterThan(0.5));
+        }
+
+        [Test]
+        public void QuickTakesFewerVariants()
+        {
+            SurfaceArguments all = SurfaceArguments.Parse(new[] { "--", "--state", "drops", "sphere" });
+            SurfaceArguments quick = SurfaceArguments.Parse(new[] { "--", "--quick", "--out", "a" });
+
+            Assert.That(all.States.Select(s => s.Name), Is.EqualTo(new[] { "drops", "sphere" }));
+            Assert.That(all.Variants.Count, Is.EqualTo(SurfaceVariants.All.Count));
+            Assert.That(quick.Variants.Count, Is.InRange(1, SurfaceVariants.All.Count - 1));
+            Assert.That((quick.States.Count, quick.OutputFolder), Is.EqualTo((SurfaceStates.All.Count, "a")));
+        }
+
+        [TestCase("--state", "sea")]
+        [TestCase("--variant", "tetrahedra")]
+        [TestCase("--grid", "3")]
+        public void WrongFlagsAreNamed(string flag, string value)
+        {
+            var exception = Assert.Throws<CommandLineException>(() => SurfaceArguments.Parse(new[] { "--", flag, value }));
+
+            Assert.That(exception.Message, Does.Contain(flag));
+        }
+
+        [Test]
+        public void WritesALineForEachVariant()
+        {
+            string folder = Path.Combine(Path.GetTempPath(), "SphFluidSurfaces" + System.Diagnostics.Process.GetCurrentProcess().Id);
+            try
+            {
+                var table = new SurfaceQualityTable(folder, "a device");
+                table.Add("drops", "thesis-1", new SurfaceQuality { Triangles = 12.5, OpenEdges = 3 });
+                table.Add("drops", "thesis-0.5", new SurfaceQuality());
+
+                string[] lines = File.ReadAllLines(Path.Combine(folder, "surface-quality.csv"));
+                string[] columns = CsvText.Split(lines[0]), cells = CsvText.Split(lines[1]);
+                Assert.That((lines.Length, cells.Length), Is.EqualTo((3, columns.Length)));
+                Assert.That(cells[Array.IndexOf(columns, "triangles")], Is.EqualTo("12.5"));
+                Assert.That(cells[Array.IndexOf(columns, "open_edges")], Is.EqualTo("3"));
+                Assert.That(cells[Array.IndexOf(columns, "flicker_dx")], Is.Empty, "it was not measured");
+            }
+            finally
+            {
+                Directory.Delete(folder, true);
+            }
+        }
+    }
+}

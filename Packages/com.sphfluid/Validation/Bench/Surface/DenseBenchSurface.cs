@@ -1,0 +1,92 @@
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid.Validation
+{
+    /// <summary>
+    /// A dense surface without a geometry shader: the thesis's field over the whole grid, then one compute pass over all cubes that appends their
+    /// triangles to a buffer, whose counter is the first of the draw's arguments. Nothing is read back while it is measured.
+    /// </summary>
+    sealed class DenseBenchSurface : IBenchSurface
+    {
+        // Corners of triangles, instances, first corner, first instance.
+        static readonly uint[] EmptyArguments = { 0, 1, 0, 0 };
+        static readonly ProfilerMarker EmitMarker = ComputeKernel.CreateMarker("EmitSurfaceVertices");
+
+        readonly int cells;
+        readonly SurfaceField field;
+        readonly ComputeKernel emitVertices;
+        readonly BenchMeshMaterial material;
+        GraphicsBuffer tables;
+        GraphicsBuffer arguments;
+        GraphicsBuffer vertices;
+        long corners;
+
+        public DenseBenchSurface(FluidShaderSet shaders, int cells)
+        {
+            this.cells = cells;
+            field = new SurfaceField(shaders, BenchLiquid.SurfaceGrid(cells));
+            emitVertices = new ComputeKernel(shaders.SurfaceMesh, "EmitSurfaceVertices");
+            material = new BenchMeshMaterial(BenchMeshMaterial.TriangleCornersPass);
+            tables = SurfacePolygoniser.CreateTables();
+            arguments = GpuBuffers.Create("BenchSurfaceArguments", EmptyArguments.Length, sizeof(uint), GraphicsBuffer.Target.IndirectArguments);
+            vertices = GpuBuffers.Create("SurfaceVertices", 0, EmittedVertex.Stride);
+        }
+
+        public BenchSurfaceFacts Facts => BenchSurfaceFacts.Dense(cells, field.GpuBytes + GpuBuffers.Size(tables, arguments, vertices), corners);
+
+        public bool HasRoom { get; private set; }
+
+        public void RecordTrial(CommandBuffer cmd, FluidSolver solver)
+        {
+            field.Record(cmd, solver);
+            RecordMesh(cmd, 0); // counts only
+        }
+
+        public void TakeTrial()
+        {
+            var counted = new uint[EmptyArguments.Length];
+            arguments.GetData(counted);
+            corners = counted[0];
+            GpuBuffers.Reserve(ref vertices, "SurfaceVertices", corners, EmittedVertex.Stride);
+            HasRoom = true;
+        }
+
+        public void Record(CommandBuffer cmd, FluidSolver solver, BenchDrawing drawing)
+        {
+            field.Record(cmd, solver);
+            RecordMesh(cmd, vertices.count);
+            drawing.BeginSurface(cmd);
+            MaterialPropertyBlock properties = material.Properties(field.Grid, drawing.Placement);
+            properties.SetBuffer(SurfaceShaderIds.SurfaceVertices, vertices);
+            cmd.DrawProceduralIndirect(Matrix4x4.identity, material.Material, material.Pass, MeshTopology.Triangles, arguments, 0, properties);
+            drawing.EndSurface(cmd);
+        }
+
+        public void Dispose()
+        {
+            field.Dispose();
+            material.Dispose();
+            GpuBuffers.Dispose(ref tables);
+            GpuBuffers.Dispose(ref arguments);
+            GpuBuffers.Dispose(ref vertices);
+        }
+
+        void RecordMesh(CommandBuffer cmd, int capacity)
+        {
+            cmd.BeginSample(EmitMarker);
+            cmd.SetBufferData(arguments, EmptyArguments);
+            emitVertices.SetBuffer(cmd, SurfaceShaderIds.MCGrid, field.Values);
+            emitVertices.SetBuffer(cmd, SurfaceShaderIds.MCTables, tables);
+            emitVertices.SetBuffer(cmd, SurfaceShaderIds.SurfaceVertexCount, arguments);
+            emitVertices.SetBuffer(cmd, SurfaceShaderIds.SurfaceVertices, vertices);
+            emitVertices.SetInt(cmd, SurfaceShaderIds.SurfaceVertexCapacity, capacity);
+            emitVertices.SetGrid(cmd, field.Grid);
+            emitVertices.SetIsoValue(cmd, BenchDrawing.IsoValue);
+            Vector3Int cubes = field.Grid.Cubes;
+            emitVertices.DispatchThreads(cmd, cubes.x, cubes.y, cubes.z);
+            cmd.EndSample(EmitMarker);
+        }
+    }
+}

@@ -1,0 +1,63 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid.Validation
+{
+    /// <summary>The sparse surface, drawn indirectly from its buffers: field and marching cubes only in blocks that hold the surface.</summary>
+    sealed class SparseBenchSurface : IBenchSurface
+    {
+        readonly SparseSurface surface;
+        readonly BenchMeshMaterial material;
+        readonly SurfaceGrid grid;
+        readonly SurfaceFieldSettings field;
+
+        public SparseBenchSurface(FluidShaderSet shaders, in BenchConfig config, in FluidSolverSettings settings)
+        {
+            surface = new SparseSurface(shaders);
+            material = new BenchMeshMaterial(BenchMeshMaterial.PackedVerticesPass);
+            if (config.Quality is FluidSurfaceQuality quality)
+            {
+                field = SurfaceFieldSettings.For(quality, settings);
+                grid = SurfaceGrid.OverDomain(settings.DomainSize, field.CellSize);
+            }
+            else
+            {
+                grid = BenchLiquid.SurfaceGrid(config.Grid);
+                field = SurfaceFieldSettings.Thesis(settings, grid, BenchDrawing.IsoValue);
+            }
+        }
+
+        public BenchSurfaceFacts Facts => new BenchSurfaceFacts
+        {
+            Cells = grid.Cells.x,
+            CellSize = grid.CellSize.x,
+            Triangles = surface.Status.Triangles,
+            Vertices = surface.Status.Vertices,
+            ActiveBlocks = surface.Status.Blocks,
+            PotentialBlocks = surface.Blocks.BlockCount,
+            GpuBytes = surface.GpuBytes,
+        };
+
+        public bool HasRoom => surface.Status.IsComplete;
+
+        public void RecordTrial(CommandBuffer cmd, FluidSolver solver) => surface.Record(cmd, solver, field, grid, SurfaceWalls.Closed);
+
+        public void TakeTrial() => surface.ReadStatus();
+
+        public void Record(CommandBuffer cmd, FluidSolver solver, BenchDrawing drawing)
+        {
+            surface.Record(cmd, solver, field, grid, SurfaceWalls.Closed);
+            drawing.BeginSurface(cmd);
+            MaterialPropertyBlock properties = material.Properties(grid, drawing.Placement);
+            properties.SetBuffer(SurfaceShaderIds.SurfaceVertices, surface.Vertices);
+            cmd.DrawProceduralIndirect(surface.Indices, Matrix4x4.identity, material.Material, material.Pass, MeshTopology.Triangles, surface.DrawArguments, 0, properties);
+            drawing.EndSurface(cmd);
+        }
+
+        public void Dispose()
+        {
+            surface.Dispose();
+            material.Dispose();
+        }
+    }
+}

@@ -1,0 +1,41 @@
+namespace SphFluid.Validation
+{
+    /// <summary>The surface of a simulation at the end of a play.</summary>
+    static class PlaySurface
+    {
+        /// <summary>The surface in simulation space, made as the scene's component makes it; without one as a Fluid Surface Renderer does by default. Waits for the GPU.</summary>
+        /// <exception cref="FluidDeviceException">The device has no room for it.</exception>
+        public static SurfaceMesh Extract(FluidSimulation simulation)
+        {
+            FluidSolver solver = simulation.Solver;
+            FluidShaderSet shaders = simulation.Profile.Shaders;
+            switch (Maker(simulation))
+            {
+                case FluidGeometrySurfaceRenderer thesis when !thesis.UsesFallback:
+                    return FluidSurfaceMesher.Extract(solver, shaders, thesis.GridSize, thesis.IsoValue, thesis.WallCompletion);
+                case FluidSurfaceRenderer renderer:
+                    return FluidSurfaceMesher.Extract(solver, shaders, renderer.Surface);
+                case FluidSurfaceMesh mesh:
+                    return FluidSurfaceMesher.Extract(solver, shaders, mesh.Surface);
+                default:
+                    return FluidSurfaceMesher.Extract(solver, shaders, new FluidSurfaceOptions());
+            }
+        }
+
+        // The component that makes the surface, or would if it were enabled; null where the scene has none.
+        static FluidView Maker(FluidSimulation simulation)
+        {
+            FluidView disabled = null;
+            foreach (FluidView view in PlayOverrides.ViewsOf(simulation))
+            {
+                if (view is FluidParticleRenderer)
+                    continue;
+                if (view.isActiveAndEnabled)
+                    return view;
+                if (disabled == null)
+                    disabled = view;
+            }
+            return disabled;
+        }
+    }
+}
