@@ -40,14 +40,12 @@ internal sealed class FxcCheck(string projectRoot, string packageRoot, string ca
             {
                 File.WriteAllText(Path.Combine(folder.FullName, $"{i}.hlsl"), job.Text);
                 return $"{i}\t{i}.hlsl\t{job.Entry}\t{job.Profile}";
-            });
-            var jobFile = Path.Combine(folder.FullName, "jobs.txt");
-            File.WriteAllLines(jobFile, lines);
-            var results = toolchain.Run(jobFile);
+            }).ToList();
+            var results = toolchain.Run(folder.FullName, lines);
             var slots = 0;
             foreach (var result in results) slots = Math.Max(slots, Judge(result.Split('\t'), jobs, report));
-            if (results.Length != jobs.Count) report.Findings.Add($"{jobs.Count} jobs went in, {results.Length} results came out");
-            report.Figures = $"{results.Length} entry points and variants of {files} files compiled by d3dcompiler_47, at most {slots} instruction slots";
+            if (results.Count != jobs.Count) report.Findings.Add($"{jobs.Count} jobs went in, {results.Count} results came out");
+            report.Figures = $"{results.Count} entry points and variants of {files} files compiled by d3dcompiler_47, at most {slots} instruction slots";
         }
         finally { folder.Delete(recursive: true); }
     }

@@ -1,11 +1,16 @@
 using System.Diagnostics;
+using System.Text.RegularExpressions;
 
 namespace Headless.Checks.Fxc;
 
 /// <summary>Microsoft's d3dcompiler_47.dll under Wine, driven by the small program fxc_jobs.c.</summary>
-internal sealed class FxcToolchain(string cacheFolder)
+internal sealed partial class FxcToolchain(string cacheFolder)
 {
     private const string CrossCompiler = "x86_64-w64-mingw32-gcc";
+
+    // fxc_jobs ends with 101 to 103 where it cannot start, with up to 100 for the jobs that failed.
+    private const int LastStartError = 103;
+
     private static readonly string[] winePaths = ["/usr/lib/wine/wine64", "/usr/bin/wine64", "/usr/local/bin/wine64"];
 
     private string Fetched => Path.Combine(cacheFolder, "d3dcompiler_47.dll");
@@ -34,20 +39,38 @@ internal sealed class FxcToolchain(string cacheFolder)
         }
     }
 
+    [GeneratedRegex(@"^\d+\t(ok|failed)\t")]
+    private static partial Regex ResultLine();
+
     private static string? Wine => Array.Find(winePaths, File.Exists);
 
-    /// <summary>Compiles the jobs in one process and returns a line a job; what Wine says of itself is left out.</summary>
-    public string[] Run(string jobFile)
+    /// <summary>Compiles the jobs, a line each, and returns a line for each; what Wine says of itself is left out. One process does
+    /// them all, unless a job crashes the compiler: that one has failed, and another process goes on behind it.</summary>
+    public List<string> Run(string folder, IReadOnlyList<string> jobs)
     {
+        var results = new List<string>();
+        while (results.Count < jobs.Count)
+        {
+            var (code, output) = RunJobs(folder, jobs.Skip(results.Count));
+            if (code is > 100 and <= LastStartError) throw new InvalidOperationException($"fxc_jobs could not start (exit code {code}): {output}");
+            results.AddRange(output.Split('\n').Where(line => ResultLine().IsMatch(line)));
+            if (code <= 100) break;
+            if (results.Count < jobs.Count) results.Add(jobs[results.Count].Split('\t')[0] + "\tfailed\t0\t0\t0\t0\td3dcompiler_47.dll crashed");
+        }
+        return results;
+    }
+
+    private (int Code, string Output) RunJobs(string folder, IEnumerable<string> jobs)
+    {
+        const string jobFile = "jobs.txt";
+        File.WriteAllLines(Path.Combine(folder, jobFile), jobs);
         var environment = new Dictionary<string, string>
         {
             ["WINEPREFIX"] = Path.Combine(WorkFolder, "prefix"),
             ["WINEDEBUG"] = "-all",
             ["WINEDLLOVERRIDES"] = "d3dcompiler_47=n;mscoree=;mshtml=",
         };
-        var (code, output) = RunProcess(Wine!, [Driver, Path.GetFileName(jobFile)], environment, Path.GetDirectoryName(jobFile));
-        if (code > 100) throw new InvalidOperationException($"fxc_jobs could not start (exit code {code}): {output}");
-        return output.Split('\n').Where(line => line.Contains('\t')).ToArray();
+        return RunProcess(Wine!, [Driver, jobFile], environment, folder);
     }
 
     private static (int, string) RunProcess(string file, IEnumerable<string> arguments, Dictionary<string, string>? environment, string? folder = null)
@@ -58,6 +81,6 @@ internal sealed class FxcToolchain(string cacheFolder)
         var errors = process.StandardError.ReadToEndAsync();
         var output = process.StandardOutput.ReadToEnd();
         process.WaitForExit();
-        return (process.ExitCode, process.ExitCode is 0 or <= 100 ? output : output + errors.Result);
+        return (process.ExitCode, process.ExitCode is >= 0 and <= 100 ? output : output + errors.Result);
     }
 }

@@ -7,10 +7,13 @@ namespace Headless.Importers.Assets;
 internal sealed class ImageImporter : IAssetImporter
 {
     private const long MainId = 2800000;
+    private const int FlatShape = 1;
 
     public void Import(AssetFile file)
     {
         YamlMap mipmaps = file.Meta.Settings.Map("mipmaps") ?? new YamlMap(), sampling = file.Meta.Settings.Map("textureSettings") ?? new YamlMap();
+        if (file.Meta.Settings.Int("textureShape", FlatShape) != FlatShape)
+            file.Project.Report($"{file.AssetPath}: cubemaps and layers made of a picture are not read here; it is a flat texture.");
         bool linear = !mipmaps.Bool("sRGBTexture", true);
         var texture = new Texture2D(2, 2, TextureFormat.RGBA32, mipmaps.Bool("enableMipMap", true), linear) { name = file.Name };
         if (!texture.LoadImage(File.ReadAllBytes(file.File), !file.Meta.Settings.Bool("isReadable")))

@@ -29,8 +29,10 @@ namespace SphFluid.Editor
                 SurfaceStatusGUI.Draw(Renderer.Status, Renderer.GpuBytes);
         }
 
-        /// <summary>Fields that a look does not read.</summary>
-        internal static string[] Hidden(FluidSurfaceLook look)
+        /// <summary>Fields that a look does not read, and the script's own.</summary>
+        /// <param name="look">The look.</param>
+        /// <returns>Names of serialised fields.</returns>
+        public static string[] Hidden(FluidSurfaceLook look)
         {
             var hidden = new List<string> { "m_Script" };
             hidden.AddRange(look == FluidSurfaceLook.Water ? new[] { "colour", "smoothness" } : new[] { "water" });

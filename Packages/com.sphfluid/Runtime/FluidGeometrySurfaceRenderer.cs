@@ -64,8 +64,8 @@ namespace SphFluid
         /// <summary>Smoothness of the surface, if no material is given, 0 to 1.</summary>
         public float Smoothness { get => smoothness; set => smoothness = value; }
 
-        /// <summary>Bytes of GPU memory of the grid; 0 while nothing is drawn.</summary>
-        public long GpuBytes => field?.GpuBytes ?? 0;
+        /// <summary>Bytes of GPU memory of the grid, or of the sparse surface in its place; 0 while nothing is drawn.</summary>
+        public long GpuBytes => fallback?.Surface.GpuBytes ?? field?.GpuBytes ?? 0;
 
         /// <summary>Whether the sparse surface is drawn instead, because the device has no geometry shaders.</summary>
         public bool UsesFallback => fallback != null;

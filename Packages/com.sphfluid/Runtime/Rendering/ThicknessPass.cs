@@ -17,6 +17,7 @@ namespace SphFluid
         RenderTexture texture;
         SurfaceBuffers surface;
         int divisor = 1;
+        int preparedAt = -1;
 
         /// <exception cref="FluidDeviceException">The shader is missing, or the device cannot blend half floats.</exception>
         public ThicknessPass(FluidShaderSet shaders)
@@ -44,6 +45,7 @@ namespace SphFluid
         public void Prepare(in SurfaceBuffers drawn, in DrawPlacement placement, Vector2Int largestView, bool halfResolution)
         {
             surface = drawn;
+            preparedAt = Time.frameCount;
             Layer = placement.Layer;
             divisor = halfResolution ? 2 : 1;
             DrawPipeline.Prepare(material, placement.Pipeline);
@@ -59,14 +61,14 @@ namespace SphFluid
             properties.SetVector(RenderShaderIds.FluidThicknessSize, new Vector4(texture.width, texture.height, divisor, 0f));
         }
 
-        /// <summary>Records the thickness as one camera sees it.</summary>
+        /// <summary>Records the thickness as one camera sees it; nothing if no surface was given in this frame.</summary>
         /// <param name="cmd">Where it is recorded.</param>
         /// <param name="view">World to camera.</param>
         /// <param name="projection">The camera's projection.</param>
         /// <param name="size">Pixels of the camera's picture.</param>
         public void Record(CommandBuffer cmd, Matrix4x4 view, Matrix4x4 projection, Vector2Int size)
         {
-            if (texture == null)
+            if (preparedAt != Time.frameCount)
                 return;
             Vector2Int part = ViewSize(size);
             cmd.SetRenderTarget(texture);

@@ -12,6 +12,7 @@ namespace SphFluid
     {
         static readonly List<ThicknessPass> passes = new List<ThicknessPass>();
         static readonly BuiltInSceneTextures builtIn = new BuiltInSceneTextures();
+        static Camera[] found = new Camera[4];
         static CommandBuffer cmd;
         static Vector2Int largestView;
 
@@ -26,8 +27,11 @@ namespace SphFluid
         {
             get
             {
-                foreach (Camera camera in Camera.allCameras)
-                    Widen(camera);
+                if (found.Length < Camera.allCamerasCount)
+                    found = new Camera[Camera.allCamerasCount];
+                int count = Camera.GetAllCameras(found);
+                for (int i = 0; i < count; i++)
+                    Widen(found[i]);
                 return Vector2Int.Max(largestView, Vector2Int.one);
             }
         }
@@ -61,6 +65,7 @@ namespace SphFluid
             cmd.Dispose();
             cmd = null;
             largestView = Vector2Int.zero;
+            System.Array.Clear(found, 0, found.Length);
         }
 
         static void PrepareBuiltIn(Camera camera)

@@ -14,8 +14,16 @@ namespace SphFluid
         public WaterDrawing(FluidShaderSet shaders)
             : base(shaders.WaterShader, "waterShader")
         {
-            depth = DrawMaterial.Create(shaders.WaterDepthShader, "waterDepthShader");
-            thickness = new ThicknessPass(shaders);
+            try
+            {
+                depth = DrawMaterial.Create(shaders.WaterDepthShader, "waterDepthShader");
+                thickness = new ThicknessPass(shaders);
+            }
+            catch (FluidDeviceException)
+            {
+                Dispose();
+                throw;
+            }
             WaterCameras.Add(thickness);
         }
 
@@ -58,8 +66,11 @@ namespace SphFluid
 
         public override void Dispose()
         {
-            WaterCameras.Remove(thickness);
-            thickness?.Dispose();
+            if (thickness != null)
+            {
+                WaterCameras.Remove(thickness);
+                thickness.Dispose();
+            }
             DrawMaterial.Destroy(ref depth);
             base.Dispose();
         }

@@ -40,22 +40,92 @@ float WaterEyeDepth(float3 world)
     return -dot(unity_MatrixV[2], float4(FluidMatrixPosition(world), 1.0));
 }
 
+// From what a depth texture holds to metres along the camera's axis.
+float EyeDepthOf(float raw)
+{
+    float near = _ProjectionParams.y;
+    float far = _ProjectionParams.z;
+#if defined(FLUID_REVERSED_Z)
+    float between = 1.0 - raw;
+#else
+    float between = raw;
+#endif
+    return unity_OrthoParams.w > 0.5 ? lerp(near, far, between) : 1.0 / (_ZBufferParams.z * raw + _ZBufferParams.w);
+}
+
 float SceneEyeDepth(float2 screen)
 {
     float depth = NOTHING_BEHIND;
     if (_FluidScene.y > 0.5)
+        depth = EyeDepthOf(_CameraDepthTexture.SampleLevel(sampler_PointClamp, screen, 0.0));
+    return depth;
+}
+
+// The nearest of the four texels that a filtered colour there is mixed of.
+float NearestSceneDepth(float2 screen)
+{
+    float depth = NOTHING_BEHIND;
+    if (_FluidScene.y > 0.5)
     {
-        float raw = _CameraDepthTexture.SampleLevel(sampler_PointClamp, screen, 0.0);
-        float near = _ProjectionParams.y;
-        float far = _ProjectionParams.z;
+        float4 raw = _CameraDepthTexture.GatherRed(sampler_LinearClamp, screen);
 #if defined(FLUID_REVERSED_Z)
-        float between = 1.0 - raw;
+        depth = EyeDepthOf(max(max(raw.x, raw.y), max(raw.z, raw.w)));
 #else
-        float between = raw;
+        depth = EyeDepthOf(min(min(raw.x, raw.y), min(raw.z, raw.w)));
 #endif
-        depth = unity_OrthoParams.w > 0.5 ? lerp(near, far, between) : 1.0 / (_ZBufferParams.z * raw + _ZBufferParams.w);
     }
     return depth;
+}
+
+// A line through the water on the screen: where it is after so many metres, and how deep.
+struct WaterRay
+{
+    float4 clipStart;
+    float4 clipStep;
+    float front;      // depth of its start, metres along the camera's axis
+    float depthStep;  // depth a metre
+};
+
+WaterRay StartRay(float3 world, float3 direction)
+{
+    WaterRay ray;
+    ray.clipStart = FluidClipPosition(world);
+    ray.clipStep = mul(unity_MatrixVP, float4(direction, 0.0));
+    ray.front = WaterEyeDepth(world);
+    ray.depthStep = -dot(unity_MatrixV[2].xyz, direction);
+    return ray;
+}
+
+float2 RayScreen(WaterRay ray, float metres)
+{
+    float4 clipPosition = ray.clipStart + ray.clipStep * metres;
+    return clipPosition.xy / clipPosition.w * float2(0.5, 0.5 * _ProjectionParams.x) + 0.5;
+}
+
+// Whether the scene shows there what such a line sees: neither a thing in front of the water nor one that it has run into before.
+bool IsSeen(WaterRay ray, float metres)
+{
+    float scene = NearestSceneDepth(RayScreen(ray, metres));
+    return scene >= ray.front && scene >= ray.front + ray.depthStep * metres;
+}
+
+// How far a line runs, halving the last doubt each time: to a thirty-second of the longest way.
+float RayLength(WaterRay ray, float longest)
+{
+    float clear = 0.0;
+    float doubtful = longest;
+    if (IsSeen(ray, longest))
+        clear = longest;
+    [unroll]
+    for (uint i = 0; i < 5; i++)
+    {
+        float middle = 0.5 * (clear + doubtful);
+        if (IsSeen(ray, middle))
+            clear = middle;
+        else
+            doubtful = middle;
+    }
+    return clear;
 }
 
 // Where the line of sight enters and leaves the domain, metres along the camera's axis.

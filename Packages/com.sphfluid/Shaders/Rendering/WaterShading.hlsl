@@ -61,16 +61,10 @@ float4 ShadeWater(SurfaceFragment input) : SV_Target
     float2 screen = WaterScreen(input.world);
     float behind = WaterBehind(input.world, view, alongAxis);
 
-    float path = max(min(behind, SceneEyeDepth(screen) - front), 0.0) / alongAxis;
-    float3 bent = refract(-view, normal, AIR_TO_WATER);
-    float2 shifted = WaterScreen(input.world + lerp(-view, bent, _Refraction) * path);
-    float sceneDepth = SceneEyeDepth(shifted);
-    if (sceneDepth < front)
-    {
-        shifted = screen;
-        sceneDepth = SceneEyeDepth(screen);
-    }
-    path = max(min(behind, sceneDepth - front), 0.0) / alongAxis;
+    float longest = max(min(behind, SceneEyeDepth(screen) - front), 0.0) / alongAxis;
+    WaterRay ray = StartRay(input.world, normalize(lerp(-view, refract(-view, normal, AIR_TO_WATER), _Refraction)));
+    float2 shifted = RayScreen(ray, RayLength(ray, longest));
+    float path = clamp((SceneEyeDepth(shifted) - front) / ray.depthStep, 0.0, longest);
 
     float3 transmitted = exp(-_FluidExtinction.rgb * path);
     float3 body = _FluidScattering.rgb * (1.0 - transmitted) * WaterInnerLight();

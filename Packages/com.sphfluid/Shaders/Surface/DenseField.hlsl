@@ -6,9 +6,14 @@
 
 StructuredBuffer<float> _MCGrid; // a density factor a grid vertex, x fastest: density / rest density
 
-bool MCHasValue(int3 v)
+int3 MCKnownAbove(int3 v)
 {
-    return MCInGrid(v);
+    return min(v + 1, MCCells());
+}
+
+int3 MCKnownBelow(int3 v)
+{
+    return max(v - 1, 0);
 }
 
 // Outside the grid there is no liquid.

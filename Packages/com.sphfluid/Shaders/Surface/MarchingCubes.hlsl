@@ -1,7 +1,8 @@
 // Marching cubes (Lorensen & Cline 1987) over the grid of density factors. Included by the geometry shader, by its compute twin and by the sparse
 // surface, so that all make the same triangles. Whoever includes it declares before where field values come from, e.g. by DenseField.hlsl:
 //     float MCFieldValue(int3 v)  0 outside the grid
-//     bool MCHasValue(int3 v)     whether the vertex lies in the grid and its value is known: gradients use such values only
+//     int3 MCKnownAbove(int3 v)   along each axis the next higher vertex of the grid, or the own one where its value is not known: for gradients
+//     int3 MCKnownBelow(int3 v)   the same for the next lower one
 #ifndef SPHFLUID_MARCHING_CUBES_INCLUDED
 #define SPHFLUID_MARCHING_CUBES_INCLUDED
 
@@ -15,8 +16,8 @@
 // Central differences, (22)-(24) of the thesis with the step of two cells that they lack; one-sided on the walls.
 float3 MCGradient(int3 v)
 {
-    int3 upper = v + int3(MCHasValue(v + int3(1, 0, 0)), MCHasValue(v + int3(0, 1, 0)), MCHasValue(v + int3(0, 0, 1)));
-    int3 lower = v - int3(MCHasValue(v - int3(1, 0, 0)), MCHasValue(v - int3(0, 1, 0)), MCHasValue(v - int3(0, 0, 1)));
+    int3 upper = MCKnownAbove(v);
+    int3 lower = MCKnownBelow(v);
     float3 difference = float3(
         MCFieldValue(int3(upper.x, v.y, v.z)) - MCFieldValue(int3(lower.x, v.y, v.z)),
         MCFieldValue(int3(v.x, upper.y, v.z)) - MCFieldValue(int3(v.x, lower.y, v.z)),

@@ -42,9 +42,10 @@ uint MCVertexIndex(uint3 v)
     return (v.z * side.y + v.y) * side.x + v.x;
 }
 
+// Below 0 is far above as an unsigned number.
 bool MCInGrid(int3 v)
 {
-    return all(v >= 0) && all(v <= MCCells());
+    return all((uint3)v <= (uint3)MCCells());
 }
 
 // The ring is squeezed against the wall from inside: liquid that touches a wall ends there, with a sharp edge. Of 64 cells the vertices

@@ -114,13 +114,22 @@ namespace SphFluid.Validation
                 new SurfaceLayout(BenchBlocks.Surface.Select(b => b.Name))) { SizeBySize = true };
             if (lack != null)
                 plan.LeftOut = lack + " The rows of the geometry shader are left out.";
-            if (particles == null && SurfaceGridSizes.IsSoftwareDevice)
-                plan.isLeftOut = (config, count) => config.Kind == BenchSurfaceKind.Geometry && config.Grid > MostCpuGeometryCells && count > MostCpuGeometryParticles;
+            else if (particles == null && SurfaceGridSizes.IsSoftwareDevice && configs.Exists(IsSlowOnCpu))
+                plan.LeaveOutSlowRows();
             return plan;
         }
 
         /// <summary>The configurations at a number of particles.</summary>
         public IReadOnlyList<BenchConfig> ConfigsOf(int count) => Configs.Where(c => !isLeftOut(c, count)).ToList();
+
+        static bool IsSlowOnCpu(BenchConfig config) => config.Kind == BenchSurfaceKind.Geometry && config.Grid > MostCpuGeometryCells;
+
+        void LeaveOutSlowRows()
+        {
+            isLeftOut = (config, count) => IsSlowOnCpu(config) && count > MostCpuGeometryParticles;
+            LeftOut = $"The geometry shader's rows with more than {MostCpuGeometryCells} cells a side are left out above {MostCpuGeometryParticles} particles: a CPU draws. " +
+                "With --particles they are measured.";
+        }
 
         static int[] ForDevice(int[] sizes) => sizes.Where(n => n <= MostOnCpu || !SurfaceGridSizes.IsSoftwareDevice).ToArray();
 

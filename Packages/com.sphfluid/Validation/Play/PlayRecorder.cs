@@ -13,6 +13,7 @@ namespace SphFluid.Validation
         readonly FrameTable frames = new FrameTable("steps", "particles");
         readonly FrameTable record = new FrameTable("time_s", "simulation", "steps", "max_speed_m_s", "rms_speed_m_s",
             "density_error_mean", "density_error_max", "kinetic_energy_j", "centre_x_m", "centre_y_m", "centre_z_m");
+        readonly Dictionary<FluidSimulation, SurfaceCaps> surfaces = new Dictionary<FluidSimulation, SurfaceCaps>();
         PlayArguments arguments;
         long stepsBefore;
 
@@ -35,6 +36,9 @@ namespace SphFluid.Validation
             {
                 steps += simulations[i].StepCount;
                 particles += simulations[i].ParticleCount;
+                if (!surfaces.TryGetValue(simulations[i], out SurfaceCaps caps))
+                    surfaces.Add(simulations[i], caps = new SurfaceCaps());
+                caps.Observe(PlaySurface.StatusOf(simulations[i]));
                 if (arguments.RecordFile != null && simulations[i].IsRunning)
                     Record(i, simulations[i]);
             }
@@ -60,7 +64,7 @@ namespace SphFluid.Validation
                     if (simulation.IsRunning)
                         running.Add(simulation);
                 }
-                new PlayResults(arguments, running).Write(frames, record);
+                new PlayResults(arguments, running, surfaces).Write(frames, record);
             }
             catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException || exception is InvalidDataException)
             {

@@ -9,11 +9,16 @@ namespace SphFluid.Validation
     {
         readonly PlayArguments arguments;
         readonly IReadOnlyList<FluidSimulation> simulations;
+        readonly IReadOnlyDictionary<FluidSimulation, SurfaceCaps> surfaces;
 
-        public PlayResults(PlayArguments arguments, IReadOnlyList<FluidSimulation> simulations)
+        /// <param name="arguments">What to write.</param>
+        /// <param name="simulations">The simulations.</param>
+        /// <param name="surfaces">What the surfaces of simulations that were watched could not do.</param>
+        public PlayResults(PlayArguments arguments, IReadOnlyList<FluidSimulation> simulations, IReadOnlyDictionary<FluidSimulation, SurfaceCaps> surfaces)
         {
             this.arguments = arguments;
             this.simulations = simulations;
+            this.surfaces = surfaces;
         }
 
         public void Write(FrameTable frames, FrameTable record)
@@ -51,7 +56,7 @@ namespace SphFluid.Validation
             PlyWriter.WriteMesh(file, mesh.Transformed(simulation.LocalToWorld));
         }
 
-        static JsonObject Summary(FluidSimulation simulation, FluidSnapshot snapshot)
+        JsonObject Summary(FluidSimulation simulation, FluidSnapshot snapshot)
         {
             FluidSolverSettings settings = simulation.Solver.Settings;
             FluidStatistics statistics = FluidStatistics.Of(snapshot, settings);
@@ -59,6 +64,7 @@ namespace SphFluid.Validation
             ColliderPenetration penetration = ColliderPenetration.Of(simulation, snapshot);
             LiquidVolume volume = LiquidVolume.Of(simulation, snapshot);
             FluidCounters counters = simulation.Solver.ReadCountersNow();
+            SurfaceCaps surface = surfaces.TryGetValue(simulation, out SurfaceCaps watched) ? watched : new SurfaceCaps();
             return new JsonObject()
                 .Add("simulation", simulation.name)
                 .Add("method", CaseMethod.Of(simulation.Method).Name)
@@ -87,8 +93,11 @@ namespace SphFluid.Validation
                     .Add("substeps", simulation.CapHits)
                     .Add("acceleration", counters.AccelerationLimitHits)
                     .Add("domain", counters.DomainClamps)
-                    .Add("nonfinite", counters.NonFinite))
-                .Add("fluid_gpu_bytes", simulation.GpuBytes)
+                    .Add("nonfinite", counters.NonFinite)
+                    .Add("surface_stale_frames", surface.StaleFrames)
+                    .Add("surface_open_faces", surface.OpenFaces)
+                    .Add("surface_skipped_particles", surface.SkippedParticles))
+                .Add("fluid_gpu_bytes", simulation.GpuBytes + PlaySurface.GpuBytesOf(simulation))
                 .Add("state_hash", snapshot.Hash);
         }
     }

@@ -3,19 +3,6 @@ using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>What turns a field into triangles.</summary>
-    enum SurfacePolygons
-    {
-        /// <summary>Marching cubes with the package's tables.</summary>
-        MarchingCubes,
-
-        /// <summary>Dual marching cubes as first published.</summary>
-        Dual,
-
-        /// <summary>Dual marching cubes made a manifold.</summary>
-        DualWithFlip,
-    }
-
     /// <summary>Triangles of a known field, in cells of half a spacing.</summary>
     sealed class PolygoniserVariant : DenseVariant
     {

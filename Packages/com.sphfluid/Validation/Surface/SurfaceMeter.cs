@@ -16,9 +16,10 @@ namespace SphFluid.Validation
         readonly MeshColumns columns;
         readonly List<double[]> heights = new List<double[]>();
         readonly List<ColumnStatistics> tops = new List<ColumnStatistics>();
+        readonly List<MeshEdges> edges = new List<MeshEdges>();
         readonly List<TriangleShapes> shapes = new List<TriangleShapes>();
         readonly List<NormalError> normals = new List<NormalError>();
-        readonly List<double> levels = new List<double>(), volumes = new List<double>(), dropRadii = new List<double>();
+        readonly List<double> levels = new List<double>(), volumes = new List<double>(), components = new List<double>(), dropRadii = new List<double>();
 
         /// <summary>A meter for a state.</summary>
         /// <param name="state">The state.</param>
@@ -34,16 +35,9 @@ namespace SphFluid.Validation
         /// <summary>Takes in the mesh of the next frame.</summary>
         public void Add(SurfaceMesh mesh)
         {
-            MeshEdges edges = MeshEdges.Of(mesh);
-            sum.Triangles += edges.Triangles;
-            sum.Vertices += edges.Vertices;
-            sum.Euler += edges.Euler;
-            sum.OpenEdges += edges.OpenEdges;
-            sum.NonManifoldEdges += edges.NonManifoldEdges;
-            sum.FlippedEdges += edges.FlippedEdges;
-            volumes.Add(mesh.Volume() / state.Volume);
+            edges.Add(MeshEdges.Of(mesh));
             shapes.Add(TriangleShapes.Of(mesh, (float)sum.Cell * state.Spacing));
-            sum.ZeroArea += shapes[shapes.Count - 1].ZeroArea;
+            volumes.Add(mesh.Volume() / state.Volume);
             if (state.Normal != null)
                 normals.Add(NormalError.Of(mesh, state.Normal));
             if (columns != null)
@@ -55,11 +49,20 @@ namespace SphFluid.Validation
         /// <summary>The means.</summary>
         public SurfaceQuality Result()
         {
-            foreach (Action<double> divide in new Action<double>[] { n => sum.Triangles /= n, n => sum.Vertices /= n, n => sum.Euler /= n, n => sum.Components /= n })
-                divide(sum.Frames);
+            sum.Triangles = Mean(edges.Select(e => (double)e.Triangles));
+            sum.Vertices = Mean(edges.Select(e => (double)e.Vertices));
+            sum.Euler = Mean(edges.Select(e => (double)e.Euler));
+            sum.OpenEdges = edges.Sum(e => e.OpenEdges);
+            sum.NonManifoldEdges = edges.Sum(e => e.NonManifoldEdges);
+            sum.FlippedEdges = edges.Sum(e => e.FlippedEdges);
+            sum.ZeroArea = shapes.Sum(s => s.ZeroArea);
+            sum.LeastAngle = shapes.Min(s => s.LeastAngle);
+            sum.OnePercentAngle = Mean(shapes.Select(s => s.OnePercentAngle));
+            sum.MeanAngle = Mean(shapes.Select(s => s.MeanAngle));
             sum.Volume = Mean(volumes);
-            (sum.LeastAngle, sum.OnePercentAngle, sum.MeanAngle) = (shapes.Min(s => s.LeastAngle), Mean(shapes.Select(s => s.OnePercentAngle)), Mean(shapes.Select(s => s.MeanAngle)));
-            (sum.ShadingError, sum.FaceError) = (Mean(normals.Select(n => n.Shading)), Mean(normals.Select(n => n.Faces)));
+            sum.Components = Mean(components);
+            sum.ShadingError = Mean(normals.Select(n => n.Shading));
+            sum.FaceError = Mean(normals.Select(n => n.Faces));
             sum.DropRadius = Mean(dropRadii);
             sum.Covered = Mean(tops.Select(t => t.Covered));
             if (state.Level != null)
@@ -85,7 +88,7 @@ namespace SphFluid.Validation
 
         void AddParts(MeshComponents parts)
         {
-            sum.Components += parts.Count;
+            components.Add(parts.Count);
             if (state.Gaps != null && parts.Count == 1 && !(sum.MergeGap >= state.Gaps[sum.Frames]))
                 sum.MergeGap = state.Gaps[sum.Frames];
             foreach (Vector3 drop in state.Drops)

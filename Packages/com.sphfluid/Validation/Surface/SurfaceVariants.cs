@@ -28,6 +28,7 @@ namespace SphFluid.Validation
             new SurfaceVariants("thesis-0.5", false, shaders => new ThesisVariant(shaders, 0.5f)),
             new SurfaceVariants("thesis-0.75", true, shaders => new ThesisVariant(shaders, 0.75f)),
             new SurfaceVariants("thesis-1", false, shaders => new ThesisVariant(shaders, 1f)),
+            new SurfaceVariants("thesis-0.75-low", false, shaders => new ThesisVariant(shaders, 0.75f, 0.12f)),
             new SurfaceVariants("thesis-sparse-0.75", false, shaders => SparseVariant.Thesis(shaders, 0.75f)),
             new SurfaceVariants("cheap", true, shaders => SparseVariant.Smooth(shaders, FluidSurfaceQuality.Cheap, 1f)),
             new SurfaceVariants("default", true, shaders => SparseVariant.Smooth(shaders, FluidSurfaceQuality.Default, 0.75f)),
@@ -35,14 +36,12 @@ namespace SphFluid.Validation
             new SurfaceVariants("cheap-dual", false, shaders => new DualVariant(shaders, FluidSurfaceQuality.Cheap, 1f)),
             new SurfaceVariants("default-dual", false, shaders => new DualVariant(shaders, FluidSurfaceQuality.Default, 0.75f)),
             new SurfaceVariants("high-dual", false, shaders => new DualVariant(shaders, FluidSurfaceQuality.High, 0.5f)),
-            new SurfaceVariants("gpu-anisotropic-0.5", false, shaders => SparseVariant.Anisotropic(shaders, 0.5f)),
-            new SurfaceVariants("gpu-anisotropic-0.75", false, shaders => SparseVariant.Anisotropic(shaders, 0.75f)),
+            new SurfaceVariants("anisotropic-0.5", false, shaders => SparseVariant.Anisotropic(shaders, 0.5f)),
+            new SurfaceVariants("anisotropic-0.75", false, shaders => SparseVariant.Anisotropic(shaders, 0.75f)),
+            new SurfaceVariants("zhu-bridson-0.75", false, shaders => new ZhuBridsonVariant(shaders, 0.75f)),
             new SurfaceVariants("marching-cubes", false, shaders => new PolygoniserVariant(shaders, SurfacePolygons.MarchingCubes)),
             new SurfaceVariants("dual", false, shaders => new PolygoniserVariant(shaders, SurfacePolygons.Dual)),
             new SurfaceVariants("dual-flip", false, shaders => new PolygoniserVariant(shaders, SurfacePolygons.DualWithFlip)),
-            new SurfaceVariants("zhu-bridson-0.75", false, shaders => new LiteratureVariant(shaders, new ZhuBridsonField(), 0.75f)),
-            new SurfaceVariants("anisotropic-0.5", false, shaders => new LiteratureVariant(shaders, new AnisotropicField(), 0.5f)),
-            new SurfaceVariants("anisotropic-0.75", false, shaders => new LiteratureVariant(shaders, new AnisotropicField(), 0.75f)),
         };
 
         /// <summary>The variant of a name.</summary>

@@ -99,17 +99,16 @@ namespace SphFluid
 
         /// <summary>Waits for the GPU and reads what was recorded and executed last.</summary>
         /// <returns>A mesh in simulation space [m] in which all triangles around a vertex share it. The same liquid gives the same mesh.</returns>
-        /// <exception cref="InvalidOperationException">Nothing was recorded, or the surface did not fit the buffers.</exception>
+        /// <exception cref="InvalidOperationException">Nothing was recorded, or the surface did not fit the buffers as they were.</exception>
+        /// <exception cref="FluidDeviceException">The surface is larger than the budget or the device allows.</exception>
         public SurfaceMesh ReadMesh()
         {
             if (blocks.Counters == null)
                 throw new InvalidOperationException("No surface was recorded: call Record and execute the command buffer first.");
             readback.ReadNow(blocks);
+            ThrowIfObstructed();
             if (!Status.IsComplete)
-            {
-                throw new InvalidOperationException("The surface did not fit its buffers. " +
-                    (room.Obstacle(Status) ?? "Record and execute it again: the buffers have grown by then."));
-            }
+                throw new InvalidOperationException("The surface did not fit its buffers. Record and execute it again: the buffers have grown by then.");
             return BlockMeshReader.Read(blocks, polygoniser.Mesh, Status);
         }
 
@@ -130,9 +129,7 @@ namespace SphFluid
                     Graphics.ExecuteCommandBuffer(cmd);
                 }
                 readback.ReadNow(blocks);
-                string obstacle = Status.IsComplete ? null : room.Obstacle(Status);
-                if (obstacle != null)
-                    throw new FluidDeviceException(obstacle);
+                ThrowIfObstructed();
             }
             while (!Status.IsComplete);
             return BlockMeshReader.Read(blocks, polygoniser.Mesh, Status);
@@ -145,6 +142,13 @@ namespace SphFluid
             field.Dispose();
             polygoniser.Dispose();
             blocks.Dispose();
+        }
+
+        void ThrowIfObstructed()
+        {
+            string obstacle = Status.IsComplete ? null : room.Obstacle(Status);
+            if (obstacle != null)
+                throw new FluidDeviceException(obstacle);
         }
 
         void Take(SurfaceStatus status)

@@ -87,10 +87,11 @@ uint2 RunOf(int first, int last, int y, int z)
     return run;
 }
 
-// How often a cell of an endless row has gone round a periodic axis: of 5 cells, -1 has -1, 4 has 0, 5 has 1.
+// How often a cell of an endless row has gone round a periodic axis: of 5 cells, -1 has -1, 4 has 0, 5 has 1. From the middle of the cell, so that
+// no rounding matters.
 int Turn(int cell, int count)
 {
-    return (cell < 0 ? cell + 1 - count : cell) / count;
+    return int(floor((float(cell) + 0.5) / float(count)));
 }
 
 // Sums of a row of samples that begins at first. The order of the particles, and so the last bit of a sum, depends on the place of the sample

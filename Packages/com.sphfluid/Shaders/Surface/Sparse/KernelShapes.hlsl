@@ -53,7 +53,7 @@ KernelShape ShapeOf(float3 diagonal, float3 mixed)
 
     const float longest = max(diagonal.x, max(diagonal.y, diagonal.z));
     const float3 axes = max(diagonal, longest / SHAPE_RATIO);
-    const float3 lengths = axes * pow(axes.x * axes.y * axes.z, -1.0 / 3.0);
+    const float3 lengths = axes * exp2(log2(axes.x * axes.y * axes.z) * (-1.0 / 3.0));
     KernelShape shape;
     shape.Diagonal = 0.0;
     shape.Mixed = 0.0;

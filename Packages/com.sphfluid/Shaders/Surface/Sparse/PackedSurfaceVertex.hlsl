@@ -11,7 +11,7 @@ struct PackedSurfaceVertex
 };
 
 // The unit sphere on an octahedron, the octahedron unfolded into a square of -32767 to 32767 (Meyer et al. 2010, "On floating-point normal vectors").
-// Off by 0.003 degrees at most. Worked example: (0, 0, 1) lies at (0, 0), (0, 0, -1) in the square's corners.
+// Off by 0.004 degrees at most. Worked example: (0, 0, 1) lies at (0, 0), (0, 0, -1) in the square's corners.
 uint PackSurfaceNormal(float3 normal)
 {
     float2 p = normal.xy / (abs(normal.x) + abs(normal.y) + abs(normal.z));

@@ -1,4 +1,7 @@
+using System.Reflection;
 using NUnit.Framework;
+using SphFluid.Editor;
+using UnityEngine;
 
 namespace SphFluid.Tests
 {
@@ -16,12 +19,23 @@ namespace SphFluid.Tests
             StringAssert.Contains(said, route.Text);
         }
 
+        [TestCase(0)]
+        [TestCase(1)]
+        public void InspectorHidesFieldsThatExist(int look)
+        {
+            foreach (string field in FluidSurfaceRendererEditor.Hidden((FluidSurfaceLook)look))
+            {
+                if (field != "m_Script")
+                    Assert.IsNotNull(typeof(FluidSurfaceRenderer).GetField(field, BindingFlags.Instance | BindingFlags.NonPublic), field);
+            }
+        }
+
         [Test]
         public void SourcesAreNumberedAsTheShaderReadsThem()
         {
-            Assert.AreEqual(new UnityEngine.Vector4(1f, 1f, 0f, 0f), new SceneTextures(SceneColourSource.Copy, true).ToVector());
-            Assert.AreEqual(new UnityEngine.Vector4(2f, 0f, 0f, 0f), new SceneTextures(SceneColourSource.OpaqueTexture, false).ToVector());
-            Assert.AreEqual(UnityEngine.Vector4.zero, default(SceneTextures).ToVector());
+            Assert.AreEqual(new Vector4(1f, 1f, 0f, 0f), new SceneTextures(SceneColourSource.Copy, true).ToVector());
+            Assert.AreEqual(new Vector4(2f, 0f, 0f, 0f), new SceneTextures(SceneColourSource.OpaqueTexture, false).ToVector());
+            Assert.AreEqual(Vector4.zero, default(SceneTextures).ToVector());
         }
     }
 }

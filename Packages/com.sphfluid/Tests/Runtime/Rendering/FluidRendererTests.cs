@@ -95,6 +95,33 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void WaterWithoutItsShaderIsNamedOnce()
+        {
+            FluidSimulation simulation = StartLiquid();
+            FluidShaderSet incomplete = Object.Instantiate(rig.Profile.Shaders);
+            incomplete.WaterThicknessShader = null;
+            rig.Profile.Shaders = incomplete;
+            var drawing = simulation.gameObject.AddComponent<FluidSurfaceRenderer>();
+            LogAssert.Expect(LogType.Error, new Regex("'Fluid'.*waterThicknessShader.*not drawn"));
+            drawing.DrawFrame();
+            drawing.DrawFrame();
+            LogAssert.NoUnexpectedReceived();
+            Object.DestroyImmediate(incomplete);
+        }
+
+        [Test]
+        public void DisablingFreesTheSparseSurface()
+        {
+            var drawing = StartLiquid().gameObject.AddComponent<FluidSurfaceRenderer>();
+            Assert.AreEqual(0, drawing.GpuBytes);
+            drawing.DrawFrame();
+            Assert.Greater(drawing.GpuBytes, 0);
+            drawing.enabled = false;
+            Assert.AreEqual(0, drawing.GpuBytes);
+            Assert.AreEqual(default(SurfaceStatus), drawing.Status);
+        }
+
+        [Test]
         public void AutomaticGridIsOneOfTheSizes()
         {
             int cells = SurfaceGridSize.Automatic.Cells();

@@ -10,8 +10,6 @@ namespace SphFluid.Tests
     /// <summary>A liquid's surface as the mesh of a Mesh Filter: its content on the GPU, its growth, what it says.</summary>
     public sealed class FluidSurfaceMeshTests
     {
-        const int VertexFloats = 6;
-
         SimulationRig rig;
         Material material;
 
@@ -72,14 +70,14 @@ namespace SphFluid.Tests
             handed.Simulation = simulation;
             handed.DrawFrame();
 
-            List<Vector3> world = Triangles(handed, other.transform.localToWorldMatrix);
+            List<Vector3> world = MeshTriangles.Read(handed.Mesh, other.transform.localToWorldMatrix);
             SurfaceMesh expected = handed.Sparse.ReadMesh().Transformed(simulation.LocalToWorld);
             Assert.AreEqual(expected.Indices.Length, world.Count);
 
             // Triangles face outwards in the mesh's own space, whose units have the volume -1: Unity turns them round for mirrored objects.
-            List<Vector3> local = Triangles(handed, Matrix4x4.identity);
-            Assert.AreEqual(expected.Volume(), Volume(local, local[0]), 1e-4 * expected.Volume());
-            Assert.AreEqual(-expected.Volume(), Volume(world, simulation.transform.position), 1e-4 * expected.Volume());
+            List<Vector3> local = MeshTriangles.Read(handed.Mesh, Matrix4x4.identity);
+            Assert.AreEqual(expected.Volume(), MeshTriangles.Volume(local, local[0]), 1e-4 * expected.Volume());
+            Assert.AreEqual(-expected.Volume(), MeshTriangles.Volume(world, simulation.transform.position), 1e-4 * expected.Volume());
             Bounds bounds = handed.Mesh.bounds;
             foreach (Vector3 corner in local)
                 Assert.Less(bounds.SqrDistance(corner), 1e-8f, $"{corner} outside {bounds}");
@@ -169,7 +167,7 @@ namespace SphFluid.Tests
             LogAssert.Expect(LogType.Warning, new Regex("'Fluid'.*budget is 50.*Raise the triangle budget"));
             Settle(handed);
             Assert.LessOrEqual(handed.Mesh.GetIndexCount(0), 150u);
-            Assert.IsEmpty(Triangles(handed, Matrix4x4.identity), "no part of a surface");
+            Assert.IsEmpty(MeshTriangles.Read(handed.Mesh, Matrix4x4.identity), "no part of a surface");
             handed.Surface.TriangleBudget = 0;
             Settle(handed);
             AssertIsSurface(handed);
@@ -241,67 +239,7 @@ namespace SphFluid.Tests
             var expected = new List<Vector3>(surface.Indices.Length);
             foreach (int index in surface.Indices)
                 expected.Add(surface.Positions[index]);
-            CollectionAssert.AreEqual(Ordered(expected), Ordered(Triangles(handed, Matrix4x4.identity)));
-        }
-
-        /// <summary>Corners of all triangles with area that the mesh holds on the GPU, three a triangle; the rest must be the tail.</summary>
-        static List<Vector3> Triangles(FluidSurfaceMesh handed, Matrix4x4 matrix)
-        {
-            Mesh mesh = handed.Mesh;
-            Assert.AreEqual(mesh.GetIndexCount(0), (uint)(mesh.GetIndexCount(0) / 3 * 3));
-            var corners = new List<Vector3>();
-            using (GraphicsBuffer vertices = mesh.GetVertexBuffer(0))
-            using (GraphicsBuffer indices = mesh.GetIndexBuffer())
-            {
-                float[] values = GpuTest.Read<float>(vertices, vertices.count * VertexFloats);
-                uint[] order = GpuTest.Read<uint>(indices, indices.count);
-                bool tail = false;
-                for (int i = 0; i < order.Length; i += 3)
-                {
-                    bool empty = order[i] == 0 && order[i + 1] == 0 && order[i + 2] == 0;
-                    Assert.IsFalse(tail && !empty, $"triangle {i / 3} after the first one without area");
-                    tail = empty;
-                    for (int corner = 0; corner < 3 && !empty; corner++)
-                    {
-                        int at = (int)order[i + corner] * VertexFloats;
-                        corners.Add(matrix.MultiplyPoint3x4(new Vector3(values[at], values[at + 1], values[at + 2])));
-                    }
-                }
-            }
-            return corners;
-        }
-
-        // Triangles in an order that does not depend on how the GPU met them, each from its smallest corner on.
-        static List<string> Ordered(List<Vector3> corners)
-        {
-            var lines = new List<string>(corners.Count / 3);
-            for (int i = 0; i < corners.Count; i += 3)
-            {
-                var texts = new[] { Text(corners[i]), Text(corners[i + 1]), Text(corners[i + 2]) };
-                int first = System.Array.IndexOf(texts, Smallest(texts));
-                lines.Add(texts[first] + texts[(first + 1) % 3] + texts[(first + 2) % 3]);
-            }
-            lines.Sort(string.CompareOrdinal);
-            return lines;
-        }
-
-        static string Smallest(string[] texts)
-        {
-            string smallest = texts[0];
-            foreach (string text in texts)
-                smallest = string.CompareOrdinal(text, smallest) < 0 ? text : smallest;
-            return smallest;
-        }
-
-        // Adding 0 makes -0 and 0 the same.
-        static string Text(Vector3 v) => $"({v.x + 0f:R} {v.y + 0f:R} {v.z + 0f:R})";
-
-        static double Volume(List<Vector3> corners, Vector3 origin)
-        {
-            double sum = 0.0;
-            for (int i = 0; i < corners.Count; i += 3)
-                sum += Vector3.Dot(corners[i] - origin, Vector3.Cross(corners[i + 1] - origin, corners[i + 2] - origin)) / 6.0;
-            return sum;
+            CollectionAssert.AreEqual(MeshTriangles.Ordered(expected), MeshTriangles.Ordered(MeshTriangles.Read(handed.Mesh, Matrix4x4.identity)));
         }
     }
 }

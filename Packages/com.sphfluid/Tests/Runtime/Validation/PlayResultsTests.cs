@@ -1,5 +1,6 @@
 using System;
 using System.Collections;
+using System.Collections.Generic;
 using System.IO;
 using NUnit.Framework;
 using SphFluid.Validation;
@@ -41,7 +42,7 @@ namespace SphFluid.Tests
             for (int frame = 0; frame < 4; frame++)
                 yield return null;
 
-            new PlayResults(arguments, new[] { simulation }).Write(new FrameTable("steps"), new FrameTable("steps"));
+            new PlayResults(arguments, new[] { simulation }, new Dictionary<FluidSimulation, SurfaceCaps>()).Write(new FrameTable("steps"), new FrameTable("steps"));
 
             SurfaceMesh mesh = PlyMesh.Read(file);
             MeshEdges edges = MeshEdges.Of(mesh);

@@ -13,8 +13,7 @@ namespace SphFluid.Tests
         readonly SurfaceGrid grid;
         readonly BlockPolygoniser polygoniser;
 
-        /// <param name="value">Field value at a grid vertex, which lies in the grid.</param>
-        /// <param name="isActive">Whether a block has a slot.</param>
+        /// <summary>Fills the blocks that are active, all by default, from the field's values at grid vertices; the ring around the grid is empty.</summary>
         public BlockPolygonRig(FluidShaderSet shaders, SurfaceGrid grid, Func<Vector3Int, float> value, Predicate<Vector3Int> isActive = null)
         {
             this.grid = grid;

@@ -69,11 +69,11 @@ namespace SphFluid.Tests
         }
 
         // Blocks without a crossing have no slot, so that gradients at the rim of the others must do without their samples.
-        [TestCase(32)]
-        [TestCase(45)]
-        public void TrianglesAreThoseOfTheDenseTwin(int cells)
+        [TestCase(32, 32, 32)]
+        [TestCase(45, 38, 23)]
+        public void TrianglesAreThoseOfTheDenseTwin(int x, int y, int z)
         {
-            SurfaceGrid grid = Box(Vector3.one, Vector3Int.one * cells);
+            SurfaceGrid grid = Box(Vector3.one, new Vector3Int(x, y, z));
             float Ball(Vector3 p) => Mathf.Max(0f, Iso + 0.4f - (p - new Vector3(0.15f, 0.12f, 0.3f)).magnitude);
             float[] values = Values(grid, Ball);
             using (var polygoniser = new SurfacePolygoniser(shaders))
@@ -166,6 +166,32 @@ namespace SphFluid.Tests
                 Assert.AreEqual(42, GpuTest.Read<uint>(rig.Mesh.DrawArguments, 1)[0], "the last surface is drawn on");
                 CollectionAssert.AreEqual(vertices, GpuTest.Read<uint>(rig.Mesh.Vertices, vertices.Length));
                 CollectionAssert.AreEqual(indices, GpuTest.Read<uint>(rig.Mesh.Indices, indices.Length));
+            }
+        }
+
+        // 65,537 blocks are two rows of groups. Their samples would take 191 MB, more than a buffer of llvmpipe: the kernel alone is told of the capacity.
+        [TestCase(0u, 0u, 0u)]
+        [TestCase(1u, 1u, 1u)]
+        [TestCase(65535u, 65535u, 1u)]
+        [TestCase(65537u, 65535u, 2u)]
+        public void GroupsContinueInASecondRow(uint blocks, uint x, uint y)
+        {
+            var kernel = new ComputeKernel(shaders.SurfaceDrawArguments, "SurfaceDrawArguments");
+            var counted = new uint[SurfaceCounters.Slots];
+            counted[SurfaceCounters.BlocksWanted] = blocks;
+            using (GraphicsBuffer counters = GpuBuffers.Create("Counters", SurfaceCounters.Slots, sizeof(uint)))
+            using (var mesh = new BlockMesh())
+            {
+                counters.SetData(counted);
+                GpuTest.Run(cmd =>
+                {
+                    kernel.SetInt(cmd, Shader.PropertyToID("_BlockCapacity"), 70000);
+                    kernel.SetBuffer(cmd, SparseShaderIds.SurfaceCounters, counters);
+                    kernel.SetBuffer(cmd, Shader.PropertyToID("_DrawArguments"), mesh.DrawArguments);
+                    kernel.SetBuffer(cmd, Shader.PropertyToID("_EmitArguments"), mesh.EmitArguments);
+                    kernel.DispatchThreads(cmd, 1);
+                });
+                CollectionAssert.AreEqual(new[] { x, y, 1u }, GpuTest.Read<uint>(mesh.EmitArguments, 3));
             }
         }
 

@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     public sealed class PackedSurfaceVertexTests
     {
         const string KernelPath = "Packages/com.sphfluid/Tests/Editor/Surface/Sparse/PackNormals.compute";
-        const float WorstDegrees = 0.003f;
+        const float WorstDegrees = 0.004f;
 
         [Test]
         public void NormalsSurviveTheRoundTrip()

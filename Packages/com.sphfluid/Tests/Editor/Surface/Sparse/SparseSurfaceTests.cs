@@ -132,7 +132,7 @@ namespace SphFluid.Tests
                 SurfaceMesh before = surface.ReadMesh();
                 uint drawn = GpuTest.Read<uint>(surface.DrawArguments, 1)[0];
                 Record(surface, splash);
-                Assert.Throws<InvalidOperationException>(() => surface.ReadMesh());
+                Assert.Throws<FluidDeviceException>(() => surface.ReadMesh());
                 Assert.AreEqual(drawn, GpuTest.Read<uint>(surface.DrawArguments, 1)[0], "the last complete surface is drawn on");
                 string warning = surface.TakeWarning();
                 StringAssert.Contains($"its budget is {budget}", warning);

@@ -84,6 +84,17 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void WhereTheFieldStaysBelowItsIsoValueThereIsNoSurface()
+        {
+            using (SurfaceVariant thesis = SurfaceVariants.Find("thesis-sparse-0.75").Create(shaders))
+            using (var run = new SurfaceRun(SurfaceStates.Find("drops").Build(scale), thesis, shaders) { IsTimed = false })
+            {
+                SurfaceQuality quality = run.RunToEnd();
+                Assert.That((quality.Triangles, quality.Vertices, quality.DropsVisible), Is.EqualTo((0.0, 0.0, 0)));
+            }
+        }
+
+        [Test]
         public void ASettledPoolIsFlatAndStill()
         {
             SurfaceQuality quality = Measure(Solved(SolvedStates.Settled(scale), 10));

@@ -4,10 +4,10 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Finds the iso value at which a field puts the top of a pool half a spacing above its last layer: the mean over a perfect lattice and six
+    /// Finds the iso value at which Zhu and Bridson's field puts the top of a pool half a spacing above its last layer: the mean over a perfect lattice and six
     /// ways in which its layers lie between the planes of the grid.
     /// </summary>
-    static class FieldCalibration
+    static class ZhuBridsonCalibration
     {
         const int Phases = 6, Margin = 4, Rim = 5, Bisections = 24;
 
@@ -15,9 +15,8 @@ namespace SphFluid.Validation
         static readonly Vector3 across = new Vector3(0.178f, 0f, 0.731f);
 
         /// <summary>The iso value.</summary>
-        /// <param name="field">The field; its values lie between 0 and 2.</param>
         /// <param name="cell">Edge of a cell [dx].</param>
-        public static float Iso(ParticleField field, float cell)
+        public static float Iso(float cell)
         {
             var size = new Vector3Int(14, 8, 14);
             Vector3 domain = size + 2 * Margin * Vector3Int.one;
@@ -28,9 +27,9 @@ namespace SphFluid.Validation
             {
                 Vector3 shift = Margin * Vector3.one + cell * ((phase + 0.5f) / Phases * Vector3.up + phase * across);
                 SurfaceState state = scale.Of(domain, CaseLattice.Box(size, 1.0, shift));
-                samples.Add((field.Sample(new NeighbourSums(state.Frames[0], state.Settings), grid), SurfaceScale.Height(state, shift.y + size.y)));
+                samples.Add((ZhuBridsonField.Sample(state.Frames[0], state.Settings, grid), SurfaceScale.Height(state, shift.y + size.y)));
             }
-            float low = 0f, high = 2f;
+            float low = 0f, high = 1f;
             for (int i = 0; i < Bisections; i++)
             {
                 float iso = 0.5f * (low + high);

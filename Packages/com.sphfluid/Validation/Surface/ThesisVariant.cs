@@ -1,0 +1,28 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid.Validation
+{
+    /// <summary>The thesis's field: density over rest density.</summary>
+    sealed class ThesisVariant : DenseVariant
+    {
+        readonly float iso;
+
+        public ThesisVariant(FluidShaderSet shaders, float cell, float iso = 0.5f)
+            : base(shaders, cell)
+        {
+            this.iso = iso;
+        }
+
+        /// <inheritdoc/>
+        protected override float Fill(SurfaceField field, SurfaceState state, FluidSolver solver, Vector3[] positions)
+        {
+            using (var cmd = new CommandBuffer { name = "Surface Variant" })
+            {
+                field.Record(cmd, solver);
+                Graphics.ExecuteCommandBuffer(cmd);
+            }
+            return iso;
+        }
+    }
+}
