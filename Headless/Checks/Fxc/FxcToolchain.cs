@@ -8,8 +8,8 @@ internal sealed partial class FxcToolchain(string cacheFolder)
 {
     private const string CrossCompiler = "x86_64-w64-mingw32-gcc";
 
-    // fxc_jobs ends with 101 to 103 where it cannot start, with up to 100 for the jobs that failed.
-    private const int LastStartError = 103;
+    // fxc_jobs ends with 101 to 103 where it cannot start. A crash ends it with any code: Wine passes on the lowest byte of Windows's.
+    private const int FirstStartError = 101, LastStartError = 103;
 
     private static readonly string[] winePaths = ["/usr/lib/wine/wine64", "/usr/bin/wine64", "/usr/local/bin/wine64"];
 
@@ -45,17 +45,17 @@ internal sealed partial class FxcToolchain(string cacheFolder)
     private static string? Wine => Array.Find(winePaths, File.Exists);
 
     /// <summary>Compiles the jobs, a line each, and returns a line for each; what Wine says of itself is left out. One process does
-    /// them all, unless a job crashes the compiler: that one has failed, and another process goes on behind it.</summary>
+    /// them all. Where the compiler crashes, another process goes on from there; a job that crashes that one at once has failed.</summary>
     public List<string> Run(string folder, IReadOnlyList<string> jobs)
     {
         var results = new List<string>();
         while (results.Count < jobs.Count)
         {
             var (code, output) = RunJobs(folder, jobs.Skip(results.Count));
-            if (code is > 100 and <= LastStartError) throw new InvalidOperationException($"fxc_jobs could not start (exit code {code}): {output}");
-            results.AddRange(output.Split('\n').Where(line => ResultLine().IsMatch(line)));
-            if (code <= 100) break;
-            if (results.Count < jobs.Count) results.Add(jobs[results.Count].Split('\t')[0] + "\tfailed\t0\t0\t0\t0\td3dcompiler_47.dll crashed");
+            if (code is >= FirstStartError and <= LastStartError) throw new InvalidOperationException($"fxc_jobs could not start (exit code {code}): {output}");
+            var compiled = output.Split('\n').Where(line => ResultLine().IsMatch(line)).ToList();
+            results.AddRange(compiled);
+            if (compiled.Count == 0) results.Add(jobs[results.Count].Split('\t')[0] + "\tfailed\t0\t0\t0\t0\td3dcompiler_47.dll crashed");
         }
         return results;
     }
