@@ -16,12 +16,17 @@ int3 MCKnownBelow(int3 v)
     return max(v - 1, 0);
 }
 
+float MCKnownValue(int3 v)
+{
+    return _MCGrid[MCVertexIndex((uint3)v)];
+}
+
 // Outside the grid there is no liquid.
 float MCFieldValue(int3 v)
 {
     float value = 0.0;
     if (MCInGrid(v))
-        value = _MCGrid[MCVertexIndex((uint3)v)];
+        value = MCKnownValue(v);
     return value;
 }
 

@@ -3,6 +3,7 @@
 //     float MCFieldValue(int3 v)  0 outside the grid
 //     int3 MCKnownAbove(int3 v)   along each axis the next higher vertex of the grid, or the own one where its value is not known: for gradients
 //     int3 MCKnownBelow(int3 v)   the same for the next lower one
+//     float MCKnownValue(int3 v)  the value of such a vertex
 #ifndef SPHFLUID_MARCHING_CUBES_INCLUDED
 #define SPHFLUID_MARCHING_CUBES_INCLUDED
 
@@ -19,9 +20,9 @@ float3 MCGradient(int3 v)
     int3 upper = MCKnownAbove(v);
     int3 lower = MCKnownBelow(v);
     float3 difference = float3(
-        MCFieldValue(int3(upper.x, v.y, v.z)) - MCFieldValue(int3(lower.x, v.y, v.z)),
-        MCFieldValue(int3(v.x, upper.y, v.z)) - MCFieldValue(int3(v.x, lower.y, v.z)),
-        MCFieldValue(int3(v.x, v.y, upper.z)) - MCFieldValue(int3(v.x, v.y, lower.z)));
+        MCKnownValue(int3(upper.x, v.y, v.z)) - MCKnownValue(int3(lower.x, v.y, v.z)),
+        MCKnownValue(int3(v.x, upper.y, v.z)) - MCKnownValue(int3(v.x, lower.y, v.z)),
+        MCKnownValue(int3(v.x, v.y, upper.z)) - MCKnownValue(int3(v.x, v.y, lower.z)));
     return difference / ((float3)max(upper - lower, 1) * _MCCellSize);
 }
 

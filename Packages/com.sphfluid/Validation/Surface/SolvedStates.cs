@@ -11,13 +11,17 @@ namespace SphFluid.Validation
     static class SolvedStates
     {
         const int FrameRate = 60, QuickShare = 3;
-        const float WallRim = 4f; // dx
+        const float WallRim = 4f, Headroom = 7f; // dx
 
         /// <summary>A pool from wall to wall after two seconds in which it comes to rest: 30 frames of rest.</summary>
-        public static SurfaceState Settled(SurfaceScale scale)
+        public static SurfaceState Settled(SurfaceScale scale) => Settled(scale, new Vector3Int(21, 8, 21));
+
+        /// <summary>Such a pool of another size.</summary>
+        /// <param name="scale">Sizes.</param>
+        /// <param name="size">Particles along each axis; as large as the domain along x and z.</param>
+        public static SurfaceState Settled(SurfaceScale scale, Vector3Int size)
         {
-            var size = new Vector3Int(21, 8, 21);
-            SurfaceState state = scale.Empty(new Vector3(21f, 15f, 21f), size.y);
+            SurfaceState state = scale.Empty(new Vector3(size.x, size.y + Headroom, size.z), size.y);
             List<Vector3> places = CaseLattice.Box(size, 1.0, Vector3.zero);
             CaseLattice.Jitter(places, 0.05, 2, float.MaxValue * Vector3.one);
             SurfaceScale.LookAt(state, WallRim * Vector2.one, (size.x - WallRim) * Vector2.one);
@@ -35,13 +39,13 @@ namespace SphFluid.Validation
             var domain = new Vector3(45f, 39f, 12f);
             SurfaceState state = scale.Empty(domain, 20f);
             SurfaceScale.LookAt(state, Vector2.one, new Vector2(domain.x - 1f, domain.z - 1f));
-            return Moving(scale, state, CaseLattice.Box(new Vector3Int(16, 20, 12), 1.0, Vector3.zero), 30, 100);
+            return Moving(scale, state, CaseLattice.Box(new Vector3Int(16, 20, 12), 1.0, Vector3.zero), scale.Quick ? 30 / QuickShare : 30, 100);
         }
 
         static SurfaceState Moving(SurfaceScale scale, SurfaceState state, IReadOnlyList<Vector3> start, int framesBefore, int frames)
         {
             if (scale.Quick)
-                (framesBefore, frames) = (framesBefore / QuickShare, frames / QuickShare);
+                frames /= QuickShare;
             state.InTime = true;
             state.Volume = start.Count * Math.Pow(SurfaceScale.Spacing, 3);
             state.Prepare = shaders => Play(state, shaders, start, framesBefore, frames);

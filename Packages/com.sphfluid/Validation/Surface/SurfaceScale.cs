@@ -11,13 +11,13 @@ namespace SphFluid.Validation
         public const float Spacing = 0.025f;
 
         /// <summary>A scale.</summary>
-        /// <param name="quick">True: liquid that moves does so for a third of the time.</param>
+        /// <param name="quick">True: liquid that moves is looked at for a third of the time.</param>
         public SurfaceScale(bool quick = false)
         {
             Quick = quick;
         }
 
-        /// <summary>Whether liquid that moves does so for a third of the time.</summary>
+        /// <summary>Whether liquid that moves is looked at for a third of the time.</summary>
         public bool Quick { get; }
 
         /// <summary>A state without frames: water by the Standard method in a box.</summary>

@@ -81,6 +81,11 @@ bool HasFieldValue(int3 v)
     return MCInGrid(v) && MCFieldValue(v) != FIELD_UNKNOWN;
 }
 
+float MCKnownValue(int3 v)
+{
+    return MCFieldValue(v);
+}
+
 int3 MCKnownAbove(int3 v)
 {
     return v + int3(HasFieldValue(v + int3(1, 0, 0)), HasFieldValue(v + int3(0, 1, 0)), HasFieldValue(v + int3(0, 0, 1)));
