@@ -14,10 +14,10 @@ namespace SphFluid
         const float LeastTransmittance = 1e-3f;
 
         [SerializeField, Tooltip("Colour that white light has after one metre of water.")]
-        Color colourAtOneMetre = new Color(0.5f, 0.85f, 0.94f);
+        Color colourAtOneMetre = new Color(0.1f, 0.52f, 0.83f);
 
         [SerializeField, Min(0.01f), Tooltip("How far one sees in it [m]. Small: milky.")]
-        float visibility = 12f;
+        float visibility = 8f;
 
         [SerializeField, Tooltip("Colour of the light that it scatters back: white for water, brown for a river.")]
         Color scattering = Color.white;

@@ -38,6 +38,12 @@ void AddAxis(inout KernelShape shape, float3 axis, float axisLength)
     shape.Mixed += rate * axis.xxy * axis.yzz;
 }
 
+// Whether the particles around one are spread out at all, and so have axes: coincident ones have none. Variances in R^2.
+bool HasAxes(float3 variances)
+{
+    return dot(variances, 1.0) > 1e-6;
+}
+
 // Shape of a kernel from the covariance; its volume stays, so its weight does too.
 KernelShape ShapeOf(float3 diagonal, float3 mixed)
 {
