@@ -67,7 +67,7 @@ float NearestSceneDepth(float2 screen)
     float depth = NOTHING_BEHIND;
     if (_FluidScene.y > 0.5)
     {
-        float4 raw = _CameraDepthTexture.GatherRed(sampler_LinearClamp, screen);
+        float4 raw = _CameraDepthTexture.GatherRed(sampler_PointClamp, screen);
 #if defined(FLUID_REVERSED_Z)
         depth = EyeDepthOf(max(max(raw.x, raw.y), max(raw.z, raw.w)));
 #else

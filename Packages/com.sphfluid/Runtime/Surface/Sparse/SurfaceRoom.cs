@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>How much room a sparse surface gets: by the number of particles at first, then half as much again as it was found to want, up to a limit.</summary>
+    /// <summary>How much room a sparse surface gets: by the number of particles at first, then half as much again as it was found to want when three quarters are full, up to a limit.</summary>
     sealed class SurfaceRoom
     {
         // Splashes have 2 to 9 triangles a particle at 1 to 0.5 spacings a cell, large pools less than one (Documentation~/surface.md): with the square of spacings a cell.
@@ -72,9 +72,10 @@ namespace SphFluid
             return SpareTriangles + (long)(cellsPerSpacing * cellsPerSpacing * (SplashTriangles * splash + PoolTriangles * (particles - splash)));
         }
 
+        // Before it is full, as a splash grows while the count of an earlier frame is read back. E.g. 80 of 100 make room for 120.
         static int Grown(int capacity, long start, long wanted, int limit)
         {
-            long grown = wanted > capacity ? wanted + wanted / 2 : capacity;
+            long grown = 4 * wanted > 3L * capacity ? wanted + wanted / 2 : capacity;
             return (int)Math.Min(Math.Max(grown, start), limit);
         }
     }
