@@ -1,5 +1,4 @@
 using System;
-using Unity.Collections;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -25,16 +24,15 @@ namespace SphFluid
         static readonly uint[] Zeros = new uint[Slots];
 
         readonly GraphicsBuffer buffer;
-        readonly Action<AsyncGPUReadbackRequest> received;
+        readonly NumberReadback readback;
         readonly uint[] last = new uint[Slots];
         FluidCounters counters;
-        bool disposed;
 
         public CounterReadback(GraphicsBuffer buffer, float restDensity)
         {
             this.buffer = buffer;
             RestDensity = restDensity;
-            received = Receive;
+            readback = new NumberReadback(Slots, Take);
         }
 
         public FluidCounters Counters => counters;
@@ -50,35 +48,19 @@ namespace SphFluid
         /// <summary>Records the read-back; devices without asynchronous read-back use <see cref="ReadNow"/>.</summary>
         public void RecordRequest(CommandBuffer cmd)
         {
-            if (SystemInfo.supportsAsyncGPUReadback)
-            {
-                cmd.RequestAsyncReadback(buffer, received);
-            }
+            readback.RecordRequest(cmd, buffer);
         }
 
         /// <summary>Waits for the GPU and reads the counters.</summary>
         public FluidCounters ReadNow()
         {
-            var values = new uint[Slots];
-            buffer.GetData(values);
-            Take(values);
+            readback.ReadNow(buffer);
             return counters;
         }
 
         public void Dispose()
         {
-            disposed = true;
-        }
-
-        void Receive(AsyncGPUReadbackRequest request)
-        {
-            if (!disposed && !request.hasError)
-            {
-                NativeArray<uint> values = request.GetData<uint>();
-                var copy = new uint[Slots];
-                values.CopyTo(copy);
-                Take(copy);
-            }
+            readback.Dispose();
         }
 
         void Take(uint[] values)

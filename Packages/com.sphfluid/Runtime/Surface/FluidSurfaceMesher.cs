@@ -15,12 +15,8 @@ namespace SphFluid
         /// <returns>A mesh [m], closed where the walls are; multiply by the simulation's LocalToWorld (<see cref="SurfaceMesh.Transformed"/>) for world space.</returns>
         /// <exception cref="FluidDeviceException">The device lacks something, or room for the surface.</exception>
         public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders, FluidSurfaceQuality quality = FluidSurfaceQuality.Default,
-            SurfaceWalls walls = SurfaceWalls.Closed)
-        {
-            RequireSolver(solver);
-            SurfaceFieldSettings field = SurfaceFieldSettings.For(quality, solver.Settings);
-            return Extract(solver, shaders, field, SurfaceGrid.OverDomain(solver.Settings.DomainSize, field.CellSize), walls);
-        }
+            SurfaceWalls walls = SurfaceWalls.Closed) =>
+            Extract(solver, shaders, new FluidSurfaceOptions { Quality = quality, ClosedAtWalls = walls == SurfaceWalls.Closed });
 
         /// <summary>The liquid's surface in simulation space, as a component with these options makes it.</summary>
         /// <param name="solver">The particles.</param>

@@ -35,10 +35,8 @@ namespace SphFluid.Validation
         public BenchSession(BenchArguments arguments, FluidShaderSet shaders, SessionProgress progress)
         {
             this.arguments = arguments;
-            this.shaders = shaders;
+            this.shaders = SessionAssets.Require(shaders, "The benchmark has");
             this.progress = progress;
-            if (shaders == null)
-                throw new FluidDeviceException("The benchmark has no shader set. Install the package under its name, com.sphfluid.");
             if (!SystemInfo.supportsGpuRecorder)
             {
                 throw new FluidDeviceException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) has no GPU times in Unity's profiler. " +

@@ -12,14 +12,12 @@ namespace SphFluid.Validation
         /// <exception cref="FluidDeviceException">The device has no GPU times, or there are no shaders.</exception>
         public ChartRunner(FluidShaderSet shaders)
         {
-            if (shaders == null)
-                throw new FluidDeviceException("The chart has no shader set. Install the package under its name, com.sphfluid.");
+            this.shaders = SessionAssets.Require(shaders, "The chart has");
             if (!SystemInfo.supportsGpuRecorder)
             {
                 throw new FluidDeviceException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) has no GPU times in Unity's profiler. " +
                     "Draw the chart with Direct3D 11 or 12.");
             }
-            this.shaders = shaders;
         }
 
         public IEnumerator Run(ChartRun run, Action<CaseResult> done)

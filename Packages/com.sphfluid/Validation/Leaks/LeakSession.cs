@@ -25,7 +25,7 @@ namespace SphFluid.Validation
         public LeakSession(LeakArguments arguments, FluidShaderSet shaders, SessionProgress progress)
         {
             this.arguments = arguments;
-            this.shaders = shaders != null ? shaders : throw new FluidDeviceException("The leak scenes have no shader set. Install the package under its name, com.sphfluid.");
+            this.shaders = SessionAssets.Require(shaders, "The leak scenes have");
             this.progress = progress;
             Directory.CreateDirectory(arguments.OutputFolder);
             table = new LeakTable(arguments.OutputFolder, SystemInfo.graphicsDeviceName);

@@ -23,6 +23,13 @@ namespace SphFluid.Validation
             return shaders;
         }
 
+        /// <summary>The shader set that a session was given.</summary>
+        /// <param name="shaders">The shader set, or null.</param>
+        /// <param name="subject">Who has it, with the verb: e.g. "The chart has".</param>
+        /// <exception cref="FluidDeviceException">There is none.</exception>
+        public static FluidShaderSet Require(FluidShaderSet shaders, string subject) =>
+            shaders != null ? shaders : throw new FluidDeviceException($"{subject} no shader set. Install the package under its name, com.sphfluid.");
+
         /// <summary>An asset of the package by its path, in the Editor and the headless player; null elsewhere, and where there is none.</summary>
         /// <param name="path">Path that starts with Packages/com.sphfluid.</param>
         public static T Load<T>(string path) where T : UnityEngine.Object

@@ -51,8 +51,7 @@ namespace SphFluid.Validation
 
         static Runner RunnerOf(FluidShaderSet shaders)
         {
-            if (shaders == null)
-                throw new FluidDeviceException("The stability maps have no shader set. Install the package under its name, com.sphfluid.");
+            SessionAssets.Require(shaders, "The stability maps have");
             return (setup, metric, done) => RunOnGpu(setup, metric, shaders, done);
         }
 

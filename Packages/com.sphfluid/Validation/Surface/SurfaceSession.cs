@@ -25,7 +25,7 @@ namespace SphFluid.Validation
         public SurfaceSession(SurfaceArguments arguments, FluidShaderSet shaders, SessionProgress progress)
         {
             this.arguments = arguments;
-            this.shaders = shaders != null ? shaders : throw new FluidDeviceException("The surfaces have no shader set. Install the package under its name, com.sphfluid.");
+            this.shaders = SessionAssets.Require(shaders, "The surfaces have");
             this.progress = progress;
             Directory.CreateDirectory(arguments.OutputFolder);
             table = new SurfaceQualityTable(arguments.OutputFolder, SystemInfo.graphicsDeviceName);

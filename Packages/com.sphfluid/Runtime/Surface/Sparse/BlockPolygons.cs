@@ -27,12 +27,17 @@ namespace SphFluid
         /// <summary>Tables of marching cubes.</summary>
         public GraphicsBuffer Tables { get; }
 
-        /// <summary>The grid, the blocks, the tables.</summary>
+        /// <summary>The grid, the blocks with their samples and ranges, the tables.</summary>
         public void SetGlobals(CommandBuffer cmd, ComputeKernel kernel)
         {
             kernel.SetGrid(cmd, Grid, Walls);
             kernel.SetIsoValue(cmd, IsoValue);
             Blocks.SetGlobals(cmd, kernel);
+            kernel.SetBuffer(cmd, SparseShaderIds.BlockTable, Blocks.Table);
+            kernel.SetBuffer(cmd, SparseShaderIds.BlockList, Blocks.List);
+            kernel.SetBuffer(cmd, SparseShaderIds.BlockSamples, Blocks.Samples);
+            kernel.SetBuffer(cmd, SparseShaderIds.BlockRanges, Blocks.Ranges);
+            kernel.SetBuffer(cmd, SparseShaderIds.SurfaceCounters, Blocks.Counters);
             kernel.SetBuffer(cmd, SurfaceShaderIds.MCTables, Tables);
         }
     }

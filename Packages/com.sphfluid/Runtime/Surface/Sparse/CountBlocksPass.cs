@@ -23,11 +23,6 @@ namespace SphFluid
         {
             cmd.BeginSample(Marker);
             input.SetGlobals(cmd, kernel);
-            kernel.SetBuffer(cmd, SparseShaderIds.BlockTable, input.Blocks.Table);
-            kernel.SetBuffer(cmd, SparseShaderIds.BlockList, input.Blocks.List);
-            kernel.SetBuffer(cmd, SparseShaderIds.BlockSamples, input.Blocks.Samples);
-            kernel.SetBuffer(cmd, SparseShaderIds.BlockRanges, input.Blocks.Ranges);
-            kernel.SetBuffer(cmd, SparseShaderIds.SurfaceCounters, input.Blocks.Counters);
             kernel.DispatchIndirect(cmd, input.Blocks.RoundArguments);
             cmd.EndSample(Marker);
         }

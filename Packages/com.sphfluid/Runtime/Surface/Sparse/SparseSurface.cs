@@ -14,7 +14,7 @@ namespace SphFluid
         readonly BlockField field;
         readonly BlockPolygoniser polygoniser;
         readonly SurfaceBlocks blocks = new SurfaceBlocks();
-        readonly SurfaceReadback readback;
+        readonly NumberReadback readback;
         readonly SurfaceWarnings warnings = new SurfaceWarnings();
         readonly SurfaceRoom room;
 
@@ -30,7 +30,7 @@ namespace SphFluid
         {
             field = new BlockField(shaders);
             polygoniser = new BlockPolygoniser(shaders);
-            readback = new SurfaceReadback(Take);
+            readback = new NumberReadback(SurfaceCounters.Slots, Take);
             room = new SurfaceRoom(firstBlocks, firstTriangles);
         }
 
@@ -74,7 +74,7 @@ namespace SphFluid
             if (!settings.IsSet)
                 throw new ArgumentException("A sparse surface needs a field made by SurfaceFieldSettings.For or Thesis.", nameof(settings));
             if (!SystemInfo.supportsAsyncGPUReadback && blocks.Counters != null)
-                readback.ReadNow(blocks);
+                readback.ReadNow(blocks.Counters);
             room.Reserve(blocks, polygoniser.Mesh, grid, settings, solver.ParticleCount, Status);
 
             bool closed = walls == SurfaceWalls.Closed;
@@ -83,7 +83,7 @@ namespace SphFluid
             field.RecordLate(cmd, solver, settings, grid, closed, blocks);
             polygoniser.RecordCount(cmd, blocks, grid, walls, settings.IsoValue);
             polygoniser.RecordEmit(cmd, blocks, grid, walls, settings.IsoValue);
-            readback.RecordRequest(cmd, blocks);
+            readback.RecordRequest(cmd, blocks.Counters);
         }
 
         /// <summary>Something that the user must know, e.g. that the surface does not fit its budget; each kind of trouble is told once.</summary>
@@ -93,7 +93,7 @@ namespace SphFluid
         /// <summary>Waits for the GPU and reads what became of the surface that was recorded and executed last.</summary>
         internal SurfaceStatus ReadStatus()
         {
-            readback.ReadNow(blocks);
+            readback.ReadNow(blocks.Counters);
             return Status;
         }
 
@@ -105,7 +105,7 @@ namespace SphFluid
         {
             if (blocks.Counters == null)
                 throw new InvalidOperationException("No surface was recorded: call Record and execute the command buffer first.");
-            readback.ReadNow(blocks);
+            readback.ReadNow(blocks.Counters);
             ThrowIfObstructed();
             if (!Status.IsComplete)
                 throw new InvalidOperationException("The surface did not fit its buffers. Record and execute it again: the buffers have grown by then.");
@@ -128,7 +128,7 @@ namespace SphFluid
                     Record(cmd, solver, settings, grid, walls);
                     Graphics.ExecuteCommandBuffer(cmd);
                 }
-                readback.ReadNow(blocks);
+                readback.ReadNow(blocks.Counters);
                 ThrowIfObstructed();
             }
             while (!Status.IsComplete);
@@ -151,10 +151,10 @@ namespace SphFluid
                 throw new FluidDeviceException(obstacle);
         }
 
-        void Take(SurfaceStatus status)
+        void Take(uint[] counters)
         {
-            Status = status;
-            warnings.Check(status, room.Obstacle(status));
+            Status = new SurfaceStatus(counters);
+            warnings.Check(Status, room.Obstacle(Status));
         }
     }
 }

@@ -8,7 +8,7 @@ namespace SphFluid
     /// a poly6 kernel at a position that is moved towards the mean of its neighbours (Yu and Turk 2010), a binomial filter, and the union with
     /// the unfiltered field less an offset, which keeps drops and films. Thesis: m/ρ0 over the solver's kernel, 6.4.3.
     /// </summary>
-    public readonly struct SurfaceFieldSettings : IEquatable<SurfaceFieldSettings>
+    public readonly struct SurfaceFieldSettings
     {
         // Radius of the smooth field's kernel in spacings: 33 particles of a lattice.
         const float SmoothRatio = 2f;
@@ -18,8 +18,6 @@ namespace SphFluid
 
         // Axes of a stretched kernel differ by 4 at most and leave its volume: 4 / 4^(1/3) is the longest in R.
         const float LongestAxis = 2.52f;
-
-        const int MostFilterPasses = 2;
 
         readonly FieldKind kind;
 
@@ -114,18 +112,6 @@ namespace SphFluid
             return new SurfaceFieldSettings(settings.Spacing, edge, settings.SupportRadius, default, isoValue, FieldKind.Thesis, wallCompletion);
         }
 
-        /// <inheritdoc/>
-        public bool Equals(SurfaceFieldSettings other) => Spacing == other.Spacing && CellSize == other.CellSize && SupportRadius == other.SupportRadius &&
-            Smoothing == other.Smoothing && FilterPasses == other.FilterPasses && UnionOffset == other.UnionOffset && IsoValue == other.IsoValue &&
-            kind == other.kind && WallCompletion == other.WallCompletion;
-
-        /// <inheritdoc/>
-        public override bool Equals(object obj) => obj is SurfaceFieldSettings other && Equals(other);
-
-        /// <inheritdoc/>
-        public override int GetHashCode() =>
-            HashCode.Combine(Spacing, CellSize, SupportRadius, Smoothing, FilterPasses, UnionOffset, IsoValue, (kind, WallCompletion));
-
         static SurfaceFieldSettings Smooth(in FluidSolverSettings settings, in Preset preset, float cellSizeInSpacings, FieldKind kind)
         {
             float dx = settings.Spacing;
@@ -155,7 +141,7 @@ namespace SphFluid
             {
                 CellRatio = cellRatio;
                 Smoothing = smoothing;
-                FilterPasses = Math.Min(filterPasses, MostFilterPasses);
+                FilterPasses = filterPasses;
                 UnionOffset = unionOffset;
             }
 
