@@ -2,21 +2,32 @@ using Headless.Checks;
 using Headless.Checks.Api;
 using Headless.Checks.Form;
 using Headless.Checks.Fxc;
+using Headless.Checks.Gpu;
 
-const string usage = "usage: sphchecks PROJECT [--stand-in FOLDER] [--cache FOLDER] [--only api|fxc|form|surface]";
-string? project = null, standIn = null, only = null;
+string[] names = ["api", "surface", "fxc", "gpu", "form"];
+var usage = $"usage: sphchecks PROJECT [--stand-in FOLDER] [--cache FOLDER] [--only {string.Join('|', names)}] [--update]";
+string? project = null, standIn = null, only = null, family = null, shaderCache = null;
+var update = false;
 var cache = Path.Combine(Environment.GetEnvironmentVariable("XDG_CACHE_HOME") is { Length: > 0 } home ? home : Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.UserProfile), ".cache"), "sphfluid");
 for (var i = 0; i < args.Length; i++)
 {
     if (args[i] == "--stand-in" && i + 1 < args.Length) standIn = args[++i];
     else if (args[i] == "--cache" && i + 1 < args.Length) cache = args[++i];
     else if (args[i] == "--only" && i + 1 < args.Length) only = args[++i];
+    else if (args[i] == "--update") update = true;
+    // The child process of the GPU check.
+    else if (args[i] == "--compile-for" && i + 1 < args.Length) family = args[++i];
+    else if (args[i] == "--shader-cache" && i + 1 < args.Length) shaderCache = args[++i];
     else if (!args[i].StartsWith('-') && project is null) project = Path.GetFullPath(args[i]);
     else { Console.Error.WriteLine($"unknown argument '{args[i]}'; {usage}"); return 2; }
 }
 if (project is null || !Directory.Exists(Path.Combine(project, "Packages"))) { Console.Error.WriteLine($"no Unity project at '{project}'; {usage}"); return 2; }
 
 var package = Path.Combine(project, "Packages", "com.sphfluid");
+shaderCache ??= Path.Combine(cache, "shaders");
+if (family is not null) return FamilyCompiler.Run(GpuFamily.All.First(f => f.Name == family), project, package, shaderCache);
+if (only is not null && !names.Contains(only)) { Console.Error.WriteLine($"--only: no check '{only}'; {usage}"); return 2; }
+if (update && only != "gpu") { Console.Error.WriteLine($"--update writes the GPU tables: --only gpu --update; {usage}"); return 2; }
 var reports = new List<CheckReport>();
 void Add(string name, Func<IEnumerable<CheckReport>> run)
 {
@@ -27,6 +38,7 @@ void Add(string name, Func<IEnumerable<CheckReport>> run)
 Add("api", () => new ApiCheck(package).Run());
 if (standIn is not null) Add("surface", () => [new StandInSurfaceCheck(standIn).Run()]);
 Add("fxc", () => [new FxcCheck(project, package, cache).Run()]);
+Add("gpu", () => new GpuCheck(project, package, shaderCache, Path.Combine(project, "Headless", "Checks", "Gpu", "Data")).Run(update));
 Add("form", () => [new PackageManifestCheck(package).Run(), new MetaFileCheck(project).Run(), new SerializedFieldCheck(package).Run(), new AssemblyProjectCheck(project).Run()]);
 
 var failed = reports.Count(r => !r.Passed && r.SkippedBecause is null);

@@ -44,13 +44,14 @@ internal sealed unsafe class DeviceContext : IDisposable
     /// <summary>Buffers and textures that are not disposed.</summary>
     public HashSet<GpuResource> Resources { get; } = [];
 
-    public static DeviceContext Open(GpuDeviceOptions options)
+    /// <param name="captureExecutables">Keeps what <see cref="ExecutableReader"/> reads; the driver needs an extension for it.</param>
+    public static DeviceContext Open(GpuDeviceOptions options, bool captureExecutables = false)
     {
         VulkanInstance instance = new(options.Validate, options.ValidateSynchronization);
         try
         {
             PhysicalAdapter physical = AdapterList.Choose(AdapterList.Read(instance), options.Adapter);
-            return new DeviceContext(instance, physical, DeviceFeatures.Read(physical));
+            return new DeviceContext(instance, physical, DeviceFeatures.Read(physical, captureExecutables));
         }
         catch
         {
@@ -87,7 +88,8 @@ internal sealed unsafe class DeviceContext : IDisposable
         VkPhysicalDeviceVulkan12Features v12 = new();
         VkPhysicalDeviceVulkan13Features v13 = new();
         VkPhysicalDeviceRobustness2FeaturesEXT robust = new();
-        Features.Write(&core, &v12, &v13, &robust);
+        VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR executables = new();
+        Features.Write(&core, &v12, &v13, &robust, &executables);
         using Utf8Texts texts = new();
         byte** extensions = stackalloc byte*[4];
         texts.AddAll(Features.Extensions, extensions);

@@ -3,15 +3,22 @@ using Headless.Vulkan.Native;
 namespace Headless.Vulkan;
 
 /// <summary>Which features are switched on: the needed ones or a named error, and every core feature that there is.</summary>
-internal sealed record DeviceFeatures(VkPhysicalDeviceFeatures Core, bool MirrorOnce, bool Robustness2)
+internal sealed record DeviceFeatures(VkPhysicalDeviceFeatures Core, bool MirrorOnce, bool Robustness2, bool Executables)
 {
     private const string RobustnessExtension = "VK_EXT_robustness2";
+    private const string ExecutableExtension = "VK_KHR_pipeline_executable_properties";
     private const uint Version13 = (1u << 22) | (3u << 12);
 
-    public IReadOnlyList<string> Extensions => Robustness2 ? [RobustnessExtension] : [];
+    public IReadOnlyList<string> Extensions =>
+        [.. Robustness2 ? [RobustnessExtension] : Array.Empty<string>(), .. Executables ? [ExecutableExtension] : Array.Empty<string>()];
+
+    /// <summary>What a pipeline is created with.</summary>
+    public VkPipelineCreateFlags PipelineFlags => Executables
+        ? VkPipelineCreateFlags.CaptureStatistics | VkPipelineCreateFlags.CaptureInternalRepresentations
+        : VkPipelineCreateFlags.None;
 
     /// <summary>Reads what there is; throws when something needed is missing.</summary>
-    public static unsafe DeviceFeatures Read(PhysicalAdapter adapter)
+    public static unsafe DeviceFeatures Read(PhysicalAdapter adapter, bool executables)
     {
         if (adapter.Properties.apiVersion < Version13)
         {
@@ -29,24 +36,31 @@ internal sealed record DeviceFeatures(VkPhysicalDeviceFeatures Core, bool Mirror
         Require(adapter, v13.dynamicRendering, "dynamicRendering");
         Require(adapter, v13.synchronization2, "synchronization2");
         Require(adapter, all.features.robustBufferAccess, "robustBufferAccess");
+        if (executables && !HasExtension(adapter.Handle, ExecutableExtension))
+        {
+            throw new GpuException($"Device '{adapter.Info.Name}' does not report compiled programs ({ExecutableExtension}). Choose another device.");
+        }
+
         bool exactBounds = robustness && robust.robustBufferAccess2 != 0;
-        return new DeviceFeatures(all.features, v12.samplerMirrorClampToEdge != 0, exactBounds);
+        return new DeviceFeatures(all.features, v12.samplerMirrorClampToEdge != 0, exactBounds, executables);
     }
 
-    /// <summary>Fills the chain for device creation; the four structs must stay where they are until then.</summary>
+    /// <summary>Fills the chain for device creation; the structs must stay where they are until then.</summary>
     public unsafe void Write(
         VkPhysicalDeviceFeatures2* core, VkPhysicalDeviceVulkan12Features* v12, VkPhysicalDeviceVulkan13Features* v13,
-        VkPhysicalDeviceRobustness2FeaturesEXT* robust)
+        VkPhysicalDeviceRobustness2FeaturesEXT* robust, VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR* executables)
     {
         core->pNext = v12;
         v12->pNext = v13;
-        v13->pNext = Robustness2 ? robust : null;
+        executables->pNext = Robustness2 ? robust : null;
+        v13->pNext = Executables ? executables : executables->pNext;
         core->features = Core;
         v12->scalarBlockLayout = 1;
         v12->samplerMirrorClampToEdge = MirrorOnce ? 1u : 0u;
         v13->dynamicRendering = 1;
         v13->synchronization2 = 1;
         robust->robustBufferAccess2 = 1;
+        executables->pipelineExecutableInfo = 1;
     }
 
     private static void Require(PhysicalAdapter adapter, uint feature, string name)

@@ -103,6 +103,14 @@ internal sealed unsafe class VulkanInstance : IDisposable
         Extensions = table;
     }
 
+    /// <summary>Functions of VK_KHR_pipeline_executable_properties, for a device that has it.</summary>
+    public VkExtensions LoadExecutableFunctions() => Extensions with
+    {
+        vkGetPipelineExecutablePropertiesKHR = (delegate* unmanaged<VkDevice, VkPipelineInfoKHR*, uint*, VkPipelineExecutablePropertiesKHR*, VkResult>)Find("vkGetPipelineExecutablePropertiesKHR"),
+        vkGetPipelineExecutableStatisticsKHR = (delegate* unmanaged<VkDevice, VkPipelineExecutableInfoKHR*, uint*, VkPipelineExecutableStatisticKHR*, VkResult>)Find("vkGetPipelineExecutableStatisticsKHR"),
+        vkGetPipelineExecutableInternalRepresentationsKHR = (delegate* unmanaged<VkDevice, VkPipelineExecutableInfoKHR*, uint*, VkPipelineExecutableInternalRepresentationKHR*, VkResult>)Find("vkGetPipelineExecutableInternalRepresentationsKHR"),
+    };
+
     private nint Find(string name)
     {
         using Utf8Texts texts = new();

@@ -209,7 +209,7 @@ def main():
             continue
         result, parameters = writer.command(name)
         listed = ", ".join(f"{kind} {field}" for kind, field in parameters)
-        if name.endswith("EXT"):
+        if name.endswith(("EXT", "KHR")):
             kinds = "".join(kind + ", " for kind, _ in parameters)
             pointers.append(f"    public delegate* unmanaged<{kinds}{result}> {name};\n")
         else:

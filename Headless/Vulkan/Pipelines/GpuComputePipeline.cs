@@ -27,6 +27,7 @@ public sealed unsafe class GpuComputePipeline : GpuPipeline
         VkShaderModule module = ShaderStages.CreateModule(context, Shader, Name);
         VkComputePipelineCreateInfo info = new()
         {
+            flags = context.Features.PipelineFlags,
             stage = new VkPipelineShaderStageCreateInfo
             {
                 stage = VkShaderStageFlags.Compute,

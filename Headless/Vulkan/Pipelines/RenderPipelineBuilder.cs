@@ -68,6 +68,7 @@ internal sealed unsafe class RenderPipelineBuilder(DeviceContext context, VkPipe
         VkGraphicsPipelineCreateInfo info = new()
         {
             pNext = &targets,
+            flags = context.Features.PipelineFlags,
             stageCount = (uint)d.Stages.Count,
             pStages = stages,
             pVertexInputState = &vertex,

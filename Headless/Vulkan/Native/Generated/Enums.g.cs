@@ -270,6 +270,8 @@ internal enum VkPipelineCreateFlags : uint
     DispatchBase = 16,
     FailOnPipelineCompileRequired = 256,
     EarlyReturnOnFailure = 512,
+    CaptureStatistics = 64,
+    CaptureInternalRepresentations = 128,
 }
 
 [Flags]
@@ -971,6 +973,14 @@ internal enum VkPipelineBindPoint : int
     Compute = 1,
 }
 
+internal enum VkPipelineExecutableStatisticFormatKHR : int
+{
+    Bool32 = 0,
+    Int64 = 1,
+    Uint64 = 2,
+    Float64 = 3,
+}
+
 internal enum VkPointClippingBehavior : int
 {
     AllClipPlanes = 0,
@@ -1131,6 +1141,12 @@ internal enum VkStructureType : int
     DebugUtilsMessengerCallbackDataExt = 1000128003,
     DebugUtilsMessengerCreateInfoExt = 1000128004,
     ValidationFeaturesExt = 1000247000,
+    PhysicalDevicePipelineExecutablePropertiesFeaturesKhr = 1000269000,
+    PipelineInfoKhr = 1000269001,
+    PipelineExecutablePropertiesKhr = 1000269002,
+    PipelineExecutableInfoKhr = 1000269003,
+    PipelineExecutableStatisticKhr = 1000269004,
+    PipelineExecutableInternalRepresentationKhr = 1000269005,
     PhysicalDeviceRobustness2FeaturesExt = 1000286000,
 }
 

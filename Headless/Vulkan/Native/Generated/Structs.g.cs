@@ -38,6 +38,15 @@ internal unsafe struct VkClearValue
     [FieldOffset(0)] public VkClearDepthStencilValue depthStencil;
 }
 
+[StructLayout(LayoutKind.Explicit)]
+internal unsafe struct VkPipelineExecutableStatisticValueKHR
+{
+    [FieldOffset(0)] public uint b32;
+    [FieldOffset(0)] public long i64;
+    [FieldOffset(0)] public ulong u64;
+    [FieldOffset(0)] public double f64;
+}
+
 internal unsafe struct VkAllocationCallbacks
 {
     public void* pUserData;
@@ -797,6 +806,15 @@ internal unsafe struct VkPhysicalDeviceMemoryProperties
     public VkMemoryHeapArray16 memoryHeaps;
 }
 
+internal unsafe struct VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR
+{
+    public VkStructureType sType;
+    public void* pNext;
+    public uint pipelineExecutableInfo;
+
+    public VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR() => sType = VkStructureType.PhysicalDevicePipelineExecutablePropertiesFeaturesKhr;
+}
+
 internal unsafe struct VkPhysicalDeviceProperties
 {
     public uint apiVersion;
@@ -1117,6 +1135,62 @@ internal unsafe struct VkPipelineDynamicStateCreateInfo
     public VkDynamicState* pDynamicStates;
 
     public VkPipelineDynamicStateCreateInfo() => sType = VkStructureType.PipelineDynamicStateCreateInfo;
+}
+
+internal unsafe struct VkPipelineExecutableInfoKHR
+{
+    public VkStructureType sType;
+    public void* pNext;
+    public VkPipeline pipeline;
+    public uint executableIndex;
+
+    public VkPipelineExecutableInfoKHR() => sType = VkStructureType.PipelineExecutableInfoKhr;
+}
+
+internal unsafe struct VkPipelineExecutableInternalRepresentationKHR
+{
+    public VkStructureType sType;
+    public void* pNext;
+    public fixed byte name[256];
+    public fixed byte description[256];
+    public uint isText;
+    public nuint dataSize;
+    public void* pData;
+
+    public VkPipelineExecutableInternalRepresentationKHR() => sType = VkStructureType.PipelineExecutableInternalRepresentationKhr;
+}
+
+internal unsafe struct VkPipelineExecutablePropertiesKHR
+{
+    public VkStructureType sType;
+    public void* pNext;
+    public VkShaderStageFlags stages;
+    public fixed byte name[256];
+    public fixed byte description[256];
+    public uint subgroupSize;
+
+    public VkPipelineExecutablePropertiesKHR() => sType = VkStructureType.PipelineExecutablePropertiesKhr;
+}
+
+internal unsafe struct VkPipelineExecutableStatisticKHR
+{
+    public VkStructureType sType;
+    public void* pNext;
+    public fixed byte name[256];
+    public fixed byte description[256];
+    public VkPipelineExecutableStatisticFormatKHR format;
+    public VkPipelineExecutableStatisticValueKHR value;
+
+    public VkPipelineExecutableStatisticKHR() => sType = VkStructureType.PipelineExecutableStatisticKhr;
+}
+
+internal unsafe struct VkPipelineInfoKHR
+{
+    public VkStructureType sType;
+    public void* pNext;
+    public VkPipeline pipeline;
+
+    public VkPipelineInfoKHR() => sType = VkStructureType.PipelineInfoKhr;
 }
 
 internal unsafe struct VkPipelineInputAssemblyStateCreateInfo

@@ -1,0 +1,121 @@
+using Headless.Checks;
+using Headless.Checks.Gpu;
+using NUnit.Framework;
+
+namespace Headless.Tests.Checks;
+
+/// <summary>RADV compiles a small package; the tables are in a folder of the test's own.</summary>
+public sealed class GpuCheckTests
+{
+    private const string Kernels = """
+        #pragma kernel StandardDensity
+        #pragma kernel MoveParticles
+        #pragma kernel CalculateDensity
+        #pragma kernel CalculateForce
+        #pragma kernel SampleBlocks
+        StructuredBuffer<float> In; RWStructuredBuffer<float> Out; uint Count;
+        float Sum(uint id) { float sum = 0; for (uint i = 0; i < Count; i++) sum += sqrt(In[id + i]); return sum; }
+        [numthreads(64,1,1)] void MoveParticles(uint3 id : SV_DispatchThreadID) { Out[id.x] = Sum(id.x); }
+        [numthreads(64,1,1)] void CalculateDensity(uint3 id : SV_DispatchThreadID) { Out[id.x] = Sum(id.x); }
+        [numthreads(64,1,1)] void CalculateForce(uint3 id : SV_DispatchThreadID) { Out[id.x] = Sum(id.x); }
+        [numthreads(64,1,1)] void SampleBlocks(uint3 id : SV_DispatchThreadID) { Out[id.x] = Sum(id.x); }
+
+        """;
+
+    private const string Plain = "[numthreads(64,1,1)] void StandardDensity(uint3 id : SV_DispatchThreadID) { Out[id.x] = Sum(id.x); }";
+
+    private TemporaryPackage package = null!;
+
+    [SetUp]
+    public void Make() => package = new TemporaryPackage();
+
+    [TearDown]
+    public void Delete() => package.Dispose();
+
+    [Test]
+    public void ATableThatWasJustWrittenPassesAndAnotherMesaIsSkipped()
+    {
+        Write(Plain);
+        Assert.That(Run(update: true).Single().Passed);
+        Assert.That(Run().Select(r => r.Passed), Is.EqualTo(new[] { true, true }));
+
+        foreach (string file in Directory.GetFiles(Tables)) File.WriteAllText(file, File.ReadAllText(file).Replace("# Mesa ", "# Mesa 1."));
+        Assert.That(Run().Select(r => r.SkippedBecause), Has.All.Contains("the tables are of Mesa 1."));
+    }
+
+    [TestCase("""
+        [numthreads(64,1,1)] void StandardDensity(uint3 id : SV_DispatchThreadID)
+        {
+            float a[96];
+            for (uint i = 0; i < 96; i++) a[i] = In[id.x * 96 + i];
+            for (uint k = 0; k < Count; k++) a[(uint)In[k]] += Sum(k);
+            Out[id.x] = a[Count];
+        }
+        """, "scratch_bytes 0 -> ", TestName = "an array with a dynamic index")]
+    [TestCase("""
+        groupshared float shared_[2048];
+        [numthreads(64,1,1)] void StandardDensity(uint3 id : SV_DispatchThreadID)
+        {
+            shared_[id.x % 2048] = Sum(id.x);
+            GroupMemoryBarrierWithGroupSync();
+            Out[id.x] = shared_[(id.x + Count) % 2048];
+        }
+        """, "waves ", TestName = "groupshared memory that leaves fewer waves")]
+    public void AKernelThatGotWorseFails(string kernel, string finding)
+    {
+        Write(Plain);
+        Run(update: true);
+        Write(kernel);
+
+        Assert.That(Run().Select(r => r.Findings), Has.All.Some.Contains(finding));
+    }
+
+    [Test]
+    public void AKernelMoreAndAKernelLessFail()
+    {
+        Write(Plain);
+        Run(update: true);
+        package.Write("Shaders/B.compute", "#pragma kernel B\nRWStructuredBuffer<float> Out; [numthreads(1,1,1)] void B() { Out[0] = 1; }");
+        Assert.That(Run().Select(r => r.Findings), Has.All.Some.Contains("Shaders/B.compute B Compute Shader: not in the table"));
+
+        Run(update: true);
+        File.Delete(Path.Combine(package.Root, "Shaders/B.compute"));
+        Assert.That(Run().Select(r => r.Findings), Has.All.Some.Contains("Shaders/B.compute B Compute Shader: in the table, but not compiled"));
+    }
+
+    [Test]
+    public void AHotKernelThatIsGoneFails()
+    {
+        package.Write("Shaders/K.compute", "#pragma kernel K\nRWStructuredBuffer<float> Out; [numthreads(1,1,1)] void K() { Out[0] = 1; }");
+
+        Assert.That(Run(update: true).Single().Findings, Has.Some.Contains("no kernel 'StandardDensity'"));
+    }
+
+    [Test]
+    public void AnAbortBeforeTheFirstKernelIsAFamilyThatMesaDoesNotKnow()
+    {
+        FamilyResult result = FamilyResult.Read(GpuFamily.All[0], [], 134, "Unknown GPU family");
+
+        Assert.That(result.SkippedBecause, Does.Contain("NAVI21"));
+    }
+
+    [Test]
+    public void AnAbortAtAKernelNamesTheKernel()
+    {
+        FamilyResult result = FamilyResult.Read(GpuFamily.All[0], ["driver radv Mesa 22.3.6", "begin Shaders/A.compute A"], 134, "assertion");
+
+        Assert.That(result.SkippedBecause, Is.Null);
+        Assert.That(result.Problems.Single(), Does.Contain("134 at Shaders/A.compute A"));
+    }
+
+    private string Tables => Path.Combine(package.Project, "tables");
+
+    private void Write(string kernel) => package.Write("Shaders/A.compute", Kernels + kernel);
+
+    private List<CheckReport> Run(bool update = false)
+    {
+        var reports = new GpuCheck(package.Project, package.Root, Path.Combine(package.Project, "cache"), Tables).Run(update).ToList();
+        if (update && reports[0].SkippedBecause is { } reason) Assert.Ignore(reason);
+        return reports;
+    }
+}
