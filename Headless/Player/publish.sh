@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# publish.sh DIR: the player as one folder that needs no .NET. ./run publish calls it.
+#
+# DIR is filled only when it is not there, is empty, or has nothing but what an earlier publish wrote and nobody changed:
+# a list of its files, with their SHA-256, is in DIR/sphplayer-files.txt. Anything else is refused before anything is built,
+# and nothing in DIR changes until the new files are complete beside it.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+list=sphplayer-files.txt
+staging=
+
+refuse() {
+    echo "publish: $*" >&2
+    exit 2
+}
+
+# Refuses a folder that is not ours to fill. Sets ours to the files that an earlier publish wrote and that are still there.
+inspect() {
+    local file sum listed=() changed
+    declare -A written=()
+    ours=()
+    [[ -e $target || -L $target ]] || return 0
+    [[ -d $target ]] || refuse "'$target' is a file; name a folder."
+    [[ -r $target && -w $target && -x $target ]] || refuse "'$target' cannot be written."
+    if [[ -f $target/$list && ! -L $target/$list ]]; then
+        while read -r sum file; do
+            [[ $sum =~ ^[0-9a-f]{64}$ && $file == ./* && $file != *..* ]] \
+                || refuse "'$target/$list' is not a list that publish wrote; name another folder."
+            written[$file]=$sum
+        done < "$target/$list"
+        written[./$list]=
+    fi
+    while IFS= read -r -d '' file; do
+        [[ -v written[$file] ]] || refuse "'$target' has '${file#./}', which publish did not write; name another folder, or move it away."
+        [[ $file == "./$list" ]] || listed+=("$file")
+    done < <(cd "$target" && find . ! -type d -print0)
+    while IFS= read -r -d '' file; do
+        printf '%s\n' "${!written[@]}" | grep -qF -- "$file/" \
+            || refuse "'$target' has the folder '${file#./}', which publish did not write; name another folder, or move it away."
+    done < <(cd "$target" && find . -mindepth 1 -type d -print0)
+    ((${#listed[@]})) || return 0
+    changed=$(cd "$target" && sha256sum -- "${listed[@]}" | while read -r sum file; do
+        [[ ${written[$file]} == "$sum" ]] || { echo "${file#./}"; break; }
+    done)
+    [[ -z $changed ]] || refuse "'$target/$changed' has changed since publish wrote it; name another folder, or move it away."
+    ours=("${listed[@]}")
+}
+
+# Moves the new files into place. The list of the old files goes last and that of the new ones comes first, so that a folder left
+# by an interruption can still be published to.
+replace() {
+    local file
+    mkdir -p -- "$target"
+    if ((${#ours[@]})); then (cd "$target" && rm -f -- "${ours[@]}"); fi
+    find "$target" -mindepth 1 -depth -type d -empty -delete
+    mv -f -- "$staging/$list" "$target/$list"
+    find "$staging" -mindepth 1 -maxdepth 1 -exec mv -t "$target" -- {} +
+}
+
+clean() { [[ -z $staging ]] || rm -rf -- "$staging"; }
+
+(($# <= 1)) || refuse "one folder is expected, not $#: ${*:2} is too much."
+[[ ${1-.} != -* ]] || refuse "'$1' is not understood: ./run publish [DIR] has no flags (for a folder of that name: ./$1)."
+(($# == 0)) || [[ -n $1 ]] || refuse "the folder's name is empty."
+target=$(realpath -m -- "${1:-$root/Build/publish}")
+[[ $target != / ]] || refuse "'/' is not a folder to publish to."
+[[ $target != "$(realpath -m -- "${HOME:-/}")" ]] || refuse "'$target' is your home folder; name a folder in it."
+[[ $root/ != "$target"/* ]] || refuse "'$target' holds this project; name a folder outside of it, or none for Build/publish."
+[[ $target != "$root"/* || $target == "$root"/Build/* ]] || refuse "'$target' is a folder of this project; name one outside of it, or none for Build/publish."
+inspect
+
+"$root/run" build Play.slnx
+mkdir -p -- "$(dirname -- "$target")" || refuse "'$(dirname -- "$target")' cannot be made."
+trap clean EXIT
+staging=$(mktemp -d -- "$(dirname -- "$target")/.sphplayer-publish.XXXXXX") || refuse "'$(dirname -- "$target")' cannot be written."
+package=$root/Headless/Package
+dotnet publish "$root/Headless/Player/Headless.Player.csproj" -c Release --nologo -v quiet -clp:ErrorsOnly -o "$staging" \
+    -p:ScriptProjects="$package/SphFluid/SphFluid.csproj%3B$package/SphFluid.Validation/SphFluid.Validation.csproj"
+mkdir -p "$staging/ScriptAssemblies"
+cp "$root"/Build/ScriptAssemblies/SphFluid.dll "$root"/Build/ScriptAssemblies/SphFluid.Validation.dll "$staging/ScriptAssemblies/"
+(cd "$staging" && find . -type f ! -path "./$list" -print0 | LC_ALL=C sort -z | xargs -0 sha256sum > "$list")
+
+# Building took a while: what has come into the folder meanwhile stays as well.
+inspect
+replace
+echo "$target ($(du -sh "$target" | cut -f1)): start it with sphplayer play --project DIR --scene FILE.unity"
