@@ -141,7 +141,8 @@ public sealed class ShaderCompiler
         List<(StageJob, byte[])> compiled = [];
         foreach (StageJob job in jobs)
         {
-            compiled.Add((job, _compiler.Compile(job)));
+            byte[] spirV = _compiler.Compile(job);
+            compiled.Add((SourceNames.MayHaveRawBuffers(job.Text) ? job with { Declarations = _compiler.Preprocess(job) } : job, spirV));
             Interlocked.Increment(ref _compilations);
         }
         IReadOnlyList<ShaderBinary> binaries = BinaryBuilder.Build(compiled);

@@ -44,7 +44,7 @@ internal static class BinaryBuilder
         AtomicOperands.Repair(index.Module);
         EntryPointName.Set(index.Module, job.EntryPoint);
         Precision.MakeFull(index.Module);
-        return new ShaderReflector(index, layout, SourceNames.RawBuffers(job.Text), SourceNames.Sized(job.Text))
+        return new ShaderReflector(index, layout, SourceNames.RawBuffers(job.Declarations), SourceNames.Sized(job.Text))
             .Read(job.Stage, job.EntryPoint, inputs);
     }
 }

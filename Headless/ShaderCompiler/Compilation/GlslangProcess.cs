@@ -23,7 +23,11 @@ internal sealed partial class GlslangProcess(string program)
         string output = Path.Combine(Path.GetTempPath(), $"headless-shader-{Guid.NewGuid():N}.spv");
         try
         {
-            (int exit, string text) = Run(job, output);
+            (int exit, string text) = Run(job,
+            [
+                "--stdin", "-V", "--target-env", "vulkan1.1", "-D", "--hlsl-offsets", "-fhlsl_functionality1", "--nan-clamp",
+                "--hlsl-dx-position-w", "-S", StageName(job.Stage), "-e", job.SourceEntryPoint, "-o", output,
+            ]);
             if (exit is > 2 or < 0)
             {
                 throw new ShaderCompileException(
@@ -49,26 +53,29 @@ internal sealed partial class GlslangProcess(string program)
         }
     }
 
-    private (int Exit, string Text) Run(StageJob job, string output)
+    /// <summary>The text behind the preprocessor: macros expanded, branches of #if chosen.</summary>
+    public string Preprocess(StageJob job)
     {
-        string stage = job.Stage switch
-        {
-            ShaderStage.Compute => "comp",
-            ShaderStage.Vertex => "vert",
-            ShaderStage.Geometry => "geom",
-            _ => "frag",
-        };
+        (int exit, string text) = Run(job, ["--stdin", "-D", "-E", "-S", StageName(job.Stage)]);
+        return exit == 0 ? text : throw Failure(job, text);
+    }
+
+    private static string StageName(ShaderStage stage) => stage switch
+    {
+        ShaderStage.Compute => "comp",
+        ShaderStage.Vertex => "vert",
+        ShaderStage.Geometry => "geom",
+        _ => "frag",
+    };
+
+    private (int Exit, string Text) Run(StageJob job, string[] arguments)
+    {
         ProcessStartInfo start = new(program)
         {
             RedirectStandardInput = true,
             RedirectStandardOutput = true,
             RedirectStandardError = true,
         };
-        string[] arguments =
-        [
-            "--stdin", "-V", "--target-env", "vulkan1.1", "-D", "--hlsl-offsets", "-fhlsl_functionality1", "--nan-clamp",
-            "--hlsl-dx-position-w", "-S", stage, "-e", job.SourceEntryPoint, "-o", output,
-        ];
         foreach (string argument in arguments)
         {
             start.ArgumentList.Add(argument);

@@ -5,6 +5,9 @@ namespace Headless.Shaders;
 /// <summary>Names that only the source tells apart.</summary>
 internal static partial class SourceNames
 {
+    /// <summary>Whether a text may declare byte address buffers, before macros and #if are worked out.</summary>
+    public static bool MayHaveRawBuffers(string text) => text.Contains("ByteAddressBuffer", StringComparison.Ordinal);
+
     /// <summary>Variables declared as ByteAddressBuffer or RWByteAddressBuffer.</summary>
     public static HashSet<string> RawBuffers(string text)
     {

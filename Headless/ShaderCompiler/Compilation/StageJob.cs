@@ -7,4 +7,7 @@ internal sealed record StageJob(ExpandedSource Source, ShaderStage Stage, string
 {
     /// <summary>Name of the entry point's function in Text, where it is another one.</summary>
     public string SourceEntryPoint { get; init; } = EntryPoint;
+
+    /// <summary>Text that declarations are read from: that behind the preprocessor, where what is read may hang on macros.</summary>
+    public string Declarations { get; init; } = Text;
 }

@@ -88,5 +88,17 @@ public sealed class FormCheckTests
         Assert.That(new SerializedFieldCheck(package.Root).Run().Findings, Is.EqualTo(new[] { "A.cs: A.bare has no [Tooltip]" }));
     }
 
+    [TestCase("#if defined(SHADER_API_D3D11) || defined(SHADER_API_METAL)", 2)]
+    [TestCase("#ifdef SHADER_API_VULKAN", 1)]
+    [TestCase("#if defined(SHADER_API_GLES3) || \\\n    defined(SHADER_API_SWITCH)", 1)]
+    [TestCase("#if !defined(SHADER_API_GLCORE) && !defined(SHADER_API_GLES3) && !defined(SHADER_API_GLES)", 0)]
+    [TestCase("// #if defined(SHADER_API_METAL)", 0)]
+    public void AListOfGraphicsApisInAShaderIsFound(string line, int findings)
+    {
+        package.Write("Shaders/A.hlsl", line + "\n#endif\n");
+
+        Assert.That(new ShaderApiCheck(package.Root).Run().Findings, Has.Count.EqualTo(findings));
+    }
+
     private List<string> Metas() => new MetaFileCheck(package.Project).Run().Findings;
 }

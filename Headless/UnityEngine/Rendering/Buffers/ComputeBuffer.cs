@@ -31,7 +31,10 @@ public sealed partial class ComputeBuffer : IDisposable
 
         mode = usage;
         Storage = new DeviceBuffer(
-            nameof(ComputeBuffer), count, stride, BufferUse.Storage | BufferUse.Transfer | BufferUse.Indirect | BufferUse.Uniform);
+            nameof(ComputeBuffer), count, stride, BufferUse.Storage | BufferUse.Transfer | BufferUse.Indirect | BufferUse.Uniform)
+        {
+            Targets = BufferTargets.Of(type),
+        };
     }
 
     ~ComputeBuffer()

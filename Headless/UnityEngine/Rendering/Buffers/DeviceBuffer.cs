@@ -44,6 +44,9 @@ internal sealed class DeviceBuffer
     public long ByteSize { get; }
     public bool IsValid => gpu is not null;
 
+    /// <summary>What a script created it for; nothing for buffers of the engine's own.</summary>
+    public BufferTargets Targets { get; set; }
+
     public string Name
     {
         get => name;

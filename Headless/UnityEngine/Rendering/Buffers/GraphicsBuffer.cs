@@ -50,7 +50,7 @@ public sealed partial class GraphicsBuffer : IDisposable
 
         this.target = target;
         this.usageFlags = usageFlags;
-        Storage = new DeviceBuffer(nameof(GraphicsBuffer), count, stride, Use(target));
+        Storage = new DeviceBuffer(nameof(GraphicsBuffer), count, stride, Use(target)) { Targets = BufferTargets.Of(target) };
         Handle = Interlocked.Increment(ref lastHandle);
         BufferHandles.Add(Handle, Storage);
     }
@@ -60,6 +60,7 @@ public sealed partial class GraphicsBuffer : IDisposable
     {
         this.target = target;
         Storage = shared;
+        shared.Targets = BufferTargets.Of(target);
         borrowed = true;
         Handle = Interlocked.Increment(ref lastHandle);
         BufferHandles.Add(Handle, Storage);
@@ -141,9 +142,7 @@ public sealed partial class GraphicsBuffer : IDisposable
 
     private static BufferUse Use(Target target)
     {
-        // Shaders see structured and raw buffers, and those of indirect arguments; a vertex buffer needs Raw besides.
-        bool readable = (target & (Target.Structured | Target.Raw | Target.IndirectArguments)) != 0;
-        BufferUse use = readable ? BufferUse.Storage : BufferUse.Transfer;
+        BufferUse use = BufferTargets.Of(target).View == BufferView.None ? BufferUse.Transfer : BufferUse.Storage;
         if ((target & Target.IndirectArguments) != 0)
         {
             use |= BufferUse.Indirect;

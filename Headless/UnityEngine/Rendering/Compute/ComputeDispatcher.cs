@@ -44,6 +44,12 @@ internal static class ComputeDispatcher
             return;
         }
 
+        if (BufferViewCheck.NotArguments(arguments) is { } problem)
+        {
+            Debug.LogError($"{shader.name}: indirect dispatch of kernel index ({kernelIndex}): {problem}");
+            return;
+        }
+
         if (Bind(shader, kernelIndex, out ComputeVariant? variant, out GpuComputePipeline? pipeline))
         {
             GraphicsDevice.Recorder.DispatchIndirect(pipeline!, variant!.Bindings, arguments.Gpu, offset);
@@ -77,10 +83,12 @@ internal static class ComputeDispatcher
         ResourceBindings bindings = variant.Bindings;
         Span<(int, ImageFormat)> formats = stackalloc (int, ImageFormat)[8];
         int formatCount = 0;
-        if (!BindBuffers(variant.Table, kernel, bindings, out string? missing)
+        if (!BindBuffers(variant.Table, kernel, bindings, out string? missing, out string? mismatch)
             || !BindTextures(variant.Table, kernel, bindings, formats, ref formatCount, out missing))
         {
-            Debug.LogError($"Compute shader ({shader.name}): Property ({missing}) at kernel index ({kernelIndex}) is not set");
+            Debug.LogError(mismatch is null
+                ? $"Compute shader ({shader.name}): Property ({missing}) at kernel index ({kernelIndex}) is not set"
+                : $"Compute shader ({shader.name}): kernel '{kernel.Name}' ({kernelIndex}): {mismatch}");
             return false;
         }
 
@@ -95,8 +103,10 @@ internal static class ComputeDispatcher
         return true;
     }
 
-    private static bool BindBuffers(BindingTable table, ComputeKernel kernel, ResourceBindings bindings, out string? missing)
+    private static bool BindBuffers(
+        BindingTable table, ComputeKernel kernel, ResourceBindings bindings, out string? missing, out string? mismatch)
     {
+        missing = mismatch = null;
         foreach (BufferEntry entry in table.Buffers)
         {
             if (!kernel.Buffers.TryGetValue(entry.NameId, out BufferSlot slot) || !slot.IsSet)
@@ -110,10 +120,15 @@ internal static class ComputeDispatcher
                 return false;
             }
 
+            mismatch = BufferViewCheck.Mismatch(entry, slot.Buffer!);
+            if (mismatch is not null)
+            {
+                return false;
+            }
+
             bindings.SetBuffer(table.Set, entry.Binding, slot.Buffer!.Gpu);
         }
 
-        missing = null;
         return true;
     }
 

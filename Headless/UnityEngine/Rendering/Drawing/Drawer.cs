@@ -60,9 +60,9 @@ internal static class Drawer
         ResourceBindings bindings = variant.Bindings;
         foreach (BindingTable table in variant.Tables)
         {
-            if (!StageBinder.Bind(table, chain, bindings, out string? missing))
+            if (!StageBinder.Bind(table, chain, bindings, out string? problem))
             {
-                Report(material, pass, missing!);
+                Report(material, pass, problem!);
                 return;
             }
         }
@@ -135,11 +135,11 @@ internal static class Drawer
         return pipeline;
     }
 
-    private static void Report(Material material, PassProgram pass, string missing)
+    private static void Report(Material material, PassProgram pass, string problem)
     {
-        if (Reported.Add((material.shader.name, missing)))
+        if (Reported.Add((material.shader.name, problem)))
         {
-            Debug.LogError($"Shader \"{material.shader.name}\" (material '{material.name}', pass '{pass.Source.Name}') requires a buffer \"{missing}\" to be bound, but none provided. Skipping draw calls to avoid crashing.");
+            Debug.LogError($"Shader \"{material.shader.name}\" (material '{material.name}', pass '{pass.Source.Name}') {problem}");
         }
     }
 }

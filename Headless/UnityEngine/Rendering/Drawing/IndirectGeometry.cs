@@ -29,6 +29,12 @@ internal sealed class IndirectGeometry(
             return false;
         }
 
+        if (BufferViewCheck.NotArguments(arguments) is { } problem)
+        {
+            Debug.LogError($"Indirect draw: {problem}");
+            return false;
+        }
+
         mesh?.Device.Upload();
         return mesh is null || mesh.Device.IndexBuffer is not null;
     }

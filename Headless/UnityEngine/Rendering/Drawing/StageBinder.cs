@@ -11,15 +11,21 @@ internal static class StageBinder
 {
     private static byte[] scratch = new byte[1024];
 
-    /// <summary>False after naming the buffer that is missing.</summary>
-    public static bool Bind(BindingTable table, in PropertyChain chain, ResourceBindings bindings, out string? missing)
+    /// <summary>False after naming what is missing, or what of a buffer does not fit.</summary>
+    public static bool Bind(BindingTable table, in PropertyChain chain, ResourceBindings bindings, out string? problem)
     {
         foreach (BufferEntry entry in table.Buffers)
         {
             BufferSlot slot = chain.Buffer(entry.NameId);
             if (!slot.IsSet)
             {
-                missing = entry.Name;
+                problem = Missing(entry.Name);
+                return false;
+            }
+
+            problem = BufferViewCheck.Mismatch(entry, slot.Buffer!);
+            if (problem is not null)
+            {
                 return false;
             }
 
@@ -30,7 +36,7 @@ internal static class StageBinder
         {
             if (!BindTexture(table, entry, chain, bindings))
             {
-                missing = entry.Name;
+                problem = Missing(entry.Name);
                 return false;
             }
         }
@@ -46,9 +52,12 @@ internal static class StageBinder
             BindBlock(table, block, chain, bindings);
         }
 
-        missing = null;
+        problem = null;
         return true;
     }
+
+    private static string Missing(string name) =>
+        $"requires a buffer \"{name}\" to be bound, but none provided. Skipping draw calls to avoid crashing.";
 
     private static bool BindTexture(BindingTable table, in TextureEntry entry, in PropertyChain chain, ResourceBindings bindings)
     {

@@ -13,7 +13,7 @@ internal sealed class BindingTable
         Set = binary.DescriptorSet;
         Buffers = [.. Of(binary, k => k is ResourceKind.StructuredBuffer or ResourceKind.RWStructuredBuffer
                 or ResourceKind.ByteAddressBuffer or ResourceKind.RWByteAddressBuffer)
-            .Select(r => new BufferEntry(ShaderNames.Id(r.Name), r.Name, r.Binding))];
+            .Select(r => new BufferEntry(ShaderNames.Id(r.Name), r.Name, r.Binding, r.Kind, r.Stride))];
         Textures = [.. Of(binary, k => k is ResourceKind.Texture or ResourceKind.RWTexture)
             .Select(r => new TextureEntry(ShaderNames.Id(r.Name), r.Name, r.Binding, r.Kind == ResourceKind.RWTexture, r.Dimension))];
         Samplers = [.. Of(binary, k => k is ResourceKind.Sampler)

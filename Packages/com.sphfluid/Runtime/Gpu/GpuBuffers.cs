@@ -5,11 +5,11 @@ namespace SphFluid
     /// <summary>Creates named buffers that are checked against the device's limit.</summary>
     public static class GpuBuffers
     {
-        /// <summary>Creates a structured buffer.</summary>
+        /// <summary>Creates a buffer, structured unless asked otherwise.</summary>
         /// <param name="name">Name shown by frame debuggers and error messages.</param>
         /// <param name="count">Number of elements; zero gives one element, so that the buffer can be bound.</param>
         /// <param name="stride">Bytes of an element.</param>
-        /// <param name="target">Uses besides <see cref="GraphicsBuffer.Target.Structured"/>.</param>
+        /// <param name="target">What it is used for; it settles how shaders declare it.</param>
         /// <returns>The buffer; the caller disposes it.</returns>
         /// <exception cref="FluidDeviceException">The device has no room for a buffer of this size.</exception>
         public static GraphicsBuffer Create(string name, long count, int stride,
@@ -26,6 +26,16 @@ namespace SphFluid
 
             return new GraphicsBuffer(target, count > 0 ? (int)count : 1, stride) { name = name };
         }
+
+        /// <summary>
+        /// Creates a buffer for the arguments of indirect draws or dispatches, which kernels declare as (RW)ByteAddressBuffer. On Direct3D 11 such
+        /// a buffer is never structured: the reference of <see cref="GraphicsBuffer.Target.IndirectArguments"/> gives it views of 32-bit numbers.
+        /// </summary>
+        /// <param name="name">Name shown by frame debuggers and error messages.</param>
+        /// <param name="count">Number of arguments, uint each.</param>
+        /// <returns>The buffer; the caller disposes it.</returns>
+        internal static GraphicsBuffer CreateArguments(string name, int count) =>
+            Create(name, count, sizeof(uint), GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw);
 
         /// <summary>Makes a structured buffer anew where there is none or too small a one; its contents are lost then.</summary>
         /// <param name="buffer">The buffer, or null.</param>

@@ -37,7 +37,7 @@ namespace SphFluid
             emitVertices = new ComputeKernel(shaders.SurfaceMesh, "EmitSurfaceVertices");
             this.vertexLimit = vertexLimit;
             tables = CreateTables();
-            counter = GpuBuffers.Create("SurfaceVertexCount", 1, sizeof(uint));
+            counter = GpuBuffers.Create("SurfaceVertexCount", 1, sizeof(uint), GraphicsBuffer.Target.Raw);
         }
 
         /// <summary>Triangle corners that the buffer holds; it grows as surfaces ask for it and never shrinks.</summary>

@@ -25,4 +25,10 @@ uint FlatIndex(uint3 groupId, uint groupIndex)
     return (groupId.y * MAX_GROUPS + groupId.x) * NUMBER_THREADS + groupIndex;
 }
 
+// Groups x, y, z of such a dispatch, for indirect arguments: 65,538 groups are 65,535 x 2.
+uint3 DispatchGroups(uint count)
+{
+    return uint3(min(count, uint(MAX_GROUPS)), (count + MAX_GROUPS - 1u) / MAX_GROUPS, 1u);
+}
+
 #endif

@@ -3,7 +3,8 @@
 #ifndef SPHFLUID_SHADING_INCLUDED
 #define SPHFLUID_SHADING_INCLUDED
 
-#if defined(SHADER_API_D3D11) || defined(SHADER_API_D3D12) || defined(SHADER_API_VULKAN) || defined(SHADER_API_METAL) || defined(SHADER_API_PSSL) || defined(SHADER_API_SWITCH)
+// Only OpenGL has depth 0 at the near plane; every other API, those to come included, has 1 there.
+#if !defined(SHADER_API_GLCORE) && !defined(SHADER_API_GLES3) && !defined(SHADER_API_GLES)
 #define FLUID_REVERSED_Z 1
 #endif
 

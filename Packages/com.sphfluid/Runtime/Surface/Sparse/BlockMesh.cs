@@ -18,8 +18,8 @@ namespace SphFluid
 
         public BlockMesh()
         {
-            drawArguments = GpuBuffers.Create("SurfaceDrawArguments", DrawArgumentCount, sizeof(uint), GraphicsBuffer.Target.IndirectArguments);
-            emitArguments = GpuBuffers.Create("SurfaceEmitArguments", DispatchArgumentCount, sizeof(uint), GraphicsBuffer.Target.IndirectArguments);
+            drawArguments = GpuBuffers.CreateArguments("SurfaceDrawArguments", DrawArgumentCount);
+            emitArguments = GpuBuffers.CreateArguments("SurfaceEmitArguments", DispatchArgumentCount);
             Reserve(1, 1);
         }
 

@@ -91,7 +91,7 @@ namespace SphFluid
             GpuBuffers.Reserve(ref samples, "BlockSamples", (long)capacity * SamplesPerBlock, sizeof(float));
             GpuBuffers.Reserve(ref ranges, "BlockRanges", capacity, RangeStride);
             GpuBuffers.Reserve(ref counters, "SurfaceCounters", SurfaceCounters.Slots, sizeof(uint));
-            roundArguments ??= GpuBuffers.Create("SurfaceRoundArguments", 4, sizeof(uint), GraphicsBuffer.Target.IndirectArguments);
+            roundArguments ??= GpuBuffers.CreateArguments("SurfaceRoundArguments", 3);
             Counts = counts;
             Capacity = list.count;
         }

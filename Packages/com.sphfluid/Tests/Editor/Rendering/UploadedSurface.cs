@@ -94,7 +94,7 @@ namespace SphFluid.Tests
                 packed[i] = new PackedSurfaceVertex { Position = positions[i], PackedNormal = Octahedral(normals[i]) };
             vertexBuffer = GpuBuffers.Create("Vertices", packed.Length, PackedSurfaceVertex.Stride);
             indexBuffer = GpuBuffers.Create("Indices", indices.Count, sizeof(uint), GraphicsBuffer.Target.Index);
-            arguments = GpuBuffers.Create("Arguments", 5, sizeof(uint), GraphicsBuffer.Target.IndirectArguments);
+            arguments = GpuBuffers.CreateArguments("Arguments", 5);
             vertexBuffer.SetData(packed);
             indexBuffer.SetData(indices.ToArray());
             arguments.SetData(new[] { (uint)indices.Count, 1u, 0u, 0u, 0u });

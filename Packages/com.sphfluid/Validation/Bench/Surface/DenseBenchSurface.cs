@@ -30,7 +30,7 @@ namespace SphFluid.Validation
             emitVertices = new ComputeKernel(shaders.SurfaceMesh, "EmitSurfaceVertices");
             material = new BenchMeshMaterial(BenchMeshMaterial.TriangleCornersPass);
             tables = SurfacePolygoniser.CreateTables();
-            arguments = GpuBuffers.Create("BenchSurfaceArguments", EmptyArguments.Length, sizeof(uint), GraphicsBuffer.Target.IndirectArguments);
+            arguments = GpuBuffers.CreateArguments("BenchSurfaceArguments", EmptyArguments.Length);
             vertices = GpuBuffers.Create("SurfaceVertices", 0, EmittedVertex.Stride);
         }
 

@@ -79,7 +79,7 @@ namespace SphFluid.Tests
             Blocks.List.SetData(list);
             Blocks.Samples.SetData(samples);
             Blocks.Counters.SetData(counters);
-            Blocks.RoundArguments.SetData(new[] { slots, 1u, 1u, 0u });
+            Blocks.RoundArguments.SetData(new[] { slots, 1u, 1u });
         }
 
         float Sample(Vector3Int s, Func<Vector3Int, float> value)

@@ -36,7 +36,7 @@ namespace SphFluid.Tests
 
             using (GraphicsBuffer vertexBuffer = GpuBuffers.Create("Vertices", vertexCount, PackedSurfaceVertex.Stride))
             using (GraphicsBuffer indexBuffer = GpuBuffers.Create("Indices", indexCapacity, sizeof(uint), GraphicsBuffer.Target.Index | GraphicsBuffer.Target.Raw))
-            using (GraphicsBuffer arguments = GpuBuffers.Create("Arguments", 5, sizeof(uint), GraphicsBuffer.Target.IndirectArguments))
+            using (GraphicsBuffer arguments = GpuBuffers.CreateArguments("Arguments", 5))
             using (GraphicsBuffer meshVertices = GpuBuffers.Create("MeshVertices", vertexCount + 3, VertexFloats * sizeof(float), GraphicsBuffer.Target.Raw))
             using (GraphicsBuffer meshIndices = GpuBuffers.Create("MeshIndices", indexCapacity + 6, sizeof(uint), GraphicsBuffer.Target.Raw))
             {
