@@ -9,6 +9,9 @@ namespace SphFluid
         /// <summary>Bytes of PackedWall in Shaders/Methods/Standard/NearWall.hlsl.</summary>
         public const int WallStride = 48;
 
+        // With Direct3D 11 Unity gives a buffer of indirect arguments typed and raw views, never structured ones.
+        const GraphicsBuffer.Target ArgumentTarget = GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw;
+
         GraphicsBuffer wallSlot, nearWalls, contactList, contactArguments;
 
         public MeshWallBuffers(int particleCount)
@@ -18,7 +21,7 @@ namespace SphFluid
                 wallSlot = GpuBuffers.Create("WallSlot", particleCount, 4);
                 nearWalls = GpuBuffers.Create("NearWalls", particleCount, WallStride);
                 contactList = GpuBuffers.Create("ContactList", particleCount, 4);
-                contactArguments = GpuBuffers.Create("ContactArguments", 4, 4, GraphicsBuffer.Target.IndirectArguments);
+                contactArguments = GpuBuffers.Create("ContactArguments", 4, 4, ArgumentTarget);
             }
             catch
             {
