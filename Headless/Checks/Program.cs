@@ -39,7 +39,7 @@ Add("api", () => new ApiCheck(package).Run());
 if (standIn is not null) Add("surface", () => [new StandInSurfaceCheck(standIn).Run()]);
 Add("fxc", () => [new FxcCheck(project, package, cache).Run()]);
 Add("gpu", () => new GpuCheck(project, package, shaderCache, Path.Combine(project, "Headless", "Checks", "Gpu", "Data")).Run(update));
-Add("form", () => [new PackageManifestCheck(package).Run(), new MetaFileCheck(project).Run(), new SerializedFieldCheck(package).Run(), new AssemblyProjectCheck(project).Run(), new ShaderApiCheck(package).Run()]);
+Add("form", () => FormChecks.Run(project, package));
 
 var failed = reports.Count(r => !r.Passed && r.SkippedBecause is null);
 var skipped = reports.Count(r => r.SkippedBecause is not null);

@@ -19,7 +19,7 @@ internal sealed class SerializedFieldCheck(string packageRoot)
                     foreach (var field in type.Members.OfType<FieldDeclarationSyntax>().Where(IsShown))
                     {
                         fields++;
-                        if (!Has(field.AttributeLists, "Tooltip"))
+                        if (!field.AttributeLists.Has("Tooltip"))
                             report.Findings.Add($"{Path.GetFileName(tree.FilePath)}: {type.Identifier}.{field.Declaration.Variables[0].Identifier} has no [Tooltip]");
                     }
         report.Figures = $"{fields} serialised fields with a tooltip";
@@ -27,16 +27,13 @@ internal sealed class SerializedFieldCheck(string packageRoot)
     }
 
     private static bool IsSerialized(TypeDeclarationSyntax type) =>
-        Has(type.AttributeLists, "Serializable") || (type.BaseList?.Types.Any(b => unityBases.Contains(b.Type.ToString())) ?? false);
+        type.AttributeLists.Has("Serializable") || (type.BaseList?.Types.Any(b => unityBases.Contains(b.Type.ToString())) ?? false);
 
     private static bool IsShown(FieldDeclarationSyntax field)
     {
         var modifiers = field.Modifiers.Select(m => m.Text).ToList();
         if (modifiers.Contains("static") || modifiers.Contains("const") || modifiers.Contains("readonly")) return false;
-        if (Has(field.AttributeLists, "NonSerialized") || Has(field.AttributeLists, "HideInInspector")) return false;
-        return modifiers.Contains("public") || Has(field.AttributeLists, "SerializeField");
+        if (field.AttributeLists.Has("NonSerialized") || field.AttributeLists.Has("HideInInspector")) return false;
+        return modifiers.Contains("public") || field.AttributeLists.Has("SerializeField");
     }
-
-    private static bool Has(Microsoft.CodeAnalysis.SyntaxList<AttributeListSyntax> lists, string name) =>
-        lists.SelectMany(l => l.Attributes).Any(a => a.Name.ToString().Split('.')[^1] is var n && (n == name || n == name + "Attribute"));
 }

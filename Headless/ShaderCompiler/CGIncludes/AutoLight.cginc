@@ -7,10 +7,25 @@
 
 UNITY_DECLARE_SHADOWMAP(_ShadowMapTexture);
 
+// Nine bilinear comparisons over 3 x 3 texels, in place of Unity's filter in screen space.
 half UnitySampleShadow(float4 coord)
 {
-    half shadow = UNITY_SAMPLE_SHADOW(_ShadowMapTexture, coord.xyz);
-    return lerp(_LightShadowData.r, 1.0h, shadow);
+    float width;
+    float height;
+    _ShadowMapTexture.GetDimensions(width, height);
+    float2 texel = 1.0 / float2(width, height);
+    float sum = 0.0;
+    [unroll]
+    for (int y = -1; y <= 1; y++)
+    {
+        [unroll]
+        for (int x = -1; x <= 1; x++)
+        {
+            sum += UNITY_SAMPLE_SHADOW(_ShadowMapTexture, float3(coord.xy + float2(x, y) * texel, coord.z));
+        }
+    }
+    bool outside = any(coord.xy < 0.0) || any(coord.xy > 1.0);
+    return outside ? 1.0h : (half)lerp(_LightShadowData.r, 1.0, sum / 9.0);
 }
 
 #define SHADOW_COORDS(index) float4 _ShadowCoord : TEXCOORD##index;

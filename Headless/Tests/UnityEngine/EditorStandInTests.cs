@@ -75,4 +75,23 @@ public class EditorStandInTests : EngineFixture
         Assert.That(second.layer, Is.EqualTo(4));
         Assert.That(EditorUtility.FormatBytes(1536), Is.EqualTo("1.5 KB"));
     }
+
+    [Test]
+    public void OnlyChangedPropertiesAreWrittenToSeveralObjects()
+    {
+        DataSample other = ScriptableObject.CreateInstance<DataSample>();
+        (m_Data.speed, other.speed) = (1f, 2f);
+        (m_Data.curve, other.curve) = (new[] { 1, 2 }, new[] { 1, 3 });
+        using var serialized = new SerializedObject(new Object[] { m_Data, other });
+        Assert.That(serialized.FindProperty("speed").hasMultipleDifferentValues, Is.True);
+        Assert.That(serialized.FindProperty("curve").hasMultipleDifferentValues, Is.True);
+        Assert.That(serialized.FindProperty("curve").GetArrayElementAtIndex(0).hasMultipleDifferentValues, Is.False);
+        Assert.That(serialized.FindProperty("choice").hasMultipleDifferentValues, Is.False);
+        serialized.FindProperty("choice").enumValueIndex = 1;
+        serialized.ApplyModifiedProperties();
+        Assert.That(other.choice, Is.EqualTo(SendMessageOptions.DontRequireReceiver));
+        Assert.That(other.speed, Is.EqualTo(2f));
+        Assert.That(other.curve, Is.EqualTo(new[] { 1, 3 }));
+        Object.DestroyImmediate(other);
+    }
 }

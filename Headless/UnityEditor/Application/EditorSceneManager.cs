@@ -1,4 +1,5 @@
 using Headless.Engine;
+using UnityEngine;
 using UnityEngine.SceneManagement;
 
 namespace UnityEditor.SceneManagement;
@@ -23,6 +24,21 @@ public sealed class EditorSceneManager : SceneManager
         if (mode == NewSceneMode.Single) SceneTable.Active = scene;
         return scene.Scene;
     }
+
+    /// <summary>A scene apart: FindObjectsByType, the scene manager, cameras and the default physics do not know it.</summary>
+    public static Scene NewPreviewScene() => SceneTable.CreatePreview("").Scene;
+
+    public static bool ClosePreviewScene(Scene scene)
+    {
+        if (!IsPreviewScene(scene)) return false;
+        SceneTable.ClosePreview(SceneTable.Require(scene));
+        return true;
+    }
+
+    public static bool IsPreviewScene(Scene scene) => SceneTable.Find(scene.handle) is { IsPreview: true };
+
+    public static bool IsPreviewSceneObject(UnityEngine.Object obj) =>
+        (obj as GameObject ?? (obj as Component)?.gameObject) is { } placed && IsPreviewScene(placed.scene);
 
     public static bool MarkSceneDirty(Scene scene) => scene.IsValid();
 }

@@ -23,7 +23,16 @@ public partial class SerializedProperty : IDisposable
     public int depth => m_Path.Length == 0 ? -1 : PropertyPath.Split(m_Path).Count - 1;
     public bool isExpanded { get; set; }
     public bool editable => true;
-    public bool hasMultipleDifferentValues => false;
+    public bool hasMultipleDifferentValues
+    {
+        get
+        {
+            foreach (SerializedObject other in serializedObject.Others())
+                if (!SerializedEquality.Same(PropertyPath.Get(serializedObject, m_Path), PropertyPath.Get(other, m_Path))) return true;
+            return false;
+        }
+    }
+
     public string tooltip => PropertyPath.FieldAt(serializedObject, m_Path)?.GetCustomAttribute<TooltipAttribute>()?.tooltip ?? "";
     public string type => ValueType.Name;
     public string displayName => ObjectNames.NicifyVariableName(name);

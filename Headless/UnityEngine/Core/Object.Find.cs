@@ -39,7 +39,7 @@ public partial class Object
         return all.Length > 0 ? all[0] : null;
     }
 
-    // Assets, objects hidden by HideFlags.DontSave and objects outside any scene are not found, as documented.
+    // Assets, objects hidden by HideFlags.DontSave and objects outside the loaded scenes are not found, as documented.
     static T[] Find<T>(Type type, bool includeInactive, FindObjectsSortMode sortMode) where T : Object
     {
         ArgumentNullException.ThrowIfNull(type);
@@ -51,7 +51,7 @@ public partial class Object
             GameObject? owner = candidate as GameObject ?? (candidate as Component)?.OwnerOrNull;
             if (owner is not null)
             {
-                if (owner.SceneData is null || (owner.m_HideFlags & HideFlags.DontSave) == HideFlags.DontSave) continue;
+                if (owner.SceneData is null or { IsPreview: true } || (owner.m_HideFlags & HideFlags.DontSave) == HideFlags.DontSave) continue;
                 if (!includeInactive && !owner.activeInHierarchy) continue;
             }
             else if (candidate.IsPersistent)

@@ -13,6 +13,10 @@ sealed class SceneData(int handle, string name, string path)
     public string Path { get; set; } = path;
     public int BuildIndex { get; set; } = -1;
     public bool IsLoaded { get; set; }
+
+    /// <summary>Apart from the loaded scenes: not listed, not searched, not drawn, with physics of its own.</summary>
+    public bool IsPreview { get; init; }
+
     public List<GameObject> Roots { get; } = new();
 
     public void AddRoot(GameObject root) => Roots.Add(root);

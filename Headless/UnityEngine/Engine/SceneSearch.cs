@@ -34,6 +34,6 @@ static class SceneSearch
     static IEnumerable<GameObject> Active()
     {
         foreach (UnityEngine.Object instance in ObjectRegistry.Snapshot())
-            if (instance is GameObject { IsActiveCached: true, SceneData: not null } gameObject) yield return gameObject;
+            if (instance is GameObject { IsActiveCached: true, SceneData: { IsPreview: false } } gameObject) yield return gameObject;
     }
 }

@@ -14,6 +14,9 @@ static class SceneTable
     public static List<SceneData> Scenes { get; } = new();
     public static SceneData? Active { get; set; }
 
+    /// <summary>Scenes that prefabs are edited in, and the like.</summary>
+    public static List<SceneData> Previews { get; } = new();
+
     public static SceneData DontDestroyOnLoad
     {
         get
@@ -33,10 +36,27 @@ static class SceneTable
         return scene;
     }
 
+    public static SceneData CreatePreview(string name)
+    {
+        var scene = new SceneData(s_NextHandle -= 2, name, "") { IsLoaded = true, IsPreview = true };
+        Previews.Add(scene);
+        return scene;
+    }
+
+    public static void ClosePreview(SceneData scene)
+    {
+        DestroyRoots(scene);
+        Previews.Remove(scene);
+        scene.IsLoaded = false;
+    }
+
+    /// <summary>Whether a component takes part in the loaded scenes.</summary>
+    public static bool IsInWorld(Component component) => component.OwnerOrNull?.SceneData is { IsPreview: false };
+
     public static SceneData ActiveOrCreate() => Active ??= Create("", "", loaded: true);
 
     public static SceneData? Find(int handle) =>
-        s_DontDestroyOnLoad?.Handle == handle ? s_DontDestroyOnLoad : Scenes.Find(s => s.Handle == handle);
+        s_DontDestroyOnLoad?.Handle == handle ? s_DontDestroyOnLoad : Scenes.Find(s => s.Handle == handle) ?? Previews.Find(s => s.Handle == handle);
 
     public static SceneData Require(Scene scene) => Find(scene.handle) ?? throw new ArgumentException("The scene is invalid.");
 
@@ -66,6 +86,7 @@ static class SceneTable
     public static void DestroyAll()
     {
         foreach (SceneData scene in Scenes.ToArray()) DestroyRoots(scene);
+        foreach (SceneData scene in Previews.ToArray()) ClosePreview(scene);
         if (s_DontDestroyOnLoad is not null) DestroyRoots(s_DontDestroyOnLoad);
         Clear();
     }

@@ -15,7 +15,7 @@ public partial class Physics
     public static bool autoSyncTransforms { get; set; }
     public static SimulationMode simulationMode { get; set; } = SimulationMode.FixedUpdate;
     public static float defaultContactOffset { get; set; } = 0.01f;
-    public static PhysicsScene defaultPhysicsScene => new(1);
+    public static PhysicsScene defaultPhysicsScene => new(PhysicsWorld.DefaultScene);
 
     public static void SyncTransforms() => PhysicsWorld.Sync();
 

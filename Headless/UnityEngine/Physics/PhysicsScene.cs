@@ -18,13 +18,13 @@ public struct PhysicsScene : IEquatable<PhysicsScene>
         QueryTriggerInteraction queryTriggerInteraction = QueryTriggerInteraction.UseGlobal)
     {
         RequireValid();
-        return PhysicsWorld.Fill(PhysicsWorld.OverlapBox(center, halfExtents, orientation, layerMask, queryTriggerInteraction), results);
+        return PhysicsWorld.Fill(PhysicsWorld.OverlapBox(center, halfExtents, orientation, layerMask, queryTriggerInteraction, m_Handle), results);
     }
 
     public int OverlapSphere(Vector3 position, float radius, Collider[] results, int layerMask, QueryTriggerInteraction queryTriggerInteraction)
     {
         RequireValid();
-        return PhysicsWorld.Fill(PhysicsWorld.OverlapSphere(position, radius, layerMask, queryTriggerInteraction), results);
+        return PhysicsWorld.Fill(PhysicsWorld.OverlapSphere(position, radius, layerMask, queryTriggerInteraction, m_Handle), results);
     }
 
     public void Simulate(float step)

@@ -24,15 +24,18 @@ static class PhysicsWorld
         foreach (Collider collider in s_Colliders) collider.SyncPose();
     }
 
-    public static List<Collider> OverlapBox(Vector3 center, Vector3 halfExtents, Quaternion orientation, int layerMask, QueryTriggerInteraction triggers)
+    /// <summary>Physics scene of the loaded scenes; a preview scene's is its own handle.</summary>
+    public const int DefaultScene = 1;
+
+    public static List<Collider> OverlapBox(Vector3 center, Vector3 halfExtents, Quaternion orientation, int layerMask, QueryTriggerInteraction triggers, int scene = DefaultScene)
     {
         var size = new Vector3(MathF.Abs(halfExtents.x), MathF.Abs(halfExtents.y), MathF.Abs(halfExtents.z));
         PhysicsBox box = PhysicsBox.Oriented(center, size, Quaternion.Normalize(orientation));
-        return Query(layerMask, triggers, c => c.OverlapsBox(box));
+        return Query(scene, layerMask, triggers, c => c.OverlapsBox(box));
     }
 
-    public static List<Collider> OverlapSphere(Vector3 center, float radius, int layerMask, QueryTriggerInteraction triggers) =>
-        Query(layerMask, triggers, c => c.OverlapsSphere(center, radius));
+    public static List<Collider> OverlapSphere(Vector3 center, float radius, int layerMask, QueryTriggerInteraction triggers, int scene = DefaultScene) =>
+        Query(scene, layerMask, triggers, c => c.OverlapsSphere(center, radius));
 
     public static int Fill(List<Collider> found, Collider[] results)
     {
@@ -41,17 +44,21 @@ static class PhysicsWorld
         return count;
     }
 
-    static List<Collider> Query(int layerMask, QueryTriggerInteraction triggers, Predicate<Collider> overlaps)
+    static List<Collider> Query(int scene, int layerMask, QueryTriggerInteraction triggers, Predicate<Collider> overlaps)
     {
         if (Physics.autoSyncTransforms) Sync();
         bool hitTriggers = triggers == QueryTriggerInteraction.Collide || (triggers == QueryTriggerInteraction.UseGlobal && Physics.queriesHitTriggers);
         var found = new List<Collider>();
         foreach (Collider collider in s_Colliders)
         {
+            if (SceneOf(collider) != scene) continue;
             if ((layerMask & (1 << collider.gameObject.layer)) == 0) continue;
             if (collider.isTrigger && !hitTriggers) continue;
             if (collider.HasShape && overlaps(collider)) found.Add(collider);
         }
         return found;
     }
+
+    static int SceneOf(Collider collider) =>
+        collider.OwnerOrNull?.SceneData is { IsPreview: true } preview ? preview.Handle : DefaultScene;
 }

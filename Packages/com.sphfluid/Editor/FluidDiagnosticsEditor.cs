@@ -4,7 +4,7 @@ using UnityEngine;
 namespace SphFluid.Editor
 {
     /// <summary>Inspector of the diagnostics: settings, and in play mode the findings and the last measurement.</summary>
-    [CustomEditor(typeof(FluidDiagnostics))]
+    [CustomEditor(typeof(FluidDiagnostics)), CanEditMultipleObjects]
     public sealed class FluidDiagnosticsEditor : UnityEditor.Editor
     {
         FluidDiagnostics Diagnostics => (FluidDiagnostics)target;
@@ -19,6 +19,11 @@ namespace SphFluid.Editor
             DrawPropertiesExcluding(serializedObject, "m_Script");
             serializedObject.ApplyModifiedProperties();
             if (!Application.isPlaying) return;
+            if (serializedObject.isEditingMultipleObjects)
+            {
+                EditorGUILayout.HelpBox("Select one object to see its findings.", MessageType.None);
+                return;
+            }
             EditorGUILayout.Space();
             EditorGUILayout.LabelField("Findings", EditorStyles.boldLabel);
             if (Diagnostics.Findings.Count == 0) EditorGUILayout.LabelField(Diagnostics.MeasurementCount > 0 ? "none" : "nothing measured yet");

@@ -52,6 +52,8 @@ namespace SphFluid.Editor
                     return Change(simulation, "Remove Body Force", () => simulation.BodyForce = default);
                 case FluidIssue.NoLiquid:
                     return new FluidFix("Add Liquid", () => FluidMenu.AddVolume(simulation));
+                case FluidIssue.NotDrawn:
+                    return new FluidFix("Draw Surface", () => Undo.AddComponent<FluidSurfaceRenderer>(simulation.gameObject));
                 case FluidIssue.TooManyParticles when simulation.Profile != null:
                     return Change(simulation, "Coarsen Spacing", () => Coarsen(simulation));
                 case FluidIssue.TooManyCells:

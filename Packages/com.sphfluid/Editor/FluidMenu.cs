@@ -75,11 +75,11 @@ namespace SphFluid.Editor
 
         static GameObject NewObject(string name, GameObject parent, params System.Type[] components)
         {
-            GameObject created = ObjectFactory.CreateGameObject(name, components);
+            GameObject created = ObjectFactory.CreateGameObject(name, components); // registers the undo itself
             if (parent != null) GameObjectUtility.SetParentAndAlign(created, parent);
             else StageUtility.PlaceGameObjectInCurrentStage(created);
             GameObjectUtility.EnsureUniqueNameForSibling(created);
-            Undo.RegisterCreatedObjectUndo(created, "Create " + name);
+            Undo.SetCurrentGroupName("Create " + name);
             return created;
         }
 

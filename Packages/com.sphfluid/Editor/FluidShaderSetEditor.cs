@@ -4,8 +4,8 @@ using UnityEngine;
 
 namespace SphFluid.Editor
 {
-    /// <summary>Inspector of a shader set: names what is missing and fills it from the package.</summary>
-    [CustomEditor(typeof(FluidShaderSet))]
+    /// <summary>Inspector of shader sets: names what is missing and fills it from the package.</summary>
+    [CustomEditor(typeof(FluidShaderSet)), CanEditMultipleObjects]
     public sealed class FluidShaderSetEditor : UnityEditor.Editor
     {
         /// <inheritdoc/>
@@ -15,10 +15,15 @@ namespace SphFluid.Editor
             DrawPropertiesExcluding(serializedObject, "m_Script");
             serializedObject.ApplyModifiedProperties();
 
-            var set = (FluidShaderSet)target;
+            foreach (Object edited in targets) DrawMissing((FluidShaderSet)edited);
+        }
+
+        static void DrawMissing(FluidShaderSet set)
+        {
             IReadOnlyList<string> missing = set.Validate();
             if (missing.Count == 0) return;
-            var message = new FluidMessage(FluidSeverity.Error, FluidIssue.ShadersMissing, set, $"Missing: {string.Join(", ", missing)}.", "");
+            var message = new FluidMessage(
+                FluidSeverity.Error, FluidIssue.ShadersMissing, set, $"'{set.name}' lacks {string.Join(", ", missing)}.", "");
             EditorGUILayout.HelpBox(message.Text, MessageType.Error);
             if (FluidFix.For(message, null) is FluidFix fix && GUILayout.Button(fix.Label)) fix.Apply();
         }

@@ -1,12 +1,14 @@
+using System;
 using System.Collections.Generic;
 using UnityEditor;
 using UnityEditor.IMGUI.Controls;
 using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace SphFluid.Editor
 {
     /// <summary>Inspector of a simulation: settings, messages with fixes, live status, and a handle for the domain box.</summary>
-    [CustomEditor(typeof(FluidSimulation))]
+    [CustomEditor(typeof(FluidSimulation)), CanEditMultipleObjects]
     public sealed class FluidSimulationEditor : UnityEditor.Editor
     {
         readonly BoxBoundsHandle handle = new BoxBoundsHandle();
@@ -15,16 +17,27 @@ namespace SphFluid.Editor
         FluidSimulation Simulation => (FluidSimulation)target;
 
         /// <inheritdoc/>
-        public override bool RequiresConstantRepaint() => Application.isPlaying && Simulation.IsRunning;
+        public override bool RequiresConstantRepaint() => Application.isPlaying && AnyRuns;
+
+        bool AnyRuns => Array.Exists(targets, t => ((FluidSimulation)t).IsRunning);
 
         /// <inheritdoc/>
         public override void OnInspectorGUI()
         {
             serializedObject.Update();
-            DrawPropertiesExcluding(serializedObject, Hidden());
+            DrawPropertiesExcluding(serializedObject, Hidden(serializedObject));
             if (serializedObject.ApplyModifiedProperties()) validation.Refresh();
 
             EditorGUILayout.Space();
+            if (serializedObject.isEditingMultipleObjects)
+                EditorGUILayout.HelpBox("Select one simulation to see its messages and figures.", MessageType.None);
+            else
+                DrawFindings();
+            if (Application.isPlaying && !SceneObjects.IsPrefabAsset(Simulation)) DrawButtons();
+        }
+
+        void DrawFindings()
+        {
             validation.Draw();
             if (validation.Constants is FluidSolverSettings constants)
             {
@@ -64,12 +77,15 @@ namespace SphFluid.Editor
             }
         }
 
-        string[] Hidden()
+        /// <summary>Fields that none of the edited simulations reads, and the script's own.</summary>
+        internal static string[] Hidden(SerializedObject edited)
         {
             var hidden = new List<string> { "m_Script" };
-            bool given = serializedObject.FindProperty("timeStepMode").enumValueIndex == (int)FluidTimeStepMode.Fixed;
-            if (!given) hidden.Add("fixedTimeStep");
-            if (serializedObject.FindProperty("useSceneGravity").boolValue) hidden.Add("gravity");
+            SerializedProperty mode = edited.FindProperty("timeStepMode");
+            bool isFixed = mode.enumValueIndex == (int)FluidTimeStepMode.Fixed;
+            if (!isFixed && !mode.hasMultipleDifferentValues) hidden.Add("fixedTimeStep");
+            SerializedProperty sceneGravity = edited.FindProperty("useSceneGravity");
+            if (sceneGravity.boolValue && !sceneGravity.hasMultipleDifferentValues) hidden.Add("gravity");
             return hidden.ToArray();
         }
 
@@ -108,12 +124,23 @@ namespace SphFluid.Editor
                 EditorGUILayout.LabelField("Fastest particle", $"{counters.MaxSpeed:0.00} m/s");
                 EditorGUILayout.LabelField("Largest compression", $"{100f * counters.MaxCompression:0.0} %");
             }
+        }
+
+        // All selected simulations at once.
+        void DrawButtons()
+        {
+            bool all = Array.TrueForAll(targets, t => ((FluidSimulation)t).IsRunning);
             using (new EditorGUILayout.HorizontalScope())
             {
-                if (GUILayout.Button(simulation.IsRunning ? "Restart" : "Start")) simulation.ResetSimulation();
-                using (new EditorGUI.DisabledScope(!simulation.IsRunning))
-                    if (GUILayout.Button("Stop")) simulation.StopSimulation();
+                if (GUILayout.Button(all ? "Restart" : "Start")) Each(simulation => simulation.ResetSimulation());
+                using (new EditorGUI.DisabledScope(!AnyRuns))
+                    if (GUILayout.Button("Stop")) Each(simulation => simulation.StopSimulation());
             }
+        }
+
+        void Each(Action<FluidSimulation> act)
+        {
+            foreach (Object edited in targets) act((FluidSimulation)edited);
         }
     }
 }

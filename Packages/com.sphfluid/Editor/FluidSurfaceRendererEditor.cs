@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEditor;
 using UnityEngine;
@@ -18,15 +19,22 @@ namespace SphFluid.Editor
         public override void OnInspectorGUI()
         {
             serializedObject.Update();
-            DrawPropertiesExcluding(serializedObject, Hidden(Renderer.Look));
+            DrawPropertiesExcluding(serializedObject, Hidden(serializedObject));
             serializedObject.ApplyModifiedProperties();
-            if (Renderer.Look == FluidSurfaceLook.Water)
+            if (Array.Exists(targets, t => ((FluidSurfaceRenderer)t).Look == FluidSurfaceLook.Water))
             {
                 WaterRoute route = WaterRoute.Active;
                 EditorGUILayout.HelpBox(route.Text, route.IsComplete ? MessageType.Info : MessageType.Warning);
             }
             if (Application.isPlaying && !serializedObject.isEditingMultipleObjects)
                 SurfaceStatusGUI.Draw(Renderer.Status, Renderer.GpuBytes);
+        }
+
+        /// <summary>Fields that none of the edited objects reads, and the script's own.</summary>
+        internal static string[] Hidden(SerializedObject edited)
+        {
+            SerializedProperty look = edited.FindProperty("look");
+            return look.hasMultipleDifferentValues ? new[] { "m_Script" } : Hidden((FluidSurfaceLook)look.enumValueIndex);
         }
 
         /// <summary>Fields that a look does not read, and the script's own.</summary>

@@ -51,8 +51,10 @@ namespace SphFluid.Editor
 
         static void DrawOwner(FluidVolume volume)
         {
-            FluidSimulation owner = FluidScene.Owner(volume, FindObjectsByType<FluidSimulation>(FindObjectsSortMode.None));
-            if (owner == null)
+            FluidSimulation owner = FluidScene.Owner(volume, SceneObjects.Find<FluidSimulation>(volume));
+            if (owner == null && SceneObjects.IsPrefabAsset(volume))
+                EditorGUILayout.HelpBox("This is a prefab asset: the simulation that it belongs to is found once it is in a scene.", MessageType.Info);
+            else if (owner == null)
                 EditorGUILayout.HelpBox("No simulation's domain holds this liquid. Make it a child of a Fluid Simulation or assign one.", MessageType.Warning);
             else
                 using (new EditorGUI.DisabledScope(true))

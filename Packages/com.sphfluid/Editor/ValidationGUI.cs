@@ -41,7 +41,10 @@ namespace SphFluid.Editor
             }
             double now = EditorApplication.timeSinceStartup;
             if (now < nextCheck) return;
-            messages = FluidValidation.Preview(simulation, out constants);
+            nextCheck = now + LeastInterval; // should the check throw, it does not do so at every repaint
+            List<FluidMessage> found = FluidValidation.Preview(simulation, out constants);
+            if (ViewRules.Check(simulation) is FluidMessage unseen) found.Add(unseen);
+            messages = found;
             double took = EditorApplication.timeSinceStartup - now;
             nextCheck = now + Math.Max(LeastInterval, LoadShare * took);
         }

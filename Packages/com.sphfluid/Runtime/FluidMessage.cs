@@ -82,6 +82,10 @@ namespace SphFluid
         VesselLeaks,
         /// <summary>How the liquid was brought to rest before the start, or that it was not.</summary>
         StartRelaxation,
+        /// <summary>The simulation is a prefab asset, so its liquid and its colliders cannot be checked.</summary>
+        PrefabAsset,
+        /// <summary>No component draws the liquid.</summary>
+        NotDrawn,
     }
 
     /// <summary>One thing to tell the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>

@@ -225,7 +225,7 @@ namespace SphFluid
         /// <summary>Reads all collision meshes again, after an edit that left a mesh's counts and bounds as they were.</summary>
         public void RefreshColliders() => run?.InvalidateColliders();
 
-        /// <summary>Checks the settings, the liquid and the colliders; changes nothing and logs nothing.</summary>
+        /// <summary>Checks the settings, the liquid and the colliders, of a prefab asset only the settings; changes nothing and logs nothing.</summary>
         /// <returns>What is wrong or worth knowing, errors first.</returns>
         public IReadOnlyList<FluidMessage> Validate() => FluidValidation.Validate(this);
 
@@ -237,7 +237,7 @@ namespace SphFluid
         /// <summary>Spacing at which the liquid volumes hold as near to a number of particles as the lattice allows [m].</summary>
         /// <param name="count">Wanted number of particles, 1 or more.</param>
         /// <returns>The spacing; <see cref="Spacing"/> is not changed.</returns>
-        /// <exception cref="InvalidOperationException">There is no liquid to measure.</exception>
+        /// <exception cref="InvalidOperationException">There is no liquid to measure, or this is a prefab asset, which has none around it.</exception>
         public float SpacingForParticleCount(int count) => ParticleCountFit.Spacing(this, count);
 
         internal void Report(FluidMessage message)

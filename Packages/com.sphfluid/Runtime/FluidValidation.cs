@@ -9,7 +9,7 @@ namespace SphFluid
     {
         const float ScaleTolerance = 1e-4f;
 
-        /// <summary>Checks a simulation with its liquid and its colliders; changes nothing.</summary>
+        /// <summary>Checks a simulation with its liquid and its colliders, of a prefab asset only the settings; changes nothing.</summary>
         /// <param name="simulation">The simulation.</param>
         /// <returns>What is wrong or worth knowing, errors first.</returns>
         public static List<FluidMessage> Validate(FluidSimulation simulation)
@@ -48,11 +48,8 @@ namespace SphFluid
             bool measurable = CheckNumbers(simulation, messages);
             if (measurable)
             {
-                CollisionQuery query = FluidScene.Query(simulation);
-                collision.Gather(query);
-                messages.AddRange(collision.Messages);
-                MeshColliderRules.Check(query, messages);
-                start = LiquidRules.Check(simulation, collision, fill, messages);
+                if (SceneObjects.IsPrefabAsset(simulation)) messages.Add(Unplaced(simulation));
+                else start = CheckScene(simulation, collision, fill, messages);
                 BoundaryRules.Check(simulation, messages);
                 CellRules.Check(simulation, messages);
             }
@@ -127,6 +124,21 @@ namespace SphFluid
                     "Give Fixed Time Step a number greater than zero, or set Time Step Mode to Automatic."));
             return sized && spaced && AffineMath.IsFinite(simulation.transform.position);
         }
+
+        static FluidStart CheckScene(
+            FluidSimulation simulation, CollisionScene collision, bool fill, List<FluidMessage> messages)
+        {
+            CollisionQuery query = FluidScene.Query(simulation);
+            collision.Gather(query);
+            messages.AddRange(collision.Messages);
+            MeshColliderRules.Check(query, messages);
+            return LiquidRules.Check(simulation, collision, fill, messages);
+        }
+
+        static FluidMessage Unplaced(FluidSimulation simulation) => new FluidMessage(
+            FluidSeverity.Info, FluidIssue.PrefabAsset, simulation,
+            "This is a prefab asset: its liquid and colliders are checked once it is in a scene.",
+            "Place it in a scene or open the prefab to check all of it.");
 
         static bool TryDerive(FluidSimulation simulation, FluidStart start, List<FluidMessage> messages)
         {

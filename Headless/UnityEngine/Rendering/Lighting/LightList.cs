@@ -14,7 +14,7 @@ internal static class LightList
         get
         {
             Lights.RemoveAll(l => l == null);
-            return Lights;
+            return SceneTable.Previews.Count == 0 ? Lights : Lights.FindAll(SceneTable.IsInWorld);
         }
     }
 

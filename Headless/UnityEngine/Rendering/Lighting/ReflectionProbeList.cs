@@ -21,7 +21,7 @@ internal static class ReflectionProbeList
         float bestShare = 0f;
         foreach (ReflectionProbe probe in Probes)
         {
-            if (probe.texture is not { } texture || texture == null || texture.dimension != TextureDimension.Cube || !probe.bounds.Intersects(bounds))
+            if (!SceneTable.IsInWorld(probe) || probe.texture is not { } texture || texture == null || texture.dimension != TextureDimension.Cube || !probe.bounds.Intersects(bounds))
             {
                 continue;
             }

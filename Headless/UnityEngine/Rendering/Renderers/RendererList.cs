@@ -13,7 +13,7 @@ internal static class RendererList
         get
         {
             Renderers.RemoveAll(r => r == null);
-            return Renderers;
+            return SceneTable.Previews.Count == 0 ? Renderers : Renderers.FindAll(SceneTable.IsInWorld);
         }
     }
 

@@ -12,7 +12,7 @@ namespace SphFluid
         public static void Check(in CollisionQuery query, List<FluidMessage> messages)
         {
             Matrix4x4 worldToSimulation = query.WorldToSimulation;
-            foreach (MeshCollider collider in Object.FindObjectsByType<MeshCollider>(FindObjectsSortMode.None))
+            foreach (MeshCollider collider in SceneObjects.Find<MeshCollider>(query.Simulation))
             {
                 bool counts = collider.enabled && !collider.isTrigger && (query.Layers & (1 << collider.gameObject.layer)) != 0;
                 if (!counts || !(ColliderTriangles.Problem(collider) is FluidMessage problem)) continue;

@@ -10,7 +10,11 @@ namespace SphFluid
         const CameraEvent Moment = CameraEvent.BeforeForwardAlpha;
 
         readonly Dictionary<Camera, Before> cameras = new Dictionary<Camera, Before>();
+        readonly List<Camera> destroyed = new List<Camera>();
         CommandBuffer copy;
+
+        /// <summary>Cameras that are served; destroyed ones are forgotten with the next new one.</summary>
+        public int Count => cameras.Count;
 
         public SceneTextures Request(Camera camera)
         {
@@ -40,6 +44,7 @@ namespace SphFluid
         // Copies of the screen itself may lie upside down; of a texture they never do.
         void Attach(Camera camera)
         {
+            ForgetDestroyed();
             copy = copy ?? RecordCopy();
             cameras.Add(camera, new Before
             {
@@ -48,6 +53,17 @@ namespace SphFluid
             });
             camera.forceIntoRenderTexture = true;
             camera.AddCommandBuffer(Moment, copy);
+        }
+
+        // A scene that makes and destroys cameras would otherwise fill the table.
+        void ForgetDestroyed()
+        {
+            foreach (Camera camera in cameras.Keys)
+                if (camera == null)
+                    destroyed.Add(camera);
+            foreach (Camera camera in destroyed)
+                cameras.Remove(camera);
+            destroyed.Clear();
         }
 
         static CommandBuffer RecordCopy()

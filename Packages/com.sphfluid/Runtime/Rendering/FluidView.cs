@@ -11,6 +11,7 @@ namespace SphFluid
         [SerializeField, Tooltip("Simulation to draw. Empty: the one on the same GameObject.")]
         FluidSimulation simulation;
 
+        FluidSimulation neighbour; // on the same GameObject, where none is assigned
         FluidShaderSet preparedShaders;
         bool missingReported;
         bool failed;
@@ -20,9 +21,11 @@ namespace SphFluid
         {
             get
             {
-                if (simulation == null)
-                    TryGetComponent(out simulation);
-                return simulation;
+                if (simulation != null)
+                    return simulation;
+                if (neighbour == null)
+                    TryGetComponent(out neighbour);
+                return neighbour;
             }
             set => simulation = value;
         }

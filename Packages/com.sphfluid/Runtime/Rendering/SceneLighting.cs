@@ -22,7 +22,7 @@ namespace SphFluid
             Light light = MainLight();
             properties.SetVector(RenderShaderIds.FluidLightDirection, light != null ? -light.transform.forward : Vector3.up);
             properties.SetVector(RenderShaderIds.FluidLightColour, light != null ? ColourOf(light) : Vector4.zero);
-            Pack(RenderSettings.ambientProbe, ambient);
+            Pack(Lit(RenderSettings.ambientProbe), ambient);
             properties.SetVectorArray(RenderShaderIds.FluidAmbient, ambient);
         }
 
@@ -57,7 +57,32 @@ namespace SphFluid
             packed[6] = new Vector4(probe[0, 8], probe[1, 8], probe[2, 8], 1f);
         }
 
-        // The lighting settings' sun, else the brightest directional light, as Unity chooses its main light.
+        /// <summary>
+        /// The scene's ambient light; where it is the sky's and was never baked, which leaves it black in Unity 6, that of the three colours in
+        /// the lighting settings.
+        /// </summary>
+        internal static SphericalHarmonicsL2 Lit(SphericalHarmonicsL2 probe)
+        {
+            bool meantToShine = RenderSettings.ambientMode == AmbientMode.Skybox && RenderSettings.ambientIntensity > 0f;
+            return meantToShine && probe == default ? Gradient() : probe;
+        }
+
+        // From the ground's colour below to the sky's above, through the mean of both and the equator's.
+        static SphericalHarmonicsL2 Gradient()
+        {
+            Color sky = RenderSettings.ambientSkyColor.linear, ground = RenderSettings.ambientGroundColor.linear;
+            Color middle = 0.25f * (sky + ground) + 0.5f * RenderSettings.ambientEquatorColor.linear;
+            var probe = new SphericalHarmonicsL2();
+            for (int c = 0; c < 3; c++)
+            {
+                probe[c, 0] = middle[c];
+                probe[c, 1] = 0.5f * (sky[c] - ground[c]);
+            }
+            return probe;
+        }
+
+        // The lighting settings' sun, else the brightest directional light, as Unity chooses its main light. Only the search allocates: scenes
+        // whose Sun Source is assigned never do.
         Light MainLight()
         {
             Light sun = RenderSettings.sun;
@@ -76,10 +101,11 @@ namespace SphFluid
         {
             Light found = null;
             float most = 0f;
-            foreach (Light light in Object.FindObjectsByType<Light>(FindObjectsSortMode.InstanceID))
+            foreach (Light light in Object.FindObjectsByType<Light>(FindObjectsSortMode.None))
             {
                 float brightness = light.intensity * light.color.maxColorComponent;
-                if (!IsUsable(light) || brightness <= most)
+                bool older = found == null || light.GetInstanceID() < found.GetInstanceID();
+                if (!IsUsable(light) || brightness < most || (brightness == most && !older))
                     continue;
                 found = light;
                 most = brightness;

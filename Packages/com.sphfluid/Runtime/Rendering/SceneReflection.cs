@@ -27,7 +27,9 @@ namespace SphFluid
             ReflectionProbe found = ProbeAround(bounds.center);
             Texture map = found != null ? found.texture : ReflectionProbe.defaultTexture;
             bool usable = map != null && map.dimension == TextureDimension.Cube && DrawPipeline.Active != DrawPipelineKind.HighDefinition;
-            properties.SetVector(RenderShaderIds.FluidReflection, new Vector4(usable ? 1f : 0f, Level(smoothness), 0f, 0f));
+            // Of the sky, Unity 6 bakes the map with the scene's light: black where that was not done. A black map of the user's is meant.
+            bool baked = found == null && RenderSettings.defaultReflectionMode == DefaultReflectionMode.Skybox;
+            properties.SetVector(RenderShaderIds.FluidReflection, new Vector4(usable ? 1f : 0f, Level(smoothness), baked ? 1f : 0f, 0f));
             if (!usable)
                 return;
             properties.SetTexture(RenderShaderIds.FluidReflectionMap, map);

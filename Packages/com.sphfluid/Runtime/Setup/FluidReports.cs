@@ -81,7 +81,10 @@ namespace SphFluid
         }
 
         // Nothing would free the GPU memory of a run that OnDisable does not end.
-        static FluidMessage NotPlaying(FluidSimulation simulation) => Application.isPlaying
+        static FluidMessage NotPlaying(FluidSimulation simulation) => SceneObjects.IsPrefabAsset(simulation)
+            ? new FluidMessage(FluidSeverity.Error, FluidIssue.StartFailed, simulation,
+                "A prefab asset cannot run.", "Start an instance of it: what Instantiate returns, or one that is placed in a scene.")
+            : Application.isPlaying
             ? new FluidMessage(FluidSeverity.Error, FluidIssue.StartFailed, simulation,
                 "The component or its object is disabled, so the simulation cannot start.", "Enable both first.")
             : new FluidMessage(FluidSeverity.Error, FluidIssue.StartFailed, simulation,

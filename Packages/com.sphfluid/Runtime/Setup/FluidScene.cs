@@ -13,9 +13,9 @@ namespace SphFluid
         /// <summary>Enabled volumes that belong to the simulation, in hierarchy order.</summary>
         public static List<FluidVolume> FindVolumes(FluidSimulation simulation)
         {
-            FluidSimulation[] simulations = UnityEngine.Object.FindObjectsByType<FluidSimulation>(FindObjectsSortMode.None);
+            FluidSimulation[] simulations = SceneObjects.Find<FluidSimulation>(simulation);
             var found = new List<FluidVolume>();
-            foreach (FluidVolume volume in UnityEngine.Object.FindObjectsByType<FluidVolume>(FindObjectsSortMode.None))
+            foreach (FluidVolume volume in SceneObjects.Find<FluidVolume>(simulation))
                 if (volume.enabled && Owner(volume, simulations) == simulation) found.Add(volume);
             found.Sort(HierarchyOrder.Compare);
             return found;
@@ -25,7 +25,8 @@ namespace SphFluid
         public static FluidSimulation Owner(FluidVolume volume, FluidSimulation[] simulations)
         {
             if (volume.Simulation != null) return volume.Simulation;
-            FluidSimulation parent = volume.GetComponentInParent<FluidSimulation>();
+            // Nothing in a prefab asset is active.
+            FluidSimulation parent = volume.GetComponentInParent<FluidSimulation>(SceneObjects.IsPrefabAsset(volume));
             if (parent != null) return parent;
             FluidSimulation only = null;
             int count = 0;
@@ -52,7 +53,7 @@ namespace SphFluid
             return Matrix4x4.TRS(inverse * -position, inverse, Vector3.one);
         }
 
-        /// <summary>Where the simulation looks for colliders.</summary>
+        /// <summary>Where the simulation, which is in a scene, looks for colliders.</summary>
         public static CollisionQuery Query(FluidSimulation simulation) => new CollisionQuery
         {
             Simulation = simulation,

@@ -11,9 +11,12 @@ namespace SphFluid
 
         /// <summary>Spacing for a simulation's volumes and colliders as they are in the scene.</summary>
         /// <exception cref="ArgumentOutOfRangeException">The count is less than one.</exception>
-        /// <exception cref="InvalidOperationException">The domain has no size or holds no liquid.</exception>
+        /// <exception cref="InvalidOperationException">The domain has no size or holds no liquid, or the simulation is a prefab asset.</exception>
         public static float Spacing(FluidSimulation simulation, int count)
         {
+            if (SceneObjects.IsPrefabAsset(simulation))
+                throw new InvalidOperationException(
+                    $"'{simulation.name}' is a prefab asset, whose liquid can be measured only in a scene. Place it in one or open the prefab.");
             Vector3 size = simulation.DomainSize;
             if (!AffineMath.IsFinite(size) || !(size.x > 0f && size.y > 0f && size.z > 0f))
                 throw new InvalidOperationException($"The domain size of '{simulation.name}' is {size} m; it must be greater than zero.");

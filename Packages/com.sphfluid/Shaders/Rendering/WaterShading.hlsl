@@ -10,13 +10,14 @@ Texture2D<float4> _CameraOpaqueTexture; // URP
 float4 _FluidExtinction; // rgb: light lost per metre, absorbed or scattered [1/m]
 float4 _FluidScattering; // rgb: of that, scattered, 0 to 1
 TextureCube<float4> _FluidReflectionMap;
-float4 _FluidReflection;       // x: 1 with a map, 0 without; y: mip level
+float4 _FluidReflection;       // x: 1 with a map, 0 without; y: mip level; z: 1 if a black map means one that was never made
 float4 _FluidReflectionDecode; // as Unity decodes HDR pictures, intensity included
 float _Refraction;     // 1: as much as in nature
 float _Smoothness;
 float _ShadowStrength; // light that the shadow takes away, 0 to 1
 
 #define AIR_TO_WATER 0.75 // ratio of the refractive indices, 1 / 1.33
+#define COARSEST_LEVEL 16.0 // beyond the last of any map, which stands for it
 
 float3 SceneColour(float2 screen)
 {
@@ -35,7 +36,8 @@ float3 WaterInnerLight()
     return 0.5 * (FluidLampColour() * saturate(_FluidLightDirection.y) + FluidAmbient(up));
 }
 
-// What is mirrored: the scene's reflection probe or sky where there is one, else the ambient light.
+// What is mirrored: the scene's reflection probe or sky where there is one, else the ambient light. Without lighting data Unity 6 hands over
+// a black sky.
 float3 WaterMirror(float3 direction)
 {
     float3 colour = FluidAmbient(direction);
@@ -44,10 +46,12 @@ float3 WaterMirror(float3 direction)
         float4 encoded = _FluidReflectionMap.SampleLevel(sampler_LinearClamp, direction, _FluidReflection.y);
         float alpha = _FluidReflectionDecode.w * (encoded.a - 1.0) + 1.0;
 #if defined(UNITY_COLORSPACE_GAMMA)
-        colour = encoded.rgb * (_FluidReflectionDecode.x * alpha);
+        float3 mirrored = encoded.rgb * (_FluidReflectionDecode.x * alpha);
 #else
-        colour = encoded.rgb * (_FluidReflectionDecode.x * pow(max(alpha, 0.0), _FluidReflectionDecode.y));
+        float3 mirrored = encoded.rgb * (_FluidReflectionDecode.x * pow(max(alpha, 0.0), _FluidReflectionDecode.y));
 #endif
+        float3 whole = _FluidReflectionMap.SampleLevel(sampler_LinearClamp, direction, COARSEST_LEVEL).rgb;
+        colour = dot(whole, 1.0) > 0.0 || _FluidReflection.z == 0.0 ? mirrored : colour;
     }
     return colour;
 }

@@ -99,6 +99,35 @@ namespace SphFluid.Tests
                 Assert.AreEqual(probe[c, 0] - probe[c, 6], ambient[c].w, 1e-6f);
         }
 
+        // As Unity 6 leaves it where the scene has no lighting data.
+        [Test]
+        public void ABlackSkyGivesWayToTheColoursOfTheLightingSettings()
+        {
+            RenderSettings.ambientMode = AmbientMode.Skybox;
+            SphericalHarmonicsL2 probe = SceneLighting.Lit(default);
+            Color sky = RenderSettings.ambientSkyColor.linear, ground = RenderSettings.ambientGroundColor.linear;
+            for (int c = 0; c < 3; c++)
+            {
+                Assert.Greater(probe[c, 0], 0f);
+                Assert.AreEqual(sky[c] - ground[c], (probe[c, 0] + probe[c, 1]) - (probe[c, 0] - probe[c, 1]), 1e-6f, "above less below");
+            }
+            var lit = new SphericalHarmonicsL2();
+            lit[1, 0] = 0.5f;
+            Assert.AreEqual(lit, SceneLighting.Lit(lit), "light that is there stays");
+        }
+
+        [Test]
+        public void DarknessThatIsMeantStaysDark()
+        {
+            RenderSettings.ambientMode = AmbientMode.Flat;
+            Assert.AreEqual(default(SphericalHarmonicsL2), SceneLighting.Lit(default));
+            RenderSettings.ambientMode = AmbientMode.Skybox;
+            float intensity = RenderSettings.ambientIntensity;
+            RenderSettings.ambientIntensity = 0f;
+            Assert.AreEqual(default(SphericalHarmonicsL2), SceneLighting.Lit(default));
+            RenderSettings.ambientIntensity = intensity;
+        }
+
         // Each coefficient its own number: where it goes, and that the sixth counts threefold.
         [Test]
         public void CoefficientsArePackedAsUnitysShadersReadThem()

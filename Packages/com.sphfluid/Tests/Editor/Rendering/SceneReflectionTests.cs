@@ -62,6 +62,30 @@ namespace SphFluid.Tests
                 Assert.AreSame(ReflectionProbe.defaultTexture, properties.GetTexture("_FluidReflectionMap"));
         }
 
+        // Its map is black where it was never baked; the shader then takes the ambient light.
+        [Test]
+        public void OnlyTheSkysMapMayBeUnbaked()
+        {
+            DefaultReflectionMode mode = RenderSettings.defaultReflectionMode;
+            Texture custom = RenderSettings.customReflectionTexture;
+            try
+            {
+                RenderSettings.defaultReflectionMode = DefaultReflectionMode.Skybox;
+                Assert.AreEqual(1f, Apply(1f).GetVector("_FluidReflection").z);
+                RenderSettings.defaultReflectionMode = DefaultReflectionMode.Custom;
+                RenderSettings.customReflectionTexture = map;
+                Assert.AreEqual(0f, Apply(1f).GetVector("_FluidReflection").z, "a black map of the user's is meant");
+                RenderSettings.defaultReflectionMode = DefaultReflectionMode.Skybox;
+                NewProbe(map, Vector3.zero, 4f, 0);
+                Assert.AreEqual(0f, Apply(1f).GetVector("_FluidReflection").z, "so is a probe's");
+            }
+            finally
+            {
+                RenderSettings.defaultReflectionMode = mode;
+                RenderSettings.customReflectionTexture = custom;
+            }
+        }
+
         [Test]
         public void ProbeThatIsSwitchedOffGivesWayAtOnce()
         {

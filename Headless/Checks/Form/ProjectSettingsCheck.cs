@@ -1,0 +1,71 @@
+using System.Text.Json.Nodes;
+using System.Text.RegularExpressions;
+
+namespace Headless.Checks.Form;
+
+/// <summary>ProjectSettings has every file that Unity 2022.3 writes, so that opening the project leaves the tree as it was.</summary>
+internal sealed partial class ProjectSettingsCheck(string projectRoot)
+{
+    /// <summary>Class and class id of each .asset.</summary>
+    private static readonly Dictionary<string, (string Class, int Id)> assets = new()
+    {
+        ["AudioManager"] = ("AudioManager", 11),
+        ["ClusterInputManager"] = ("ClusterInputManager", 236),
+        ["DynamicsManager"] = ("PhysicsManager", 55),
+        ["EditorBuildSettings"] = ("EditorBuildSettings", 1045),
+        ["EditorSettings"] = ("EditorSettings", 159),
+        ["GraphicsSettings"] = ("GraphicsSettings", 30),
+        ["InputManager"] = ("InputManager", 13),
+        ["MemorySettings"] = ("MemorySettings", 387306366),
+        ["NavMeshAreas"] = ("NavMeshProjectSettings", 126),
+        ["PackageManagerSettings"] = ("MonoBehaviour", 114),
+        ["Physics2DSettings"] = ("Physics2DSettings", 19),
+        ["PresetManager"] = ("PresetManager", 1386491679),
+        ["ProjectSettings"] = ("PlayerSettings", 129),
+        ["QualitySettings"] = ("QualitySettings", 47),
+        ["TagManager"] = ("TagManager", 78),
+        ["TimeManager"] = ("TimeManager", 5),
+        ["UnityConnectSettings"] = ("UnityConnectSettings", 310),
+        ["VFXManager"] = ("VFXManager", 937362698),
+        ["VersionControlSettings"] = ("VersionControlSettings", 890905787),
+    };
+
+    private static readonly string[] others = ["ProjectVersion.txt", "SceneTemplateSettings.json"];
+
+    public CheckReport Run()
+    {
+        var report = new CheckReport("project settings");
+        var folder = Path.Combine(projectRoot, "ProjectSettings");
+        foreach (var (name, expected) in assets)
+        {
+            var file = Path.Combine(folder, name + ".asset");
+            if (!File.Exists(file)) { report.Findings.Add($"ProjectSettings/{name}.asset is missing: Unity would add it"); continue; }
+            var head = Head().Match(File.ReadAllText(file));
+            if (!head.Success || head.Groups[1].Value != expected.Id.ToString() || head.Groups[2].Value != expected.Class)
+                report.Findings.Add($"ProjectSettings/{name}.asset does not begin with an object '!u!{expected.Id}' of class {expected.Class}");
+        }
+        foreach (var name in others)
+            if (!File.Exists(Path.Combine(folder, name))) report.Findings.Add($"ProjectSettings/{name} is missing: Unity would add it");
+        CheckLock(report);
+        report.Figures = $"{assets.Count + others.Length} files, and locked packages that the manifests ask for";
+        return report;
+    }
+
+    /// <summary>What manifest.json and the package ask for is what packages-lock.json holds.</summary>
+    private void CheckLock(CheckReport report)
+    {
+        var packages = Path.Combine(projectRoot, "Packages");
+        var file = Path.Combine(packages, "packages-lock.json");
+        if (!File.Exists(file)) { report.Findings.Add("Packages/packages-lock.json is missing: Unity would add it"); return; }
+        var locked = JsonNode.Parse(File.ReadAllText(file))!["dependencies"]!.AsObject();
+        foreach (var manifest in new[] { "manifest.json", "com.sphfluid/package.json" })
+        {
+            if (!File.Exists(Path.Combine(packages, manifest))) continue;
+            foreach (var (name, version) in JsonNode.Parse(File.ReadAllText(Path.Combine(packages, manifest)))!["dependencies"]!.AsObject())
+                if ((string?)locked[name]?["version"] != (string?)version)
+                    report.Findings.Add($"{manifest} asks for {name} {version}, packages-lock.json has {locked[name]?["version"]?.ToString() ?? "none"}");
+        }
+    }
+
+    [GeneratedRegex(@"\A%YAML 1\.1\n%TAG !u! tag:unity3d\.com,2011:\n--- !u!(\d+) &1\n(\w+):\n  ")] private static partial Regex Head();
+}
