@@ -250,7 +250,7 @@ float4 UnityClipSpaceShadowCasterPos(float4 vertex, float3 normal)
 }
 
 #define V2F_SHADOW_CASTER_NOPOS
-#define V2F_SHADOW_CASTER float4 pos : SV_POSITION;
+#define V2F_SHADOW_CASTER float4 pos : SV_POSITION
 #define TRANSFER_SHADOW_CASTER_NOPOS(o, opos) \
     opos = UnityClipSpaceShadowCasterPos(v.vertex, v.normal); \
     opos = UnityApplyLinearShadowBias(opos);

@@ -158,18 +158,18 @@ public sealed class EditorFormTests
     }
 
     private static string SceneText(int ambient, string data, int sun, int lightType) =>
-        $"""
+        $$"""
         --- !u!104 &2
         RenderSettings:
-          m_AmbientMode: {ambient}
-          m_Sun: {{fileID: {sun}}}
+          m_AmbientMode: {{ambient}}
+          m_Sun: {fileID: {{sun}}}
         --- !u!157 &3
         LightmapSettings:
-          m_LightingDataAsset: {data}
+          m_LightingDataAsset: {{data}}
         --- !u!108 &7
         Light:
           m_Enabled: 1
-          m_Type: {lightType}
+          m_Type: {{lightType}}
           m_Shadows:
             m_Type: 2
         --- !u!4 &8

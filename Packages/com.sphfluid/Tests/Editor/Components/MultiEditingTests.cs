@@ -82,7 +82,7 @@ namespace SphFluid.Tests
         {
             var simulation = first.GetComponent<FluidSimulation>();
             Assert.That(ViewRules.Check(simulation), Is.Null);
-            first.GetComponent<FluidSurfaceRenderer>().enabled = false;
+            foreach (FluidView view in first.GetComponents<FluidView>()) view.enabled = false;
             FluidMessage message = ViewRules.Check(simulation).Value;
             Assert.That(message.ToString(), Does.Contain("'First'").And.Contain("No component draws").And.Contain("Add a Fluid Surface Renderer"));
             FluidFix.For(message, simulation).Value.Apply();
