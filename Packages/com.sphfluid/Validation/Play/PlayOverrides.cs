@@ -18,8 +18,14 @@ namespace SphFluid.Validation
                     simulation.Seed = seed;
                 if (arguments.Surface != null)
                     SetSurface(simulation, arguments.Surface);
+                else if (SurfaceOf(simulation) == "none")
+                    WarnUndrawn(simulation);
             }
         }
+
+        static void WarnUndrawn(FluidSimulation simulation) => Debug.LogWarning(
+            $"{FluidMessage.Prefix} '{simulation.name}': No component draws this liquid: pictures show the scene without it. " +
+            "Give --surface marching-cubes, or add a Fluid Surface Renderer to the object; --surface none says that it is meant.", simulation);
 
         /// <summary>What draws a simulation now, in the words of --surface.</summary>
         public static string SurfaceOf(FluidSimulation simulation)

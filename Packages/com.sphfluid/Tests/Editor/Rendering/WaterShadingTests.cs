@@ -148,6 +148,25 @@ namespace SphFluid.Tests
             Assert.AreEqual(0f, pixel.g, 1e-3f);
         }
 
+        // As Unity 6 hands it over where the scene has no lighting data; a black map of the user's is mirrored as it is.
+        [TestCase(1f, Reflectance)]
+        [TestCase(0f, 0f)]
+        public void AMapThatWasNeverBakedGivesWayToTheAmbientLight(float mayBeUnbaked, float expected)
+        {
+            ReplaceScene((x, y) => Color.black);
+            look.Visibility = 1e6f;
+            mirror = NewCube(CubemapFace.NegativeZ, Color.black);
+            Box(0.4f);
+            Color pixel = Centre(Render(block =>
+            {
+                AmbientOfOne(block);
+                block.SetTexture("_FluidReflectionMap", mirror);
+                block.SetVector("_FluidReflection", new Vector4(1f, 0f, mayBeUnbaked, 0f));
+                block.SetVector("_FluidReflectionDecode", new Vector4(1f, 1f, 0f, 0f));
+            }));
+            Assert.AreEqual(expected, pixel.g, 2e-3f);
+        }
+
         // Without the scene's colour the water is blended over it: what it lets through is left to the blending.
         [Test]
         public void WithoutTheSceneWaterIsBlended()

@@ -1,6 +1,8 @@
+using System.Text.RegularExpressions;
 using NUnit.Framework;
 using SphFluid.Validation;
 using UnityEngine;
+using UnityEngine.TestTools;
 
 namespace SphFluid.Tests
 {
@@ -24,6 +26,13 @@ namespace SphFluid.Tests
         {
             Apply(surface);
             Assert.AreEqual(surface, PlayOverrides.SurfaceOf(simulation));
+        }
+
+        [Test]
+        public void ALiquidThatNothingDrawsIsNamedWithACure()
+        {
+            LogAssert.Expect(LogType.Warning, new Regex("'Fluid': No component draws this liquid.*--surface marching-cubes.*Fluid Surface Renderer"));
+            PlayOverrides.Apply(PlayArguments.Parse(new[] { "player", "--" }), new[] { simulation });
         }
 
         [Test]

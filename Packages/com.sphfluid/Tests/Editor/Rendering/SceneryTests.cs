@@ -1,0 +1,154 @@
+using System.Collections.Generic;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid.Tests
+{
+    /// <summary>The samples' shader in the Built-in pipeline, against its formulas in double precision, and its shadows.</summary>
+    public sealed class SceneryTests
+    {
+        const string ShaderPath = "Packages/com.sphfluid/Shaders/Rendering/Scenery.shader";
+        const int Size = 33;
+
+        readonly List<Object> made = new List<Object>();
+        readonly Color colour = new Color(0.8f, 0.5f, 0.3f);
+        AmbientMode ambientMode;
+        Color ambientLight;
+        Light sun;
+        Camera camera;
+        Light lamp;
+        Material material;
+        Renderer wall;
+
+        [SetUp]
+        public void SetUp()
+        {
+            GpuTest.Require();
+            if (GraphicsSettings.currentRenderPipeline != null || QualitySettings.activeColorSpace != ColorSpace.Linear)
+                Assert.Ignore("The formulas are those of the Built-in pipeline in linear colours.");
+            (ambientMode, ambientLight, sun) = (RenderSettings.ambientMode, RenderSettings.ambientLight, RenderSettings.sun);
+            RenderSettings.ambientMode = AmbientMode.Flat;
+            RenderSettings.ambientLight = Color.black;
+            material = Keep(new Material(AssetDatabase.LoadAssetAtPath<Shader>(ShaderPath)));
+            material.SetColor("_Color", colour);
+            wall = NewThing(PrimitiveType.Quad).GetComponent<Renderer>();
+            wall.transform.localScale = Vector3.one * 2f;
+            camera = Keep(new GameObject("Camera")).AddComponent<Camera>();
+            camera.transform.position = new Vector3(0f, 0f, -2f);
+            camera.orthographic = true;
+            camera.orthographicSize = 0.5f;
+            camera.clearFlags = CameraClearFlags.SolidColor;
+            camera.backgroundColor = Color.black;
+            camera.allowMSAA = false;
+            camera.targetTexture = Keep(new RenderTexture(Size, Size, 24, RenderTextureFormat.ARGBFloat, RenderTextureReadWrite.Linear));
+            lamp = Keep(new GameObject("Light")).AddComponent<Light>();
+            lamp.type = LightType.Directional;
+            RenderSettings.sun = lamp;
+        }
+
+        [TearDown]
+        public void TearDown()
+        {
+            if (made.Count == 0) return;
+            camera.targetTexture = null;
+            for (int i = made.Count - 1; i >= 0; i--) Object.DestroyImmediate(made[i]);
+            made.Clear();
+            (RenderSettings.ambientMode, RenderSettings.ambientLight, RenderSettings.sun) = (ambientMode, ambientLight, sun);
+        }
+
+        [TestCase(0f, 0f, 0.3f, 1f)]
+        [TestCase(40f, 0f, 0.3f, 1f)]
+        [TestCase(70f, 10f, 0f, 0.5f)]
+        [TestCase(20f, -15f, 0.9f, 2f)]
+        [TestCase(180f, 0f, 0.5f, 1f)]
+        public void TheMainLightIsReflectedByTheFormula(float pitch, float yaw, float smoothness, float intensity)
+        {
+            material.SetFloat("_Smoothness", smoothness);
+            lamp.transform.rotation = Quaternion.Euler(pitch, yaw, 0f);
+            lamp.intensity = intensity;
+            Color seen = Centre();
+            Vector4 light = SceneLighting.ColourOf(lamp);
+            for (int c = 0; c < 3; c++)
+            {
+                double expected = Reflection(colour.linear[c], smoothness, -lamp.transform.forward) * light[c];
+                Assert.AreEqual(expected, seen[c], 2e-3 + 0.01 * expected, $"channel {c}");
+            }
+        }
+
+        [Test]
+        public void TheAmbientLightIsReflectedByTheFormula()
+        {
+            lamp.enabled = false;
+            RenderSettings.ambientLight = new Color(0.5f, 0.6f, 0.7f);
+            material.SetFloat("_Smoothness", 0.25f);
+            Color seen = Centre();
+            for (int c = 0; c < 3; c++)
+            {
+                double ambient = RenderSettings.ambientLight.linear[c];
+                Assert.AreEqual(ambient * (colour.linear[c] * 0.96 + 0.04 / (1.0 + 0.75 * 0.75)), seen[c], 2e-3, $"channel {c}");
+            }
+        }
+
+        [Test]
+        public void ShadowsAreCastAndReceived()
+        {
+            if (QualitySettings.shadows == ShadowQuality.Disable) Assert.Ignore("The quality level has no shadows.");
+            Vector3 toLight = new Vector3(-0.6f, 0.6f, -0.53f).normalized;
+            lamp.transform.rotation = Quaternion.LookRotation(-toLight);
+            lamp.shadows = LightShadows.Soft;
+            float lit = Centre().g;
+            Renderer caster = NewThing(PrimitiveType.Cube).GetComponent<Renderer>();
+            caster.transform.localScale = Vector3.one * 0.25f;
+            caster.transform.position = toLight;
+            Assert.AreEqual(0f, Centre().g, 0.02f * lit, "in the shadow");
+            caster.shadowCastingMode = ShadowCastingMode.Off;
+            Assert.AreEqual(lit, Centre().g, 0.02f * lit, "a thing that casts none");
+            caster.shadowCastingMode = ShadowCastingMode.On;
+            wall.receiveShadows = false;
+            Assert.AreEqual(lit, Centre().g, 0.02f * lit, "a thing that receives none");
+        }
+
+        // Seen straight on: normal and view are the same. Pi is left out, as in Unity's light colours.
+        static double Reflection(double albedo, double smoothness, Vector3 light)
+        {
+            Vector3 normal = Vector3.back;
+            double lit = System.Math.Max(0.0, Vector3.Dot(normal, light));
+            Vector3 between = (light + normal).normalized;
+            double facing = System.Math.Max(0.0, Vector3.Dot(normal, between)), grazing = 1.0 - System.Math.Max(0.0, Vector3.Dot(light, between));
+            double roughness = System.Math.Max((1.0 - smoothness) * (1.0 - smoothness), 0.002), squared = roughness * roughness;
+            double distribution = squared / System.Math.Pow(facing * facing * (squared - 1.0) + 1.0, 2.0);
+            double visibility = 0.5 / (lit + lit * (1.0 - roughness) + roughness);
+            double fresnel = 0.04 + 0.96 * System.Math.Pow(grazing, 5.0);
+            return (albedo * 0.96 + fresnel * distribution * visibility) * lit;
+        }
+
+        Color Centre()
+        {
+            camera.Render();
+            RenderTexture before = RenderTexture.active;
+            var picture = new Texture2D(Size, Size, TextureFormat.RGBAFloat, false, true);
+            RenderTexture.active = camera.targetTexture;
+            picture.ReadPixels(new Rect(0, 0, Size, Size), 0, 0);
+            picture.Apply();
+            RenderTexture.active = before;
+            Color seen = picture.GetPixel(Size / 2, Size / 2);
+            Object.DestroyImmediate(picture);
+            return seen;
+        }
+
+        GameObject NewThing(PrimitiveType type)
+        {
+            GameObject thing = Keep(GameObject.CreatePrimitive(type));
+            thing.GetComponent<Renderer>().sharedMaterial = material;
+            return thing;
+        }
+
+        T Keep<T>(T thing) where T : Object
+        {
+            made.Add(thing);
+            return thing;
+        }
+    }
+}
