@@ -22,14 +22,17 @@ internal sealed class EngineSession : IDisposable
     public Assembly[] Assemblies { get; private init; } = [];
 
     /// <param name="console">Takes the lines of the console.</param>
-    public static EngineSession Start(string project, string? assemblies, string? device, bool validate, Action<LogType, string> console)
+    /// <param name="direct3D">Compiles the kernels in the place of glslang.</param>
+    public static EngineSession Start(
+        string project, string? assemblies, string? device, bool validate, Action<LogType, string> console, Direct3DFrontEnd? direct3D = null)
     {
         EngineHooks.Console = console;
         var scripts = new ScriptAssemblies(assemblies);
         Assembly[] loaded = [.. scripts.LoadAll()];
         EngineState.ScriptAssemblies = loaded;
         var includes = new IncludeResolver(project);
-        GraphicsDevice.Initialize(new GpuDeviceOptions { Adapter = device, Validate = validate }, new ShaderCompiler(ShaderCache, includes));
+        var compiler = new ShaderCompiler(Path.Combine(CacheFolder, "shaders"), includes) { Direct3D = direct3D };
+        GraphicsDevice.Initialize(new GpuDeviceOptions { Adapter = device, Validate = validate }, compiler);
         UnityProject opened = UnityProject.Open(project, scripts.Find, includes, line => console(LogType.Warning, "[Import] " + line));
         return new EngineSession(opened, scripts) { Assemblies = loaded };
     }
@@ -50,6 +53,7 @@ internal sealed class EngineSession : IDisposable
         GraphicsDevice.Shutdown();
     }
 
-    private static string ShaderCache =>
-        Path.Combine(Environment.GetEnvironmentVariable("XDG_CACHE_HOME") is { Length: > 0 } cache ? cache : Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.UserProfile), ".cache"), "sphfluid", "shaders");
+    /// <summary>Where setup.sh and the player keep what can be made again.</summary>
+    public static string CacheFolder =>
+        Path.Combine(Environment.GetEnvironmentVariable("XDG_CACHE_HOME") is { Length: > 0 } cache ? cache : Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.UserProfile), ".cache"), "sphfluid");
 }

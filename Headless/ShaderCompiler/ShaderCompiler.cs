@@ -30,6 +30,9 @@ public sealed class ShaderCompiler
     /// <summary>Macros for every stage, such as UNITY_COLORSPACE_GAMMA in a project of that colour space.</summary>
     public IReadOnlyList<KeyValuePair<string, string>> GlobalDefines { get; init; } = [];
 
+    /// <summary>Compiles the kernels in the place of glslang, which still makes passes and what this cannot translate.</summary>
+    public Direct3DFrontEnd? Direct3D { get; init; }
+
     /// <summary>Entry points compiled by this object, not counting those from memory or disk.</summary>
     public int Compilations => _compilations;
 
@@ -127,7 +130,25 @@ public sealed class ShaderCompiler
             (source, kernel, string.Join(' ', keywords)),
             _ => new Lazy<IReadOnlyList<ShaderBinary>>(() => Make(jobs()))).Value;
 
-    private IReadOnlyList<ShaderBinary> Make(IReadOnlyList<StageJob> jobs)
+    private IReadOnlyList<ShaderBinary> Make(IReadOnlyList<StageJob> jobs) =>
+        Direct3D is not null && jobs is [{ Stage: ShaderStage.Compute } kernel] && MakeByDirect3D(Direct3D, kernel) is { } binary
+            ? [binary]
+            : MakeByGlslang(jobs);
+
+    private ShaderBinary? MakeByDirect3D(Direct3DFrontEnd compiler, StageJob job)
+    {
+        string key = ShaderCache.Key([job], compiler.Version);
+        ShaderBinary? binary = _cache.Read(key, compiler.Version)?[0];
+        if (binary is null && compiler.Compile(job) is { } made)
+        {
+            Interlocked.Increment(ref _compilations);
+            _cache.Write(key, compiler.Version, [made]);
+            binary = made;
+        }
+        return binary is null ? null : binary with { ByDirect3D = true };
+    }
+
+    private IReadOnlyList<ShaderBinary> MakeByGlslang(IReadOnlyList<StageJob> jobs)
     {
         string key = ShaderCache.Key(jobs);
         if (_cache.Read(key, _compiler.Version) is { } cached)

@@ -1,4 +1,5 @@
 using Headless.Shaders;
+using Headless.Shaders.Direct3D;
 
 namespace Headless.Checks.Fxc;
 

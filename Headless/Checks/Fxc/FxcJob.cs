@@ -1,11 +1,10 @@
 using Headless.Shaders;
-using System.Text;
-using System.Text.RegularExpressions;
+using Headless.Shaders.Direct3D;
 
 namespace Headless.Checks.Fxc;
 
 /// <summary>One entry point with one choice of keywords, as Unity hands it to the D3D11 compiler.</summary>
-internal sealed partial record FxcJob(string Name, string Entry, string Profile, string Text)
+internal sealed record FxcJob(string Name, string Entry, string Profile, string Text)
 {
     public static IEnumerable<FxcJob> FromCompute(ComputeSource source)
     {
@@ -43,13 +42,6 @@ internal sealed partial record FxcJob(string Name, string Entry, string Profile,
     private static string Label(string path, string entry, IReadOnlyList<string> keywords) =>
         $"{Path.GetFileName(path)} {entry.Trim()}{(keywords.Count > 0 ? " [" + string.Join(' ', keywords) + "]" : "")}";
 
-    private static string Build(ExpandedSource source, ShaderStage stage, int target, IEnumerable<KeyValuePair<string, string>> defines, IEnumerable<string> keywords)
-    {
-        var text = new StringBuilder(StageText.Build(source, stage, target, defines, keywords));
-        // FXC takes a file name after #line where the other front end takes a number.
-        return LineDirective().Replace(text.ToString(), m =>
-            $"#line {m.Groups[1].Value} \"{source.FileName(int.Parse(m.Groups[2].Value)).Replace('\\', '/')}\"");
-    }
-
-    [GeneratedRegex(@"^#line (\d+) (\d+)[ \t]*$", RegexOptions.Multiline)] private static partial Regex LineDirective();
+    private static string Build(ExpandedSource source, ShaderStage stage, int target, IEnumerable<KeyValuePair<string, string>> defines, IEnumerable<string> keywords) =>
+        FxcText.From(StageText.Build(source, stage, target, defines, keywords), source);
 }

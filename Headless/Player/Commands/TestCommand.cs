@@ -2,6 +2,7 @@ using System.Reflection;
 using Headless.Engine;
 using Headless.Importers.Project;
 using Headless.Player.Output;
+using Headless.Shaders;
 using NUnit.Framework.Interfaces;
 using UnityEngine.TestTools;
 
@@ -17,8 +18,15 @@ internal static class TestCommand
 
     public static int Run(TestOptions options)
     {
+        using Direct3DFrontEnd? direct3D = options.Direct3D ? new Direct3DFrontEnd(EngineSession.CacheFolder) : null;
+        if (direct3D?.Missing is { } missing)
+        {
+            Console.WriteLine($"skipped: kernels cannot be compiled as for Direct3D, {missing}");
+            Console.WriteLine("0 passed, 0 failed, 1 skipped");
+            return 0;
+        }
         using var output = new TestRunOutput(Console.Out);
-        using EngineSession session = EngineSession.Start(options.Project, options.Assemblies, options.Device, options.Validate, output.AddConsoleLine);
+        using EngineSession session = EngineSession.Start(options.Project, options.Assemblies, options.Device, options.Validate, output.AddConsoleLine, direct3D);
         Console.WriteLine($"graphics device: {GraphicsDevice.Device.Adapter}");
         var definitions = new AssemblyDefinitions(session.Project.Index);
         ILookup<bool, Assembly> tests = session.Assemblies.Where(HasTests)
@@ -37,9 +45,20 @@ internal static class TestCommand
             skipped += result.Skipped;
         }
         if (!EngineSession.ReportValidation()) failed++;
+        if (direct3D is not null) skipped += ReportCompiler(direct3D);
         Console.WriteLine($"{output.UsedGpu} tests used the GPU ({GraphicsDevice.Device.Adapter.Name})");
         Console.WriteLine($"{passed} passed, {failed} failed, {skipped} skipped");
         return failed == 0 && passed > 0 ? 0 : 1;
+    }
+
+    // A kernel that glslang had to make counts as skipped.
+    private static int ReportCompiler(Direct3DFrontEnd direct3D)
+    {
+        foreach ((string kernel, string reason) in direct3D.Untranslated)
+            Console.WriteLine($"  skip  {kernel} ran as glslang makes it: {reason}");
+        Console.WriteLine($"{ExecutedKernels.ByDirect3D} kernel variants ran as Direct3D's compiler makes them ({direct3D.Version}), "
+            + $"{ExecutedKernels.ByOthers} as glslang does; the stages of passes are glslang's");
+        return direct3D.Untranslated.Count;
     }
 
     private static bool HasTests(Assembly assembly) =>

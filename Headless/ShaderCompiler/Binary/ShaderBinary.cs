@@ -23,6 +23,9 @@ public sealed record ShaderBinary(
     /// <summary>Input primitive of a geometry stage: "point", "line", "triangle"; otherwise "".</summary>
     public string InputPrimitive { get; init; } = "";
 
+    /// <summary>Whether Direct3D's own compiler made the code (see <see cref="Direct3DFrontEnd"/>).</summary>
+    public bool ByDirect3D { get; init; }
+
     /// <summary>Compute 0; vertex 0, geometry 1, fragment 2.</summary>
     public int DescriptorSet => Stage switch
     {

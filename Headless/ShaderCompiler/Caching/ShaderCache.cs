@@ -12,9 +12,11 @@ internal sealed class ShaderCache(string directory)
     /// <summary>Why the last write failed; null when none did.</summary>
     public string? WriteProblem { get; private set; }
 
-    public static string Key(IEnumerable<StageJob> jobs)
+    /// <param name="compiler">Sets the files of another compiler than glslang apart.</param>
+    public static string Key(IEnumerable<StageJob> jobs, string compiler = "")
     {
         using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        hash.AppendData(Encoding.UTF8.GetBytes(compiler));
         foreach (StageJob job in jobs)
         {
             hash.AppendData(Encoding.UTF8.GetBytes($"{FormatVersion}\0{job.Stage}\0{job.EntryPoint}\0{job.Text}\0"));

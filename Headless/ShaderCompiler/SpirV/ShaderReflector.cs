@@ -11,9 +11,8 @@ internal sealed class ShaderReflector(
     public ShaderBinary Read(ShaderStage stage, string entryPoint, IReadOnlyList<VertexInput> inputs)
     {
         IReadOnlyList<ShaderResource> resources = Resources();
-        (int x, int y, int z) = GroupSize();
-        int shared = index.Variables.Where(v => (SpirVStorage)v[2] == SpirVStorage.Workgroup)
-            .Sum(v => layout.Size(index.Pointee(v), constant: false, rowMajor: true));
+        (int x, int y, int z) = KernelFacts.GroupSize(index);
+        int shared = KernelFacts.SharedBytes(index, layout);
         SemanticNames.Strip(index.Module);
         byte[] bytes = index.Module.ToBytes();
         return new ShaderBinary(stage, entryPoint, bytes, resources, inputs, x, y, z, shared, Hash(bytes))
@@ -140,18 +139,9 @@ internal sealed class ShaderReflector(
         return false;
     }
 
-    private (int X, int Y, int Z) GroupSize()
-    {
-        SpirVInstruction? mode = Mode(SpirVExecutionMode.LocalSize);
-        return mode is null ? (0, 0, 0) : ((int)mode[2], (int)mode[3], (int)mode[4]);
-    }
-
     private string InputPrimitive() =>
-        Mode(SpirVExecutionMode.InputPoints) is not null ? "point"
-        : Mode(SpirVExecutionMode.InputLines) is not null ? "line"
-        : Mode(SpirVExecutionMode.Triangles) is not null ? "triangle"
+        KernelFacts.Mode(index, SpirVExecutionMode.InputPoints) is not null ? "point"
+        : KernelFacts.Mode(index, SpirVExecutionMode.InputLines) is not null ? "line"
+        : KernelFacts.Mode(index, SpirVExecutionMode.Triangles) is not null ? "triangle"
         : throw new InvalidDataException("geometry input with adjacency is not supported; use point, line or triangle");
-
-    private SpirVInstruction? Mode(SpirVExecutionMode mode) => index.Module.Instructions.FirstOrDefault(
-        i => i.Op == SpirVOp.ExecutionMode && (SpirVExecutionMode)i[1] == mode);
 }

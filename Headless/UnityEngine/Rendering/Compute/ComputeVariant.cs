@@ -34,7 +34,7 @@ internal sealed class ComputeVariant
     {
         if (storageFormats.IsEmpty)
         {
-            return pipeline ??= GraphicsDevice.Device.GetComputePipeline(Binary);
+            return pipeline ??= Create(Binary);
         }
 
         var formats = new Dictionary<int, ImageFormat>();
@@ -47,10 +47,16 @@ internal sealed class ComputeVariant
 
         if (!pipelinesByFormat.TryGetValue(key, out GpuComputePipeline? found))
         {
-            found = GraphicsDevice.Device.GetComputePipeline(ImageFormats.With(Binary, formats));
+            found = Create(ImageFormats.With(Binary, formats));
             pipelinesByFormat.Add(key, found);
         }
 
         return found;
+    }
+
+    private GpuComputePipeline Create(ShaderBinary binary)
+    {
+        ExecutedKernels.Add(Binary);
+        return GraphicsDevice.Device.GetComputePipeline(binary);
     }
 }

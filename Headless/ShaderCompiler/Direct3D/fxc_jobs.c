@@ -1,7 +1,8 @@
 /* Compiles a list of HLSL jobs with Microsoft's d3dcompiler_47.dll in one process.
  *
  * usage: fxc_jobs.exe JOBS
- * JOBS is a text file, one job a line: id <TAB> source file <TAB> entry point <TAB> target profile.
+ * JOBS is a text file, or - for standard input; one job a line:
+ *   id <TAB> source file <TAB> entry point <TAB> target profile [<TAB> file for the compiled shader]
  * For each job one line goes to stdout:
  *   id <TAB> ok|failed <TAB> uavs <TAB> groupshared bytes <TAB> threads <TAB> instruction slots <TAB> messages
  * Line breaks in the messages become " | ". The exit code is the number of failed jobs, at most 100.
@@ -61,17 +62,32 @@ static void print_one_line(const char *text)
     }
 }
 
+static int write_file(const char *path, ID3DBlob *blob)
+{
+    FILE *file = fopen(path, "wb");
+    if (!file) return 0;
+    size_t size = blob->lpVtbl->GetBufferSize(blob);
+    size_t written = fwrite(blob->lpVtbl->GetBufferPointer(blob), 1, size, file);
+    return !fclose(file) && written == size;
+}
+
 static int run_job(compile_fn compile, disassemble_fn disassemble, char *line)
 {
-    char *id = strtok(line, "\t"), *path = strtok(NULL, "\t"), *entry = strtok(NULL, "\t"), *target = strtok(NULL, "\t\r\n");
-    if (!target) { printf("%s\tfailed\t0\t0\t0\t0\tmalformed job line\n", id ? id : "?"); return 1; }
+    char *id = strtok(line, "\t\r\n"), *path = strtok(NULL, "\t\r\n"), *entry = strtok(NULL, "\t\r\n");
+    char *target = strtok(NULL, "\t\r\n"), *output = strtok(NULL, "\t\r\n");
+    if (!target) { printf("%s\tfailed\t0\t0\t0\t0\tmalformed job line\n", id ? id : "?"); fflush(stdout); return 1; }
     size_t size;
     char *source = read_file(path, &size);
-    if (!source) { printf("%s\tfailed\t0\t0\t0\t0\tcannot read %s\n", id, path); return 1; }
+    if (!source) { printf("%s\tfailed\t0\t0\t0\t0\tcannot read %s\n", id, path); fflush(stdout); return 1; }
     ID3DBlob *code = NULL, *messages = NULL, *listing = NULL;
     const UINT optimise = 1 << 15, ieee_strictness = 0;
     HRESULT hr = compile(source, size, path, NULL, NULL, entry, target, optimise | ieee_strictness, 0, &code, &messages);
     int failed = FAILED(hr) || !code;
+    if (!failed && output && !write_file(output, code)) {
+        printf("%s\tfailed\t0\t0\t0\t0\tcannot write %s\n", id, output);
+        fflush(stdout);
+        exit(104);
+    }
     figures f = {0, 0, 0, 0};
     if (!failed && SUCCEEDED(disassemble(code->lpVtbl->GetBufferPointer(code), code->lpVtbl->GetBufferSize(code), 0, NULL, &listing)))
         f = read_listing(listing->lpVtbl->GetBufferPointer(listing));
@@ -93,15 +109,11 @@ int main(int argc, char **argv)
     if (!library) { fprintf(stderr, "d3dcompiler_47.dll not found beside fxc_jobs.exe\n"); return 102; }
     compile_fn compile = (compile_fn)(void *)GetProcAddress(library, "D3DCompile");
     disassemble_fn disassemble = (disassemble_fn)(void *)GetProcAddress(library, "D3DDisassemble");
-    size_t size;
-    char *jobs = read_file(argv[1], &size);
+    FILE *jobs = strcmp(argv[1], "-") ? fopen(argv[1], "r") : stdin;
     if (!compile || !disassemble || !jobs) { fprintf(stderr, "cannot start: entry points or job list missing\n"); return 103; }
     int failures = 0;
-    for (char *line = jobs; line && *line;) {
-        char *end = strchr(line, '\n');
-        if (end) *end = 0;
-        if (*line) failures += run_job(compile, disassemble, line);
-        line = end ? end + 1 : NULL;
-    }
+    static char line[65536];
+    while (fgets(line, sizeof line, jobs))
+        if (line[0] != '\n' && line[0] != '\r') failures += run_job(compile, disassemble, line);
     return failures > 100 ? 100 : failures;
 }

@@ -1,0 +1,59 @@
+using System.Collections.Concurrent;
+using System.Text.RegularExpressions;
+
+namespace Headless.Shaders.Direct3D;
+
+/// <summary>Compiles stages with FXC; as many processes as threads ask at the same time. Safe for several threads.</summary>
+internal sealed partial class FxcCompiler(FxcToolchain toolchain) : IDisposable
+{
+    private readonly ConcurrentBag<FxcSession> _idle = [];
+    private readonly Lazy<string?> _problem = new(toolchain.Prepare);
+
+    /// <summary>The compiled kernel as a DXBC container.</summary>
+    /// <exception cref="ShaderCompileException">An error in the source, or no compiler.</exception>
+    public byte[] Compile(StageJob job)
+    {
+        if (_problem.Value is { } problem)
+        {
+            throw new ShaderCompileException(job.Source.Files[0], 0, $"{problem} ({job.Owner})");
+        }
+        FxcSession session = _idle.TryTake(out FxcSession? found) ? found : new FxcSession(toolchain);
+        try
+        {
+            (byte[]? code, string messages) = session.Compile(FxcText.From(job.Text, job.Source), job.SourceEntryPoint, "cs_5_0");
+            return code ?? throw Failure(job, messages);
+        }
+        finally
+        {
+            if (session.Alive)
+            {
+                _idle.Add(session);
+            }
+            else
+            {
+                session.Dispose();
+            }
+        }
+    }
+
+    public void Dispose()
+    {
+        while (_idle.TryTake(out FxcSession? session))
+        {
+            session.Dispose();
+        }
+    }
+
+    // "/folder/File.hlsl(12,5-9): error X3004: undeclared identifier 'x'"
+    private static ShaderCompileException Failure(StageJob job, string messages)
+    {
+        string first = messages.Split(" | ").FirstOrDefault(m => m.Contains("error", StringComparison.Ordinal)) ?? messages;
+        Match place = ErrorPlace().Match(first);
+        return place.Success
+            ? new ShaderCompileException(place.Groups[1].Value, int.Parse(place.Groups[2].Value), $"{place.Groups[3].Value} at {job.Owner}")
+            : new ShaderCompileException(job.Source.Files[0], 0, $"{first} at {job.Owner}");
+    }
+
+    [GeneratedRegex(@"^(?:[A-Z]:)?(.*?)\((\d+),[^)]*\): error X\d+: (.*)$")]
+    private static partial Regex ErrorPlace();
+}

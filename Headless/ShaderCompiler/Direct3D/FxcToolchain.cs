@@ -1,0 +1,179 @@
+using System.ComponentModel;
+using System.Diagnostics;
+using System.Security.Cryptography;
+using System.Text.RegularExpressions;
+
+namespace Headless.Shaders.Direct3D;
+
+/// <summary>Microsoft's d3dcompiler_47.dll under Wine, driven by the small program fxc_jobs.c. Several processes may use it at once.</summary>
+/// <param name="cacheFolder">Where setup.sh puts the library; the driver and Wine's files go below it.</param>
+internal sealed partial class FxcToolchain(string cacheFolder)
+{
+    private const string CrossCompiler = "x86_64-w64-mingw32-gcc";
+    private const string LibraryName = "d3dcompiler_47.dll";
+    private const string SourceName = "fxc_jobs.c";
+
+    // fxc_jobs ends with 101 to 104 where it cannot work. A crash ends it with any code: Wine passes on the lowest byte of Windows's.
+    private const int FirstOwnError = 101, LastOwnError = 104;
+
+    private static readonly string[] winePaths = ["/usr/lib/wine/wine64", "/usr/bin/wine64", "/usr/local/bin/wine64"];
+
+    private string Fetched => Path.Combine(cacheFolder, LibraryName);
+    private string WorkFolder => Path.Combine(cacheFolder, "fxc");
+    private string Driver => Path.Combine(WorkFolder, "fxc_jobs.exe");
+    private string Prefix => Path.Combine(WorkFolder, "prefix");
+
+    /// <summary>What is missing and how to get it; null when all is there.</summary>
+    public string? Missing() =>
+        !File.Exists(Fetched) ? $"{LibraryName} is not in {cacheFolder}: run './setup.sh test' with a network"
+        : Wine is null ? "wine64 is not installed: apt-get install wine64"
+        : null;
+
+    /// <summary>Content hash of the library.</summary>
+    public string Version() => Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(Fetched)))[..16];
+
+    /// <summary>Builds the driver where needed. Returns null when all is there, else what is missing and how to get it.</summary>
+    public string? Prepare()
+    {
+        if (Missing() is { } missing)
+        {
+            return missing;
+        }
+        Directory.CreateDirectory(WorkFolder);
+        using FileStream held = Lock(Path.Combine(WorkFolder, "lock"));
+        // Another process may have these files open: they are put in place whole, and only where they differ.
+        Replace(Path.Combine(WorkFolder, LibraryName), File.ReadAllBytes(Fetched));
+        if (!Replace(Path.Combine(WorkFolder, SourceName), DriverSource()) && File.Exists(Driver))
+        {
+            return CreatePrefix();
+        }
+        try
+        {
+            string built = Driver + ".new";
+            (int code, string output) = RunProcess(new ProcessStartInfo(
+                CrossCompiler, ["-O1", "-Wall", Path.Combine(WorkFolder, SourceName), "-o", built]));
+            if (code != 0)
+            {
+                File.Delete(Path.Combine(WorkFolder, SourceName));
+                return $"{CrossCompiler} failed on {SourceName}: {output}";
+            }
+            File.Move(built, Driver, overwrite: true);
+            return CreatePrefix();
+        }
+        catch (Win32Exception)
+        {
+            return $"{CrossCompiler} is not installed: apt-get install gcc-mingw-w64-x86-64";
+        }
+    }
+
+    /// <summary>Compiles the jobs, a line each, and returns a line for each; what Wine says of itself is left out. One process does
+    /// them all. Where the compiler crashes, another process goes on from there; a job that crashes that one at once has failed.</summary>
+    public List<string> Run(string folder, IReadOnlyList<string> jobs)
+    {
+        List<string> results = [];
+        while (results.Count < jobs.Count)
+        {
+            const string jobFile = "jobs.txt";
+            File.WriteAllLines(Path.Combine(folder, jobFile), jobs.Skip(results.Count));
+            (int code, string output) = RunProcess(Start(folder, jobFile));
+            if (code is >= FirstOwnError and <= LastOwnError)
+            {
+                throw new InvalidOperationException($"fxc_jobs could not start (exit code {code}): {output}");
+            }
+            List<string> compiled = [.. output.Split('\n').Where(IsResult)];
+            results.AddRange(compiled);
+            if (compiled.Count == 0)
+            {
+                results.Add(Crashed(jobs[results.Count].Split('\t')[0]));
+            }
+        }
+        return results;
+    }
+
+    /// <summary>How to start the driver on a file of jobs, or on "-" for jobs from standard input.</summary>
+    public ProcessStartInfo Start(string folder, string jobFile)
+    {
+        ProcessStartInfo start = new(Wine!, [Driver, jobFile]) { WorkingDirectory = folder };
+        start.Environment["WINEPREFIX"] = Prefix;
+        start.Environment["WINEDEBUG"] = "-all";
+        start.Environment["WINEDLLOVERRIDES"] = "d3dcompiler_47=n;mscoree=;mshtml=";
+        return start;
+    }
+
+    /// <summary>Whether a line of output is the driver's and not Wine's.</summary>
+    public static bool IsResult(string line) => ResultLine().IsMatch(line);
+
+    /// <summary>The result of a job on which the compiler crashed.</summary>
+    public static string Crashed(string job) => $"{job}\tfailed\t0\t0\t0\t0\td3dcompiler_47.dll crashed";
+
+    private static string? Wine => Array.Find(winePaths, File.Exists);
+
+    // Two processes that make it at the same time would crash.
+    private string? CreatePrefix()
+    {
+        string mark = Path.Combine(Prefix, "made");
+        if (File.Exists(mark))
+        {
+            return null;
+        }
+        Directory.CreateDirectory(Prefix);
+        const string noJobs = "none.txt";
+        File.WriteAllText(Path.Combine(WorkFolder, noJobs), "");
+        (int code, string output) = RunProcess(Start(WorkFolder, noJobs));
+        if (code != 0)
+        {
+            return $"fxc_jobs.exe does not start under Wine (exit code {code}): {output.Trim()}";
+        }
+        File.WriteAllText(mark, "");
+        return null;
+    }
+
+    private static FileStream Lock(string path)
+    {
+        while (true)
+        {
+            try
+            {
+                return new FileStream(path, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None);
+            }
+            catch (IOException)
+            {
+                Thread.Sleep(100);
+            }
+        }
+    }
+
+    // True when the file was another one.
+    private static bool Replace(string path, byte[] content)
+    {
+        if (File.Exists(path) && File.ReadAllBytes(path).AsSpan().SequenceEqual(content))
+        {
+            return false;
+        }
+        File.WriteAllBytes(path + ".new", content);
+        File.Move(path + ".new", path, overwrite: true);
+        return true;
+    }
+
+    private static byte[] DriverSource()
+    {
+        using Stream stream = typeof(FxcToolchain).Assembly.GetManifestResourceStream(SourceName)!;
+        using MemoryStream copy = new();
+        stream.CopyTo(copy);
+        return copy.ToArray();
+    }
+
+    private static (int Code, string Output) RunProcess(ProcessStartInfo start)
+    {
+        start.RedirectStandardOutput = true;
+        start.RedirectStandardError = true;
+        using Process process = Process.Start(start)!;
+        Task<string> errors = process.StandardError.ReadToEndAsync();
+        string output = process.StandardOutput.ReadToEnd();
+        process.WaitForExit();
+        return (process.ExitCode, process.ExitCode is >= 0 and <= 100 ? output : output + errors.Result);
+    }
+
+    [GeneratedRegex(@"^\d+\t(ok|failed)\t")]
+    private static partial Regex ResultLine();
+}
