@@ -16,6 +16,8 @@ internal static class Direct3DBinary
         SpirVModule module = new(spirV);
         Decorations.RemoveRepeated(module);
         TexelBuffers.MakeStorage(module);
+        FloatConversions.Clamp(module);
+        Contractions.Forbid(module);
         SpirVIndex index = new(module);
         DescriptorNumbers.Assign(index, set: 0);
         List<ShaderResource> resources = [.. Bound(index).Select(v => Resource(index, definitions, v))];

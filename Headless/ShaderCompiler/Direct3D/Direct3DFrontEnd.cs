@@ -10,7 +10,7 @@ namespace Headless.Shaders;
 public sealed class Direct3DFrontEnd : IDisposable
 {
     /// <summary>Raised whenever the rewriting changes.</summary>
-    private const int FormatVersion = 1;
+    private const int FormatVersion = 2;
 
     private readonly FxcToolchain _toolchain;
     private readonly FxcCompiler _compiler;

@@ -16,6 +16,7 @@ internal enum SpirVDecoration : uint
     Binding = 33,
     DescriptorSet = 34,
     Offset = 35,
+    NoContraction = 42,
     CounterBuffer = 5634,
     UserSemantic = 5635,
     UserType = 5636,

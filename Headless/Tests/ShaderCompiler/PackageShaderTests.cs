@@ -7,7 +7,7 @@ namespace Headless.Tests.Shaders;
 /// <summary>Every kernel and pass of the package becomes valid SPIR-V.</summary>
 public sealed class PackageShaderTests : SandboxTests
 {
-    private static IEnumerable<string> Files() =>
+    internal static IEnumerable<string> Files() =>
         Directory.EnumerateFiles(Path.Combine(Repository(), "Packages"), "*.*", SearchOption.AllDirectories)
             .Where(f => Path.GetExtension(f) is ".compute" or ".shader")
             .Select(f => Path.GetRelativePath(Repository(), f)).Order(StringComparer.Ordinal);
@@ -23,8 +23,10 @@ public sealed class PackageShaderTests : SandboxTests
             ComputeSource source = ComputeSource.Parse(path, includes);
             foreach (KernelDeclaration kernel in source.Kernels)
             {
-                ShaderSandbox.Validate(compiler.CompileKernel(source, kernel.Name, FirstOfEach(source.KeywordSets)));
-                ShaderSandbox.Validate(compiler.CompileKernel(source, kernel.Name, LastOfEach(source.KeywordSets)));
+                foreach (string[] keywords in Ends(source.KeywordSets))
+                {
+                    ShaderSandbox.Validate(compiler.CompileKernel(source, kernel.Name, keywords));
+                }
             }
             return;
         }
@@ -37,10 +39,14 @@ public sealed class PackageShaderTests : SandboxTests
         }
     }
 
+    /// <summary>The first keyword of every set, and the last of every set.</summary>
+    internal static IEnumerable<string[]> Ends(IReadOnlyList<KeywordSet> sets) =>
+        sets.Count == 0 ? [[]] : [FirstOfEach(sets), LastOfEach(sets)];
+
     private static string[] FirstOfEach(IEnumerable<KeywordSet> sets) => [.. sets.Select(s => s.Keywords[0])];
 
     private static string[] LastOfEach(IEnumerable<KeywordSet> sets) => [.. sets.Select(s => s.Keywords[^1])];
 
-    private static string Repository([CallerFilePath] string thisFile = "") =>
+    internal static string Repository([CallerFilePath] string thisFile = "") =>
         Path.GetFullPath(Path.Combine(Path.GetDirectoryName(thisFile)!, "..", "..", ".."));
 }

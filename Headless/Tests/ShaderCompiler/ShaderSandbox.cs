@@ -29,7 +29,10 @@ internal sealed class ShaderSandbox : IDisposable
         return full;
     }
 
-    public ShaderCompiler Compiler(string program = "glslangValidator") => new(Cache, Includes, program);
+    /// <summary>Compiles the kernels where it is set; otherwise glslang does.</summary>
+    public Direct3DFrontEnd? Direct3D { get; init; }
+
+    public ShaderCompiler Compiler(string program = "glslangValidator") => new(Cache, Includes, program) { Direct3D = Direct3D };
 
     /// <summary>Compiles kernel CS of a compute source and validates it.</summary>
     public ShaderBinary Kernel(string source, params string[] keywords)

@@ -1,0 +1,21 @@
+using Headless.Player;
+using Headless.Shaders;
+using NUnit.Framework;
+
+namespace Headless.Tests.Shaders;
+
+/// <summary>Direct3D's compiler for tests; they are skipped where it is not installed.</summary>
+internal static class Direct3DTools
+{
+    /// <summary>Started once for all tests: the process ends with this one.</summary>
+    private static readonly Lazy<Direct3DFrontEnd> shared = new(() => new Direct3DFrontEnd(EngineSession.CacheFolder));
+
+    public static Direct3DFrontEnd Require()
+    {
+        if (shared.Value.Missing is { } missing)
+        {
+            Assert.Ignore(missing);
+        }
+        return shared.Value;
+    }
+}
