@@ -10,8 +10,8 @@ cache=${XDG_CACHE_HOME:-$HOME/.cache}/sphfluid
 dotnet_major=10
 
 run_packages=(libvulkan1 mesa-vulkan-drivers glslang-tools ffmpeg gnuplot-nox)
-test_packages=(vulkan-validationlayers spirv-tools wine64 gcc-mingw-w64-x86-64 npm)
-# Microsoft's HLSL compiler, used by ./run check only: it is a file in this npm package.
+test_packages=(vulkan-validationlayers spirv-tools vkd3d-compiler wine64 gcc-mingw-w64-x86-64 npm)
+# Microsoft's HLSL compiler, used by ./run check and ./test only: it is a file in this npm package.
 compiler_package=gl@8.1.6
 compiler_file=package/deps/windows/dll/x64/d3dcompiler_47.dll
 compiler_sha256=e994847e01a6f1e4cbdc5a864616ac262f67ee4f14db194984661a8d927ab7f4
@@ -39,7 +39,7 @@ installed() { [[ $(dpkg-query -W -f '${Status}' "$1" 2> /dev/null) == *" install
 install_packages() {
     local missing=() package sudo=()
     if ! command -v dpkg-query > /dev/null; then
-        say "this is not a Debian system. Needed are the Vulkan loader and a driver, glslangValidator, ffmpeg and gnuplot$([[ $purpose == test ]] && echo ', the Vulkan validation layers, spirv-val, wine64, x86_64-w64-mingw32-gcc and npm')."
+        say "this is not a Debian system. Needed are the Vulkan loader and a driver, glslangValidator, ffmpeg and gnuplot$([[ $purpose == test ]] && echo ', the Vulkan validation layers, spirv-val, vkd3d-compiler, wine64, x86_64-w64-mingw32-gcc and npm')."
         return
     fi
     for package in "${packages[@]}"; do
