@@ -1,4 +1,3 @@
-using System.ComponentModel;
 using System.Diagnostics;
 using System.Text.RegularExpressions;
 
@@ -12,7 +11,7 @@ internal sealed partial class GlslangProcess(string program)
     // glslang prints it and ends well, with SPIR-V that is not valid.
     private const string MissingMark = "Missing functionality:";
 
-    private readonly Lazy<string?> _version = new(() => ReadVersion(program));
+    private readonly Lazy<string?> _version = new(() => ProgramVersion.Read(program));
 
     /// <summary>Version text, or null when the program is not there.</summary>
     public string? Version => _version.Value;
@@ -129,21 +128,6 @@ internal sealed partial class GlslangProcess(string program)
             ? text.Trim()
             : job.Source.Messages[int.Parse(text[(word + ExpandedSource.MessageWord.Length)..].Trim())];
         return $"{message} at {job.Owner}";
-    }
-
-    private static string? ReadVersion(string program)
-    {
-        try
-        {
-            using Process process = Process.Start(new ProcessStartInfo(program, "--version") { RedirectStandardOutput = true })!;
-            string text = process.StandardOutput.ReadToEnd();
-            process.WaitForExit();
-            return text.Split('\n')[0].Trim();
-        }
-        catch (Win32Exception)
-        {
-            return null;
-        }
     }
 
     [GeneratedRegex(@"^ERROR: (\d+):(\d+): (.*)$")]

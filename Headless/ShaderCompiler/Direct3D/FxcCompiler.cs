@@ -17,11 +17,23 @@ internal sealed partial class FxcCompiler(FxcToolchain toolchain) : IDisposable
         {
             throw new ShaderCompileException(job.Source.Files[0], 0, $"{problem} ({job.Owner})");
         }
+        string text = FxcText.From(job.Text, job.Source);
+        // A process that another one's fault has ended is replaced once; a source that crashes the next one too is at fault itself.
+        (byte[]? code, string messages, bool crashed) = Ask(job, text);
+        if (crashed)
+        {
+            (code, messages, _) = Ask(job, text);
+        }
+        return code ?? throw Failure(job, messages);
+    }
+
+    private (byte[]? Code, string Messages, bool Crashed) Ask(StageJob job, string text)
+    {
         FxcSession session = _idle.TryTake(out FxcSession? found) ? found : new FxcSession(toolchain);
         try
         {
-            (byte[]? code, string messages) = session.Compile(FxcText.From(job.Text, job.Source), job.SourceEntryPoint, "cs_5_0");
-            return code ?? throw Failure(job, messages);
+            (byte[]? code, string messages) = session.Compile(text, job.SourceEntryPoint, "cs_5_0");
+            return (code, messages, !session.Alive);
         }
         finally
         {

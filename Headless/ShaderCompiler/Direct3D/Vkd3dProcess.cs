@@ -1,4 +1,3 @@
-using System.ComponentModel;
 using System.Diagnostics;
 
 namespace Headless.Shaders.Direct3D;
@@ -10,7 +9,7 @@ internal sealed class Vkd3dProcess(string program)
     // (mixed,mixed,mixed,mixed)"): the translation of these instructions does not need it.
     private static readonly string[] Harmless = ["Unhandled resource type 0xb.", "Unhandled resource type 0xc.", "Unhandled data type 0x6."];
 
-    private readonly Lazy<string?> _version = new(() => ReadVersion(program));
+    private readonly Lazy<string?> _version = new(() => ProgramVersion.Read(program));
 
     /// <summary>Version text, or null when the program is not there.</summary>
     public string? Version => _version.Value;
@@ -46,20 +45,5 @@ internal sealed class Vkd3dProcess(string program)
         return process.ExitCode == 0 && messages.Length == 0
             ? output.ToArray()
             : throw new InvalidDataException($"vkd3d-compiler: {(messages.Length > 0 ? messages : "exit code " + process.ExitCode)}");
-    }
-
-    private static string? ReadVersion(string program)
-    {
-        try
-        {
-            using Process process = Process.Start(new ProcessStartInfo(program, "--version") { RedirectStandardOutput = true })!;
-            string text = process.StandardOutput.ReadToEnd();
-            process.WaitForExit();
-            return text.Split('\n')[0].Trim();
-        }
-        catch (Win32Exception)
-        {
-            return null;
-        }
     }
 }

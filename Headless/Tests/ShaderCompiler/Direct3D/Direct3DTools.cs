@@ -7,8 +7,13 @@ namespace Headless.Tests.Shaders;
 /// <summary>Direct3D's compiler for tests; they are skipped where it is not installed.</summary>
 internal static class Direct3DTools
 {
-    /// <summary>Started once for all tests: the process ends with this one.</summary>
-    private static readonly Lazy<Direct3DFrontEnd> shared = new(() => new Direct3DFrontEnd(EngineSession.CacheFolder));
+    /// <summary>Started once for all tests.</summary>
+    private static readonly Lazy<Direct3DFrontEnd> shared = new(() =>
+    {
+        Direct3DFrontEnd compiler = new(EngineSession.CacheFolder);
+        AppDomain.CurrentDomain.ProcessExit += (_, _) => compiler.Dispose();
+        return compiler;
+    });
 
     public static Direct3DFrontEnd Require()
     {
