@@ -86,6 +86,8 @@ namespace SphFluid
         PrefabAsset,
         /// <summary>No component draws the liquid.</summary>
         NotDrawn,
+        /// <summary>A collider changed its place or shape so that liquid could not follow, and was put at its new place at once.</summary>
+        ColliderJumped,
     }
 
     /// <summary>One thing to tell the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>

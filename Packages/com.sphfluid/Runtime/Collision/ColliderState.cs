@@ -53,9 +53,11 @@ namespace SphFluid
             }
         }
 
+        /// <summary>Whether the states have the same mesh, with the same vertices as far as that is cheap to tell, or both none.</summary>
+        public bool HasMeshOf(in ColliderState other) => ReferenceEquals(Mesh, other.Mesh) && stamp.Equals(other.stamp);
+
         /// <summary>Whether the states differ by the transform only.</summary>
-        public bool HasShapeOf(in ColliderState other) =>
-            ReferenceEquals(Mesh, other.Mesh) && Center.Equals(other.Center) && Size.Equals(other.Size) && stamp.Equals(other.stamp);
+        public bool HasShapeOf(in ColliderState other) => HasMeshOf(other) && Center.Equals(other.Center) && Size.Equals(other.Size);
 
         /// <summary>Whether the states differ by the friction at most.</summary>
         public bool HasTrianglesOf(in ColliderState other) =>

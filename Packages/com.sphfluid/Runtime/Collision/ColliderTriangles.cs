@@ -30,8 +30,8 @@ namespace SphFluid
             {
                 case MeshCollider _: return FromMesh(state, messages);
                 case BoxCollider _: return FromBox(state, messages);
-                case SphereCollider _: return FromCapsule(state, 1, state.Size.x, 0f, spacing, messages);
-                case CapsuleCollider _: return FromCapsule(state, (int)state.Size.z, state.Size.x, state.Size.y, spacing, messages);
+                case SphereCollider _:
+                case CapsuleCollider _: return FromRound(state, spacing, messages);
                 default:
                     messages.Add(Warn(state, FluidIssue.ColliderUnsupported,
                         $"The fluid does not collide with a {Kind(state)}.",
@@ -83,20 +83,13 @@ namespace SphFluid
             return AffineMath.IsSingular(box) ? Shapeless(state, messages) : PrimitiveTessellator.Box(box);
         }
 
-        // Unity keeps spheres round: the largest scale acts on the radius, a capsule's own axis on its height.
-        static TriangleMesh FromCapsule(in ColliderState state, int axis, float radius, float height, float spacing, List<FluidMessage> messages)
+        static TriangleMesh FromRound(in ColliderState state, float spacing, List<FluidMessage> messages)
         {
-            Matrix4x4 m = state.ToSimulation;
-            float along = AxisOf(m, axis).magnitude;
-            float across = Mathf.Max(AxisOf(m, (axis + 1) % 3).magnitude, AxisOf(m, (axis + 2) % 3).magnitude);
-            bool sphere = state.Collider is SphereCollider;
-            float scaledRadius = Mathf.Abs(radius) * (sphere ? Mathf.Max(along, across) : across);
-            if (!(scaledRadius > 0f) || !AffineMath.IsFinite(scaledRadius)) return Shapeless(state, messages);
-
-            float halfLength = Mathf.Max(0f, 0.5f * Mathf.Abs(height) * along - scaledRadius);
-            Quaternion turn = Quaternion.FromToRotation(Vector3.up, AxisOf(m, axis));
-            Matrix4x4 pose = Matrix4x4.TRS(m.MultiplyPoint3x4(state.Center), turn, Vector3.one);
-            return PrimitiveTessellator.Capsule(pose, scaledRadius, halfLength, ChordError * spacing);
+            RoundShape round = RoundShape.Of(state);
+            if (!(round.Radius > 0f) || !AffineMath.IsFinite(round.Radius)) return Shapeless(state, messages);
+            Quaternion turn = Quaternion.FromToRotation(Vector3.up, AxisOf(state.ToSimulation, round.Axis));
+            Matrix4x4 pose = Matrix4x4.TRS(state.ToSimulation.MultiplyPoint3x4(state.Center), turn, Vector3.one);
+            return PrimitiveTessellator.Capsule(pose, round.Radius, round.HalfLength, ChordError * spacing);
         }
 
         static TriangleMesh Shapeless(in ColliderState state, List<FluidMessage> messages)

@@ -46,6 +46,14 @@ namespace SphFluid
             return new TriangleMesh(vertices, indices, closed);
         }
 
+        /// <summary>The triangles under a map that does not mirror, each corner rounded once.</summary>
+        public TriangleMesh Transformed(in AffineMap map)
+        {
+            var vertices = new Vector3[Vertices.Length];
+            for (int i = 0; i < vertices.Length; i++) vertices[i] = map.Apply(Vertices[i]);
+            return new TriangleMesh(vertices, Indices, closed);
+        }
+
         /// <summary>Triangle number <paramref name="index"/>.</summary>
         public void GetTriangle(int index, out Vector3 a, out Vector3 b, out Vector3 c)
         {

@@ -72,7 +72,7 @@ namespace SphFluid
             if (substeps.Note(pace.Clock, steps, deltaTime) is string text)
                 simulation.Report(new FluidMessage(FluidSeverity.Warning, FluidIssue.SubstepCap, simulation, text,
                     "Raise Max Substeps Per Frame, use a larger Particle Spacing, or lower the profile's Sound Speed Ratio."));
-            if (guards.Note(Solver.Counters, bodies?.Jumps ?? 0) is string guard)
+            if (guards.Note(Solver.Counters) is string guard)
                 simulation.Report(new FluidMessage(FluidSeverity.Warning, FluidIssue.GuardActed, simulation, guard,
                     "Lower the profile's Time Step Fraction, or raise Expected Speed or set Time Step Mode to Adaptive when colliders or forces move the liquid faster than its fall."));
         }
@@ -109,6 +109,7 @@ namespace SphFluid
         {
             if (bodies == null) return;
             bodies.Update(collision.Solids);
+            foreach (BodyJump jump in bodies.NewJumps) simulation.Report(jump.Message);
             Solver.SetBodies(bodies);
         }
 

@@ -5,13 +5,12 @@ namespace SphFluid
     /// <summary>Tells once a run for each kind of guard that had to act on the particles.</summary>
     internal sealed class GuardMonitor
     {
-        bool nonFinite, clamped, limited, squeezed, overlapped, shortened, jumped;
+        bool nonFinite, clamped, limited, squeezed, overlapped, shortened;
 
         /// <summary>Takes note of the counters.</summary>
         /// <param name="counters">What the GPU counted.</param>
-        /// <param name="jumps">Times a collider jumped farther than a motion is followed.</param>
         /// <returns>What to tell the user; null when nothing new.</returns>
-        public string Note(in FluidCounters counters, int jumps)
+        public string Note(in FluidCounters counters)
         {
             List<string> news = null;
             if (IsNew(counters.NonFinite, ref nonFinite)) Add(ref news, $"{counters.NonFinite} positions or velocities were not finite and were stopped");
@@ -20,7 +19,6 @@ namespace SphFluid
             if (IsNew(counters.Squeezed, ref squeezed)) Add(ref news, $"{counters.Squeezed} times a particle had no place between colliders that close and was left where it was");
             if (IsNew(counters.Overlaps, ref overlapped)) Add(ref news, $"{counters.Overlaps} times a collider was already on a particle and the side was chosen for it");
             if (IsNew(counters.ShortenedSteps, ref shortened)) Add(ref news, $"{counters.ShortenedSteps} steps were longer than colliders can stop and were shortened");
-            if (IsNew(jumps, ref jumped)) Add(ref news, $"{jumps} times a collider moved farther in a frame than liquid can follow and was put there at once, through the liquid on its way");
             return news == null ? null : $"The solver's guards acted: {string.Join(", ", news)}.";
         }
 

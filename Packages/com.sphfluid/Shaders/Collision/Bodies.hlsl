@@ -6,11 +6,21 @@
 // A body's cells list the triangles that meet the cell inflated by R, so one cell serves a particle: it has every triangle
 // within R. Outside the cells there is none within R.
 #define BODY_MOVES 1u
+#define BODY_STRETCHES 2u
 
-// Of a way: 64 R in a frame at most, and what a particle goes itself.
+// A collider whose scale or shear changes is a rigid pose and a stretch: in the rigid frame each corner moves linearly, from S0 v to
+// S1 v, where S0 and S1 are symmetric and positive definite. Kernels that include this file declare
+// "#pragma multi_compile_local _ FLUID_STRETCHED_BODIES", so that scenes without stretch do not pay for it.
+
+// Parts of a displacement that are looked up one by one: 64 R in a frame at most, and what a particle goes itself. Mirrored by
+// CollisionBodies.cs.
+#if defined(FLUID_STRETCHED_BODIES)
+#define BODY_MOST_PARTS 256
+#else
 #define BODY_MOST_PARTS 64
+#endif
 
-// Mirrored by CollisionBody.cs; 128 bytes.
+// Mirrored by CollisionBody.cs; 176 bytes.
 struct CollisionBody
 {
     float4 Rotation0; // body frame to simulation space at the start of the frame, a quaternion
@@ -26,7 +36,11 @@ struct CollisionBody
     float3 BoundsMin; // of the triangles, m, body frame
     float Friction; // 0 free slip to 1 no slip; negative: that of the domain's faces
     float3 BoundsMax;
-    float Pad;
+    float PartsPerMetre; // of a displacement in the triangles' frame: 1/(1.7 R) of a rigid body
+    float3 StretchDiagonal0; // xx, yy, zz of the stretch at the start of the frame; 1 of a rigid body
+    float3 StretchShear0;    // yz, zx, xy
+    float3 StretchDiagonal1; // at its end
+    float3 StretchShear1;
 };
 
 // Mirrored by BodyTriangle.cs; 48 bytes. Normal: unit, zero for a needle, whose plane float cannot tell.
@@ -46,7 +60,6 @@ StructuredBuffer<uint> _BodyCells;     // a body has cells + 1 entries: the rang
 StructuredBuffer<uint> _CellTriangles; // indices into _BodyTriangles
 float _PoseStart; // where this step begins in the frame's motion, 0 to 1
 float _PoseEnd;
-float _BodyPartsPerMetre; // 1/(1.7 R)
 
 // Kept in the buffer: llvmpipe translates a kernel anew with every dispatch whose loops end at a constant's value.
 uint BodyCount()
@@ -54,11 +67,46 @@ uint BodyCount()
     return _Bodies[0].BodyCount;
 }
 
+// A symmetric matrix: xx, yy, zz and yz, zx, xy.
+struct Stretch
+{
+    float3 Diagonal;
+    float3 Shear;
+};
+
 struct BodyPose
 {
     float4 Rotation;
     float3 Position;
+#if defined(FLUID_STRETCHED_BODIES)
+    Stretch Stretched; // the triangles' frame to the rigid one
+    Stretch Relaxed;   // its inverse
+#endif
 };
+
+float3 Apply(Stretch s, float3 v)
+{
+    return s.Diagonal * v + s.Shear.zxy * v.yzx + s.Shear.yzx * v.zxy;
+}
+
+Stretch Inverse(Stretch s)
+{
+    Stretch cofactors;
+    cofactors.Diagonal = s.Diagonal.yzx * s.Diagonal.zxy - s.Shear * s.Shear;
+    cofactors.Shear = s.Shear.yzx * s.Shear.zxy - s.Diagonal * s.Shear;
+    const float determinant = s.Diagonal.x * cofactors.Diagonal.x + s.Shear.z * cofactors.Shear.z + s.Shear.y * cofactors.Shear.y;
+    cofactors.Diagonal /= determinant;
+    cofactors.Shear /= determinant;
+    return cofactors;
+}
+
+Stretch Between(Stretch a, Stretch b, float fraction)
+{
+    Stretch s;
+    s.Diagonal = a.Diagonal * (1.0 - fraction) + b.Diagonal * fraction;
+    s.Shear = a.Shear * (1.0 - fraction) + b.Shear * fraction;
+    return s;
+}
 
 // The same fraction gives the same pose to the last bit, and so do 1 and the next frame's 0: a step ends where the next begins.
 BodyPose PoseAt(CollisionBody body, float fraction)
@@ -67,6 +115,16 @@ BodyPose PoseAt(CollisionBody body, float fraction)
     const float4 near = dot(body.Rotation0, body.Rotation1) < 0.0 ? -body.Rotation1 : body.Rotation1;
     pose.Rotation = normalize(body.Rotation0 * (1.0 - fraction) + near * fraction);
     pose.Position = body.Position0 * (1.0 - fraction) + body.Position1 * fraction;
+#if defined(FLUID_STRETCHED_BODIES)
+    Stretch stretch0;
+    stretch0.Diagonal = body.StretchDiagonal0;
+    stretch0.Shear = body.StretchShear0;
+    Stretch stretch1;
+    stretch1.Diagonal = body.StretchDiagonal1;
+    stretch1.Shear = body.StretchShear1;
+    pose.Stretched = Between(stretch0, stretch1, fraction);
+    pose.Relaxed = Inverse(pose.Stretched);
+#endif
     return pose;
 }
 
@@ -86,7 +144,23 @@ float3 ToSimulation(BodyPose pose, float3 position)
     return Rotate(pose.Rotation, position) + pose.Position;
 }
 
-// Range in _CellTriangles of the cell that holds a position of the body's frame; empty outside the grid.
+// A place of the rigid frame at the end of a step that moves with the body from where it is at the start.
+float3 Carried(BodyPose start, BodyPose end, float3 position)
+{
+#if defined(FLUID_STRETCHED_BODIES)
+    return Apply(end.Stretched, Apply(start.Relaxed, position));
+#else
+    return position;
+#endif
+}
+
+// Displacement of the body in a step, at a place of the rigid frame at its start.
+float3 Displacement(BodyPose start, BodyPose end, float3 position)
+{
+    return ToSimulation(end, Carried(start, end, position)) - ToSimulation(start, position);
+}
+
+// Range in _CellTriangles of the cell that holds a position of the triangles' frame; empty outside the grid.
 uint2 BodyCellRange(CollisionBody body, float3 position)
 {
     const int3 cell = int3(floor((position - body.GridOrigin) / body.CellSide));
@@ -99,16 +173,60 @@ uint2 BodyCellRange(CollisionBody body, float3 position)
     return range;
 }
 
-// Parts of a way that are looked up one by one: a cell's list reaches R beyond the cell, so that of a part's middle has what a
-// part of 1.7 R can come near.
-uint WayParts(float3 from, float3 to)
+// The displacement of a particle in a body's rigid frame during a step, looked up in parts: a cell's list reaches R beyond the cell,
+// so that of a part's middle has what a part of 1.7 R can come near.
+struct BodySpan
 {
-    return 1u + uint(min(length(to - from) * _BodyPartsPerMetre, float(BODY_MOST_PARTS - 1)));
+    float3 From;
+    float3 To;
+    uint Parts;
+#if defined(FLUID_STRETCHED_BODIES)
+    Stretch Start;
+    Stretch End;
+#endif
+};
+
+BodySpan SpanOf(CollisionBody body, float3 from, float3 to, BodyPose start, BodyPose end)
+{
+    BodySpan span;
+    span.From = from;
+    span.To = to;
+#if defined(FLUID_STRETCHED_BODIES)
+    span.Start = start.Stretched;
+    span.End = end.Stretched;
+    const float reach = length(Apply(end.Relaxed, to) - Apply(start.Relaxed, from));
+#else
+    const float reach = length(to - from);
+#endif
+    span.Parts = 1u + uint(min(reach * body.PartsPerMetre, float(BODY_MOST_PARTS - 1)));
+    return span;
 }
 
-uint2 BodyWayRange(CollisionBody body, float3 from, float3 to, uint part, uint parts)
+uint2 SpanRange(CollisionBody body, BodySpan span, uint part)
 {
-    return BodyCellRange(body, from + (to - from) * ((float(part) + 0.5) / float(parts)));
+    const float middle = (float(part) + 0.5) / float(span.Parts);
+    float3 position = span.From + (span.To - span.From) * middle;
+#if defined(FLUID_STRETCHED_BODIES)
+    position = Apply(Inverse(Between(span.Start, span.End, middle)), position);
+#endif
+    return BodyCellRange(body, position);
+}
+
+// A triangle of the rigid frame at a pose.
+BodyTriangle TriangleAt(BodyPose pose, BodyTriangle tri)
+{
+#if defined(FLUID_STRETCHED_BODIES)
+    tri.A = Apply(pose.Stretched, tri.A);
+    tri.B = Apply(pose.Stretched, tri.B);
+    tri.C = Apply(pose.Stretched, tri.C);
+    const float3 n = Apply(pose.Relaxed, float3(tri.NormalX, tri.NormalY, tri.NormalZ));
+    const float squared = dot(n, n);
+    const float scale = squared > 0.0 ? rsqrt(squared) : 0.0;
+    tri.NormalX = n.x * scale;
+    tri.NormalY = n.y * scale;
+    tri.NormalZ = n.z * scale;
+#endif
+    return tri;
 }
 
 float3 NormalOf(BodyTriangle tri)

@@ -12,10 +12,15 @@ namespace SphFluid.Validation
 
         /// <summary>
         /// The judge for a scene. A closed surface has an inside, and who changes sides escaped, whichever way he went. An open one
-        /// has a rim over which particles may go, so each step's way is held against the triangles.
+        /// has a rim over which particles may go, so each step's way is held against the triangles. Where the surface stretches the
+        /// detector shares nothing with the solver's own obstacles.
         /// </summary>
-        public static LeakJudge Of(LeakScene scene) =>
-            scene.Mesh.IsClosed ? (LeakJudge)new InsideJudge(scene.Mesh) : new WayJudge(scene.Surface, scene.Settings.PeriodLength);
+        public static LeakJudge Of(LeakScene scene)
+        {
+            if (!scene.Mesh.IsClosed)
+                return new WayJudge(scene.Surface, scene.Settings.PeriodLength);
+            return scene.Stretches ? (LeakJudge)new WindingDetector(scene.Surface) : new InsideJudge(scene.Mesh);
+        }
 
         /// <summary>Whether the judge must see every step, not only every frame.</summary>
         public abstract bool NeedsSteps { get; }

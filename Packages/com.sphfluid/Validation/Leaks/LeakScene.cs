@@ -31,6 +31,9 @@ namespace SphFluid.Validation
         /// <summary>Where the surface is at the end of a frame; frame 0 is the start. Null: it rests.</summary>
         public Func<int, LeakPose> Motion;
 
+        /// <summary>Whether the surface's scale or shear changes.</summary>
+        public bool Stretches;
+
         /// <summary>Whether the liquid is at rest in the end, so that how it lies at the surface tells something.</summary>
         public bool Rests;
 

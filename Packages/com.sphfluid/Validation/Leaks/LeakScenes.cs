@@ -44,6 +44,14 @@ namespace SphFluid.Validation
             new LeakScenes("sizes", SheetScenes.Sizes, 5),
             new LeakScenes("coplanar", SheetScenes.Coplanar, 5),
             new LeakScenes("two-sided", SheetScenes.TwoSided, 2),
+            new LeakScenes("pulse-10", s => StretchScenes.Pulse(0.1, s), StretchScenes.Speeds(0.1)),
+            new LeakScenes("pulse-25", s => StretchScenes.Pulse(0.25, s), StretchScenes.Speeds(0.25)),
+            new LeakScenes("pulse-50", s => StretchScenes.Pulse(0.5, s), StretchScenes.Speeds(0.5)),
+            new LeakScenes("uneven-25", s => StretchScenes.Uneven(0.25, s), StretchScenes.Speeds(0.25)),
+            new LeakScenes("uneven-50", s => StretchScenes.Uneven(0.5, s), StretchScenes.Speeds(0.5)),
+            new LeakScenes("spin", StretchScenes.Spin, 1, 2, 5, 10),
+            new LeakScenes("shear", StretchScenes.Shear, StretchScenes.Speeds(0.4)),
+            new LeakScenes("grow", StretchScenes.Grow, 0.2, 1),
         };
 
         /// <summary>The scene of a name.</summary>

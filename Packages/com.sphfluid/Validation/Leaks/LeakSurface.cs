@@ -12,7 +12,7 @@ namespace SphFluid.Validation
         readonly CollisionScene colliders = new CollisionScene();
         readonly CollisionBodies bodies;
         readonly FluidSolverSettings settings;
-        readonly GameObject holder;
+        readonly GameObject parent, holder;
         readonly Mesh mesh;
 
         public LeakSurface(LeakScene scene)
@@ -23,7 +23,9 @@ namespace SphFluid.Validation
             mesh = new Mesh { name = scene.Name, hideFlags = HideFlags.HideAndDontSave, indexFormat = UnityEngine.Rendering.IndexFormat.UInt32 };
             mesh.vertices = triangles.Vertices;
             mesh.triangles = triangles.Indices;
+            parent = new GameObject(scene.Name + " Parent") { hideFlags = HideFlags.HideAndDontSave };
             holder = new GameObject(scene.Name) { layer = Layer, hideFlags = HideFlags.HideAndDontSave };
+            holder.transform.SetParent(parent.transform, false);
             holder.AddComponent<MeshCollider>().sharedMesh = mesh;
         }
 
@@ -36,7 +38,10 @@ namespace SphFluid.Validation
         /// <exception cref="FluidDeviceException">Other colliders are in the way.</exception>
         public void MoveTo(LeakPose pose)
         {
-            holder.transform.SetPositionAndRotation(pose.Position, pose.Rotation);
+            parent.transform.localPosition = pose.Position;
+            parent.transform.localScale = pose.ParentScale;
+            holder.transform.localRotation = pose.Rotation;
+            holder.transform.localScale = pose.Scale;
             colliders.Gather(new CollisionQuery
             {
                 Scene = Physics.defaultPhysicsScene,
@@ -57,7 +62,7 @@ namespace SphFluid.Validation
         {
             bodies.Dispose();
             colliders.Dispose();
-            UnityEngine.Object.DestroyImmediate(holder);
+            UnityEngine.Object.DestroyImmediate(parent);
             UnityEngine.Object.DestroyImmediate(mesh);
         }
     }

@@ -60,14 +60,16 @@ namespace SphFluid
 
         /// <summary>Makes the lists of the triangles added since the last body.</summary>
         /// <param name="within">Bounds beyond which no particle is; null for none.</param>
+        /// <param name="leastStretch">Smallest stretch that the triangles are met at: their cells look farther by its inverse.</param>
         /// <param name="body">Receives cells and bounds; the pose is none.</param>
         /// <returns>False when there are no triangles.</returns>
-        public bool TryEndBody(Bounds? within, out CollisionBody body)
+        public bool TryEndBody(Bounds? within, float leastStretch, out CollisionBody body)
         {
             body = default;
             int count = triangles.Count - first;
             if (count == 0) return false;
-            var grid = new BodyGrid(triangles.GetRange(first, count).ToArray(), reach, within, (uint)first, referenceCount);
+            float looks = reach / leastStretch;
+            var grid = new BodyGrid(triangles.GetRange(first, count).ToArray(), looks, within, (uint)first, referenceCount);
             grids.Add(grid);
             body = new CollisionBody
             {
@@ -79,6 +81,9 @@ namespace SphFluid
                 GridCounts = new Vector3Int(grid.Cells.CountX, grid.Cells.CountY, grid.Cells.CountZ),
                 BoundsMin = grid.BoundsMin,
                 BoundsMax = grid.BoundsMax,
+                PartsPerMetre = 1f / (1.7f * looks),
+                StretchDiagonal0 = Vector3.one,
+                StretchDiagonal1 = Vector3.one,
             };
             first = triangles.Count;
             cellCount += (uint)grid.Starts.Length;

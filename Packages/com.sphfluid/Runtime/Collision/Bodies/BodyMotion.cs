@@ -1,75 +1,199 @@
+using System;
 using UnityEngine;
 
 namespace SphFluid
 {
     /// <summary>
-    /// A collider that moves: its triangles rest in the simulation space of the moment when it was first seen, and its pose is the
-    /// rigid motion since.
+    /// A collider that moves: its triangles rest in a frame that was simulation space when it was first seen, and its motion since is
+    /// a stretch in that frame and a rigid pose after it. The stretch is one of scale and shear; that of a rigid collider is none.
     /// </summary>
     internal sealed class BodyMotion
     {
-        readonly Matrix4x4 referenceInverse;
+        /// <summary>Stretches that cells are made for; beyond them the triangles are taken over at the last pose.</summary>
+        public const double LeastStretch = 0.5, MostStretch = 2.0;
+
+        // In a frame: less than this or more than its inverse is no motion that liquid can follow.
+        const double LeastInFrame = 0.1;
+
+        // Frames without a change of the stretch after which a stretched body becomes a rigid one: 5 s at 60 Hz.
+        const int SteadyFrames = 300;
+
+        readonly ColliderState reference;
+        AffineMap toShape; // the frame of the triangles to the collider's own shape
+        int steady;
 
         public BodyMotion(ColliderSolid solid)
         {
-            Solid = solid;
+            reference = solid.State;
+            Mesh = solid.Mesh;
             Friction = solid.State.Friction;
-            referenceInverse = solid.State.ToSimulation.inverse;
-            Rotation0 = Rotation1 = Quaternion.identity;
+            toShape = ColliderFrame.Of(reference).Inverse;
+            Begin();
         }
 
-        /// <summary>The collider with the triangles of the reference.</summary>
-        public ColliderSolid Solid { get; }
+        /// <summary>The collider.</summary>
+        public Collider Collider => reference.Collider;
+
+        /// <summary>The triangles in the frame in which they rest.</summary>
+        public TriangleMesh Mesh { get; private set; }
 
         /// <summary>0 free slip to 1 no slip; negative: as the domain's faces.</summary>
         public float Friction { get; private set; }
 
         public Quaternion Rotation0 { get; private set; }
         public Vector3 Position0 { get; private set; }
+        public BodyStretch Stretch0 { get; private set; }
         public Quaternion Rotation1 { get; private set; }
         public Vector3 Position1 { get; private set; }
+        public BodyStretch Stretch1 { get; private set; }
+
+        /// <summary>Smallest stretch that the triangles' cells have to serve.</summary>
+        public double CellStretch { get; private set; }
+
+        /// <summary>Whether scale or shear differ from those of the triangles at the start or the end of the frame.</summary>
+        public bool IsStretched => !Stretch0.IsNone || !Stretch1.IsNone;
 
         /// <summary>Whether the frame's motion is none.</summary>
-        public bool IsAtRest => Position0 == Position1 && Rotation0.Equals(Rotation1);
+        public bool IsAtRest => Position0 == Position1 && Rotation0.Equals(Rotation1) && Stretch0.Equals(Stretch1);
+
+        /// <summary>
+        /// How far a particle may go in the frame of the triangles over how far it is from its first to its last place there: 1 of a
+        /// rigid body, more where stretch bends its line.
+        /// </summary>
+        /// <remarks>
+        /// With D = S1 − S0 the particle's place there strays from the straight line by t(1 − t) S⁻¹ D Δu, and its speed is
+        /// S⁻¹((1 − t) S1 + t S0) Δu with the stray's part added.
+        /// </remarks>
+        public double SpanRatio
+        {
+            get
+            {
+                if (!IsStretched) return 1.0;
+                (double least, double most) = FrameRange();
+                double change = BodyStretch.Change(Stretch0, Stretch1) / least;
+                return most / least + 0.25 * change * change;
+            }
+        }
 
         /// <summary>Ends the motion: it begins where it ended.</summary>
         public void Arrive()
         {
             Rotation0 = Rotation1;
             Position0 = Position1;
+            Stretch0 = Stretch1;
         }
 
         /// <summary>Sets the end of the motion, and the friction.</summary>
-        /// <returns>False when the change is not rigid, so that the triangles have to be made anew.</returns>
-        public bool MoveTo(in ColliderState state)
+        /// <param name="state">The collider now.</param>
+        /// <returns>How it is followed.</returns>
+        public BodyFollowing MoveTo(in ColliderState state)
         {
-            if (!state.HasShapeOf(Solid.State)) return false;
-            Matrix4x4 motion = state.ToSimulation * referenceInverse;
-            Vector3 x = motion.GetColumn(0), y = motion.GetColumn(1), z = motion.GetColumn(2);
-            if (!IsRotation(x, y, z)) return false;
+            if (!ColliderFrame.HasSameShape(reference, state)) return BodyFollowing.Reshaped;
             Friction = state.Friction;
-            Rotation1 = Quaternion.LookRotation(z, y);
-            Position1 = motion.GetColumn(3);
+            AffineMap frame = ColliderFrame.Of(state);
+            BodyFollowing following = MoveTo(frame * toShape);
+            if (following != BodyFollowing.Followed || !IsStretched) return following;
+            (double least, double most) = Stretch1.Range();
+            bool rigid = CellStretch == 1.0; // its cells look as far as liquid does, no farther
+            double cells = rigid ? LeastStretch : CellStretch;
+            if (least >= cells && most <= MostStretch)
+            {
+                CellStretch = cells;
+                return rigid ? BodyFollowing.CellsOutgrown : BodyFollowing.Followed;
+            }
+            TakeOver();
+            following = MoveTo(frame * toShape);
+            (least, most) = Stretch1.Range();
+            if (following != BodyFollowing.Followed || least < LeastInFrame || most > 1.0 / LeastInFrame) return BodyFollowing.Scaled;
+            CellStretch = Math.Min(LeastStretch, 0.9 * least);
+            return BodyFollowing.CellsOutgrown;
+        }
+
+        /// <summary>Counts a frame. A body whose stretch has not changed for long is taken over as a rigid one.</summary>
+        /// <returns>Whether it was, so that its cells have to be made anew.</returns>
+        public bool Settle()
+        {
+            if (!IsStretched) return false;
+            steady = Stretch0.Equals(Stretch1) ? steady + 1 : 0;
+            if (steady < SteadyFrames) return false;
+            Quaternion turn = Rotation1 * Quaternion.Inverse(Rotation0);
+            Vector3 displacement = Position1 - turn * Position0;
+            TakeOver();
+            Rotation1 = turn;
+            Position1 = displacement;
             return true;
         }
 
-        /// <summary>Largest way of a corner of the box in this frame [m].</summary>
+        /// <summary>Largest displacement of a corner of the box of the triangles in this frame [m].</summary>
         public float LongestWay(Vector3 min, Vector3 max)
         {
             float longest = 0f;
+            AffineMap stretch0 = Stretch0.Map, stretch1 = Stretch1.Map;
             for (int corner = 0; corner < 8; corner++)
             {
                 var p = new Vector3((corner & 1) == 0 ? min.x : max.x, (corner & 2) == 0 ? min.y : max.y, (corner & 4) == 0 ? min.z : max.z);
-                longest = Mathf.Max(longest, (Rotation1 * p + Position1 - Rotation0 * p - Position0).magnitude);
+                Vector3 from = Rotation0 * stretch0.Apply(p) + Position0, to = Rotation1 * stretch1.Apply(p) + Position1;
+                longest = Mathf.Max(longest, (to - from).magnitude);
             }
             return longest;
         }
 
-        static bool IsRotation(Vector3 x, Vector3 y, Vector3 z)
+        /// <summary>Smallest and largest stretch from the start of the frame to its end.</summary>
+        public (double least, double most) FrameRange()
         {
-            const float tolerance = 1e-3f;
-            return Mathf.Abs(x.magnitude - 1f) < tolerance && Mathf.Abs(y.magnitude - 1f) < tolerance && Mathf.Abs(z.magnitude - 1f) < tolerance &&
-                (Vector3.Cross(x, y) - z).magnitude < tolerance;
+            (double least0, double most0) = Stretch0.Range();
+            (double least1, double most1) = Stretch1.Range();
+            return (Math.Min(least0, least1), Math.Max(most0, most1));
         }
+
+        BodyFollowing MoveTo(in AffineMap motion)
+        {
+            if (motion.Determinant <= 0.0) return BodyFollowing.Mirrored;
+            if (!PolarDecomposition.TryFind(motion, out PolarDecomposition parts)) return BodyFollowing.Scaled;
+            Rotation1 = parts.Quaternion;
+            Position1 = new Vector3((float)motion.X, (float)motion.Y, (float)motion.Z);
+            Stretch1 = BodyStretch.Of(parts.Stretch, Stretch1);
+            return BodyFollowing.Followed;
+        }
+
+        // The triangles rest from now on where they are at the start of the frame, so that nothing on the GPU moves.
+        void TakeOver()
+        {
+            AffineMap start = AffineMap.Of(Matrix4x4.TRS(Position0, Rotation0, Vector3.one)) * Stretch0.Map;
+            Mesh = Mesh.Transformed(start);
+            toShape = toShape * start.Inverse;
+            Begin();
+        }
+
+        void Begin()
+        {
+            Rotation0 = Rotation1 = Quaternion.identity;
+            Position0 = Position1 = Vector3.zero;
+            Stretch0 = Stretch1 = BodyStretch.None;
+            CellStretch = 1.0;
+            steady = 0;
+        }
+    }
+
+    /// <summary>How a body follows its collider.</summary>
+    internal enum BodyFollowing
+    {
+        /// <summary>From where it was, within its cells.</summary>
+        Followed,
+
+        /// <summary>From where it was, with cells that have to be made anew.</summary>
+        CellsOutgrown,
+
+        /// <summary>Not: the collider has another shape.</summary>
+        Reshaped,
+
+        /// <summary>Not: a scale has changed its sign.</summary>
+        Mirrored,
+
+        /// <summary>Not: scaled more than tenfold in a frame, or to nothing.</summary>
+        Scaled,
+
+        /// <summary>Not: too far for a frame.</summary>
+        TooFar,
     }
 }

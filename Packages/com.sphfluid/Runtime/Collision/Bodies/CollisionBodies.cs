@@ -14,13 +14,18 @@ namespace SphFluid
     {
         static readonly int BodiesId = Shader.PropertyToID("_Bodies");
         static readonly int PoseStartId = Shader.PropertyToID("_PoseStart");
-        static readonly int PartsId = Shader.PropertyToID("_BodyPartsPerMetre");
         static readonly int PoseEndId = Shader.PropertyToID("_PoseEnd");
+
+        const string StretchKeyword = "FLUID_STRETCHED_BODIES";
 
         // Longer than any motion of a frame that a liquid could follow.
         const float JumpOverReach = 64f;
 
+        // BODY_MOST_PARTS of Shaders/Collision/Bodies.hlsl for stretched bodies.
+        const double MostParts = 256.0;
+
         readonly float reach;
+        readonly float longestStep; // of a particle, m
         readonly Bounds domain; // beyond it no particle is in a step
         readonly BodyGeometry geometry;
         readonly Dictionary<Collider, BodyMotion> movers = new Dictionary<Collider, BodyMotion>();
@@ -28,6 +33,7 @@ namespace SphFluid
         readonly List<BodyMotion> motions = new List<BodyMotion>(); // of the bodies; null for those at rest
         readonly HashSet<ColliderState> resting = new HashSet<ColliderState>();
         readonly List<ColliderSolid> lastSolids = new List<ColliderSolid>();
+        readonly List<BodyJump> newJumps = new List<BodyJump>();
         bool stale;
         GraphicsBuffer bodyBuffer;
 
@@ -36,6 +42,7 @@ namespace SphFluid
         public CollisionBodies(in FluidSolverSettings settings)
         {
             reach = settings.SupportRadius;
+            longestStep = MeshContact.LongestWay(settings);
             domain = new Bounds(Vector3.zero, settings.DomainSize + 2f * BeyondFaces(settings));
             geometry = new BodyGeometry(reach);
         }
@@ -61,8 +68,14 @@ namespace SphFluid
         /// <summary>Whether a body still has a way to go: its motion of the frame was not stepped through.</summary>
         public bool IsUnderWay { get; private set; }
 
-        /// <summary>Times a body jumped farther than a motion is followed, since the start; it was put there at once.</summary>
+        /// <summary>Times a body's motion could not be followed, since the start; it was put at its new place at once.</summary>
         public int Jumps { get; private set; }
+
+        /// <summary>Those of the last update.</summary>
+        public IReadOnlyList<BodyJump> NewJumps => newJumps;
+
+        /// <summary>Whether a body's scale or shear differs from that of its triangles.</summary>
+        public bool HasStretch { get; private set; }
 
         /// <summary>
         /// Takes over where the colliders are now, once a frame. The motion from where the last steps left them is the next steps';
@@ -71,18 +84,22 @@ namespace SphFluid
         /// <param name="solids">Colliders that take part.</param>
         public void Update(IReadOnlyList<ColliderSolid> solids)
         {
-            if (Follow(solids)) Rebuild(solids);
+            newJumps.Clear();
+            bool outgrown = Follow(solids);
+            foreach (BodyMotion motion in movers.Values) outgrown |= motion.Settle();
+            if (outgrown) Rebuild(solids);
             bool wasUnderWay = IsUnderWay;
-            IsUnderWay = false;
+            IsUnderWay = HasStretch = false;
             for (int i = 0; i < bodies.Count; i++)
             {
                 if (motions[i] == null) continue;
-                if (motions[i].LongestWay(bodies[i].BoundsMin, bodies[i].BoundsMax) > JumpOverReach * reach)
+                if (IsTooFar(motions[i], bodies[i]))
                 {
-                    Jumps++;
+                    Jumped(motions[i].Collider, BodyFollowing.TooFar);
                     motions[i].Arrive();
                 }
                 IsUnderWay |= !motions[i].IsAtRest;
+                HasStretch |= motions[i].IsStretched;
             }
             if (IsUnderWay || wasUnderWay || stale) UploadBodies();
         }
@@ -105,7 +122,7 @@ namespace SphFluid
         {
             kernel.SetFloat(cmd, PoseStartId, start);
             kernel.SetFloat(cmd, PoseEndId, end);
-            kernel.SetFloat(cmd, PartsId, 1f / (1.7f * reach));
+            kernel.SetKeyword(cmd, StretchKeyword, HasStretch);
             kernel.SetBuffer(cmd, BodiesId, bodyBuffer);
             geometry.Bind(cmd, kernel);
         }
@@ -129,17 +146,15 @@ namespace SphFluid
                 if (movers.TryGetValue(collider, out BodyMotion motion))
                 {
                     stale |= motion.Friction != solid.State.Friction;
-                    if (motion.MoveTo(solid.State)) continue;
-                    movers[collider] = new BodyMotion(solid);
-                    changed = true;
+                    changed |= Move(motion, solid);
                 }
                 else if (!resting.Contains(solid.State))
                 {
                     changed = true;
                     ColliderSolid before = lastSolids.Find(s => ReferenceEquals(s.State.Collider, collider));
                     if (before == null || before.State.HasTrianglesOf(solid.State)) continue;
-                    motion = new BodyMotion(before);
-                    movers[collider] = motion.MoveTo(solid.State) ? motion : new BodyMotion(solid);
+                    movers[collider] = new BodyMotion(before);
+                    Move(movers[collider], solid);
                 }
             }
             foreach (ColliderSolid solid in lastSolids)
@@ -151,6 +166,34 @@ namespace SphFluid
             lastSolids.Clear();
             lastSolids.AddRange(solids);
             return changed;
+        }
+
+        // Whether the set of bodies or their cells changed.
+        bool Move(BodyMotion motion, ColliderSolid solid)
+        {
+            BodyFollowing following = motion.MoveTo(solid.State);
+            if (following == BodyFollowing.Followed) return false;
+            if (following != BodyFollowing.CellsOutgrown)
+            {
+                Jumped(solid.State.Collider, following);
+                movers[solid.State.Collider] = new BodyMotion(solid);
+            }
+            return true;
+        }
+
+        void Jumped(Collider collider, BodyFollowing reason)
+        {
+            Jumps++;
+            newJumps.Add(new BodyJump(collider, reason));
+        }
+
+        // Also where a particle's line in the frame of the triangles bends more than the parts follow that it is looked up in.
+        bool IsTooFar(BodyMotion motion, in CollisionBody body)
+        {
+            float way = motion.LongestWay(body.BoundsMin, body.BoundsMax);
+            if (way > JumpOverReach * reach) return true;
+            if (!motion.IsStretched) return false;
+            return (way + longestStep) / motion.FrameRange().least * PartsPerMetre(motion) > MostParts - 1.0;
         }
 
         bool IsSame(IReadOnlyList<ColliderSolid> solids)
@@ -179,7 +222,7 @@ namespace SphFluid
             foreach (ColliderSolid solid in solids)
             {
                 if (!movers.TryGetValue(solid.State.Collider, out BodyMotion motion)) continue;
-                geometry.Add(motion.Solid.Mesh, null);
+                geometry.Add(motion.Mesh, null);
                 AddBody(motion, motion.Friction);
             }
             stale = true;
@@ -189,7 +232,8 @@ namespace SphFluid
 
         void AddBody(BodyMotion motion, float friction)
         {
-            if (!geometry.TryEndBody(motion == null ? domain : (Bounds?)null, out CollisionBody body)) return;
+            float least = (float)(motion?.CellStretch ?? 1.0);
+            if (!geometry.TryEndBody(motion == null ? domain : (Bounds?)null, least, out CollisionBody body)) return;
             body.Flags = motion != null ? CollisionBody.Moves : 0u;
             body.Friction = friction;
             bodies.Add(body);
@@ -210,6 +254,12 @@ namespace SphFluid
                     body.Position0 = motions[i].Position0;
                     body.Rotation1 = motions[i].Rotation1;
                     body.Position1 = motions[i].Position1;
+                    body.StretchDiagonal0 = motions[i].Stretch0.Diagonal;
+                    body.StretchShear0 = motions[i].Stretch0.Shear;
+                    body.StretchDiagonal1 = motions[i].Stretch1.Diagonal;
+                    body.StretchShear1 = motions[i].Stretch1.Shear;
+                    body.PartsPerMetre = PartsPerMetre(motions[i]);
+                    body.Flags = CollisionBody.Moves | (motions[i].IsStretched ? CollisionBody.Stretches : 0u);
                 }
                 bodies[i] = body;
             }
@@ -218,6 +268,9 @@ namespace SphFluid
             GpuBuffers.Reserve(ref bodyBuffer, "Bodies", bodies.Count, CollisionBody.Stride);
             bodyBuffer.SetData(bodies);
         }
+
+        // A cell looks a distance beyond itself, and a part of a displacement is looked up from its middle.
+        float PartsPerMetre(BodyMotion motion) => (float)motion.SpanRatio / (1.7f * (reach / (float)motion.CellStretch));
 
         // A step may leave a periodic face before it is brought in at the other.
         static Vector3 BeyondFaces(in FluidSolverSettings settings)

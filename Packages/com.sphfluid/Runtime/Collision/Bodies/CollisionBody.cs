@@ -3,14 +3,17 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>A rigid part of the scene in a frame of its own; mirrored by CollisionBody in Shaders/Collision/Bodies.hlsl. SI.</summary>
+    /// <summary>A part of the scene in a frame of its own, in which its triangles rest or stretch; mirrored by CollisionBody in Shaders/Collision/Bodies.hlsl. SI.</summary>
     [StructLayout(LayoutKind.Sequential)]
     internal struct CollisionBody
     {
-        public const int Stride = 128;
+        public const int Stride = 176;
 
         /// <summary>Bit of <see cref="Flags"/>: the poses differ, or will.</summary>
         public const uint Moves = 1u;
+
+        /// <summary>Bit of <see cref="Flags"/>: scale or shear differ from those of the triangles.</summary>
+        public const uint Stretches = 2u;
 
         public Quaternion Rotation0;
         public Quaternion Rotation1;
@@ -25,7 +28,11 @@ namespace SphFluid
         public Vector3 BoundsMin;
         public float Friction;
         public Vector3 BoundsMax;
-        public float Pad;
+        public float PartsPerMetre;
+        public Vector3 StretchDiagonal0;
+        public Vector3 StretchShear0;
+        public Vector3 StretchDiagonal1;
+        public Vector3 StretchShear1;
     }
 
     /// <summary>A triangle of a body's frame [m]; mirrored by BodyTriangle in Shaders/Collision/Bodies.hlsl.</summary>

@@ -3,7 +3,8 @@
 
 // Motion of a point against one triangle, by separating planes. For any unit n, min_i (x - v_i).n over the corners is a lower
 // bound of the distance; where it is positive at both ends of a straight way, the way misses the triangle, its edges and its
-// corners. A badly rounded n proves less, never wrongly.
+// corners. A badly rounded n proves less, never wrongly. The same holds where the corners go straight too: (x - v_i).n is linear in
+// time for a constant n.
 #include "../../Collision/Bodies.hlsl"
 
 float _ContactDistance;  // r_c: where particles come to rest, 0.1 dx
@@ -65,33 +66,30 @@ float3 FromTriangle(float3 x, BodyTriangle tri)
     const float d4 = dot(ac, bp);
     const float d5 = dot(ab, cp);
     const float d6 = dot(ac, cp);
-    const float vc = d1 * d4 - d3 * d2;
-    const float vb = d5 * d2 - d1 * d6;
-    const float va = d3 * d6 - d5 * d4;
+    const bool cornerA = d1 <= 0.0 && d2 <= 0.0;
+    const bool cornerB = d3 >= 0.0 && d4 <= d3;
+    const bool cornerC = d6 >= 0.0 && d5 <= d6;
+    const bool edgeAB = d1 * d4 - d3 * d2 <= 0.0 && d1 >= 0.0 && d3 <= 0.0;
+    const bool edgeAC = d5 * d2 - d1 * d6 <= 0.0 && d2 >= 0.0 && d6 <= 0.0;
+    const bool edgeBC = d3 * d6 - d5 * d4 <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0;
     float3 r;
-    if (d1 <= 0.0 && d2 <= 0.0)
+    if (cornerA)
     {
         r = ap;
     }
-    else if (d3 >= 0.0 && d4 <= d3)
+    else if (cornerB)
     {
         r = bp;
     }
-    else if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
-    {
-        r = FromEdge(x, tri.A, tri.B);
-    }
-    else if (d6 >= 0.0 && d5 <= d6)
+    else if (cornerC && !edgeAB)
     {
         r = cp;
     }
-    else if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
+    else if (edgeAB || edgeAC || edgeBC)
     {
-        r = FromEdge(x, tri.A, tri.C);
-    }
-    else if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
-    {
-        r = FromEdge(x, tri.B, tri.C);
+        const bool fromA = edgeAB || edgeAC;
+        const bool toB = edgeAB;
+        r = FromEdge(x, fromA ? tri.A : tri.B, toB ? tri.B : tri.C);
     }
     else
     {
@@ -129,70 +127,174 @@ Gap GapOf(float3 x, BodyTriangle tri)
     {
         // Needles, and points on the triangle: the best of the face's normal and the edges.
         const float3 face = cross(tri.B - tri.A, tri.C - tri.A);
-        Better(x, tri, dot(x - tri.A, face) < 0.0 ? -face : face, gap);
-        Better(x, tri, FromEdge(x, tri.A, tri.B), gap);
-        Better(x, tri, FromEdge(x, tri.B, tri.C), gap);
-        Better(x, tri, FromEdge(x, tri.C, tri.A), gap);
+        float3 direction = dot(x - tri.A, face) < 0.0 ? -face : face;
+        float3 from = tri.A;
+        float3 to = tri.B;
+        [loop]
+        for (int k = 0; k < 4; k++)
+        {
+            Better(x, tri, direction, gap);
+            direction = FromEdge(x, from, to);
+            from = to;
+            to = k == 0 ? tri.C : tri.A;
+        }
         gap.Value = gap.Value < -1e29 ? 0.0 : gap.Value;
     }
     return gap;
 }
 
-// Newton's steps on the convex gap; they never overshoot. cap: relaxes the distance where the particle is nearer already.
-Sweep SweepTriangle(float3 from, float3 to, BodyTriangle tri, float cap)
+// A triangle during a step: its corners go straight from where they are at the start to where they are at the end.
+struct SweptTriangle
 {
-    Sweep sweep;
-    const float3 way = to - from;
-    Gap gap = GapOf(from, tri);
-    sweep.StartGap = gap.Value;
+    BodyTriangle Start;
+#if defined(FLUID_STRETCHED_BODIES)
+    BodyTriangle End;
+#endif
+};
+
+SweptTriangle SweepOf(BodyTriangle tri, BodyPose start, BodyPose end)
+{
+    SweptTriangle swept;
+    swept.Start = TriangleAt(start, tri);
+#if defined(FLUID_STRETCHED_BODIES)
+    swept.End = TriangleAt(end, tri);
+#endif
+    return swept;
+}
+
+BodyTriangle EndOf(SweptTriangle swept)
+{
+#if defined(FLUID_STRETCHED_BODIES)
+    return swept.End;
+#else
+    return swept.Start;
+#endif
+}
+
+BodyTriangle TriangleAfter(SweptTriangle swept, float time)
+{
+    BodyTriangle tri = swept.Start;
+#if defined(FLUID_STRETCHED_BODIES)
+    tri.A = swept.Start.A * (1.0 - time) + swept.End.A * time;
+    tri.B = swept.Start.B * (1.0 - time) + swept.End.B * time;
+    tri.C = swept.Start.C * (1.0 - time) + swept.End.C * time;
+#endif
+    return tri;
+}
+
+// How fast the corners come nearer along n, over the step.
+float3 Approaches(SweptTriangle swept, float3 displacement, float3 n)
+{
+#if defined(FLUID_STRETCHED_BODIES)
+    return float3(dot(swept.End.A - swept.Start.A - displacement, n), dot(swept.End.B - swept.Start.B - displacement, n),
+        dot(swept.End.C - swept.Start.C - displacement, n));
+#else
+    return -dot(displacement, n);
+#endif
+}
+
+float Largest(float3 v)
+{
+    return max(v.x, max(v.y, v.z));
+}
+
+// Time until the first corner is at a distance along the gap's normal.
+float TimeTo(float3 x, BodyTriangle tri, Gap gap, float3 approaches, float distance)
+{
+#if defined(FLUID_STRETCHED_BODIES)
+    const float3 gaps = float3(dot(x - tri.A, gap.Normal), dot(x - tri.B, gap.Normal), dot(x - tri.C, gap.Normal));
+    const float3 times = approaches > 0.0 ? max(gaps - distance, 0.0) / max(approaches, 1e-30) : float3(1.0, 1.0, 1.0);
+    return min(times.x, min(times.y, times.z));
+#else
+    return (gap.Value - distance) / approaches.x;
+#endif
+}
+
+// Newton's steps on the gap, a minimum of functions that are linear in time for a fixed normal; they never overshoot. The last of
+// them is not tried: its place and normal are the hit's. After a free sweep the gap at the end is looked at.
+// cap: relaxes the distance where the particle is nearer already; below zero also the floor, to a quarter.
+Sweep SweepTriangle(float3 from, float3 to, SweptTriangle swept, float cap)
+{
+    Sweep sweep = (Sweep)0;
     sweep.Hit = true;
-    sweep.Soft = false;
-    sweep.Time = 0.0;
-    const float distance = min(_SweepDistance, max(_ContactFloor, 0.99 * min(gap.Value, cap)));
-    float endGap = 0.0;
+    const float3 displacement = to - from;
+    BodyTriangle tri = swept.Start;
+    float3 x = from;
+    float distance = 0.0;
+    bool ends = false;
+    bool done = false;
     [loop]
-    for (int i = 0; i < SWEEP_ADVANCES && sweep.Hit; i++)
+    for (int i = 0; i < SWEEP_ADVANCES + 2 && !done; i++)
     {
-        const float approach = -dot(way, gap.Normal);
-        endGap = Support(to, tri, gap.Normal);
-        if (endGap >= distance || approach <= 0.0)
+        const Gap gap = GapOf(x, tri);
+        const float3 approaches = Approaches(swept, displacement, gap.Normal);
+        if (ends)
         {
-            sweep.Hit = false;
-        }
-        else if (gap.Value - distance <= 0.02 * distance)
-        {
-            break;
+            done = true;
+            if (gap.Value < _ContactDistance - _ContactTolerance && Largest(approaches) >= 0.0)
+            {
+                sweep.Soft = true;
+                sweep.Normal = gap.Normal;
+                sweep.EndGap = gap.Value;
+            }
         }
         else
         {
-            sweep.Time = min(1.0, sweep.Time + (gap.Value - distance) / approach);
-            gap = GapOf(from + way * sweep.Time, tri);
-        }
-    }
-    sweep.Normal = gap.Normal;
-    sweep.EndGap = Support(to, tri, gap.Normal);
-    if (!sweep.Hit && sweep.EndGap < _ContactDistance - _ContactTolerance)
-    {
-        const Gap end = GapOf(to, tri);
-        if (end.Value < _ContactDistance - _ContactTolerance && dot(way, end.Normal) <= 0.0)
-        {
-            sweep.Soft = true;
-            sweep.Normal = end.Normal;
-            sweep.EndGap = end.Value;
+            if (i == 0)
+            {
+                const float least = cap < 0.0 ? 0.25 * _ContactFloor : _ContactFloor;
+                sweep.StartGap = gap.Value;
+                distance = min(_SweepDistance, max(least, 0.99 * min(gap.Value, cap)));
+            }
+            sweep.Normal = gap.Normal;
+            sweep.EndGap = Support(to, EndOf(swept), gap.Normal);
+            const bool last = i == SWEEP_ADVANCES;
+            if (!last && (sweep.EndGap >= distance || Largest(approaches) <= 0.0))
+            {
+                sweep.Hit = false;
+                ends = sweep.EndGap < _ContactDistance - _ContactTolerance;
+                done = !ends;
+                x = to;
+                tri = EndOf(swept);
+            }
+            else if (last || gap.Value - distance <= 0.02 * distance)
+            {
+                done = true;
+            }
+            else
+            {
+                sweep.Time = min(1.0, sweep.Time + TimeTo(x, tri, gap, approaches, distance));
+                x = from + displacement * sweep.Time;
+                tri = TriangleAfter(swept, sweep.Time);
+            }
         }
     }
     return sweep;
 }
 
-// Whether a way of a body's frame cannot come near the triangle.
-bool PassesBy(float3 from, float3 to, BodyTriangle tri)
+// Whether a displacement of the rigid frame cannot come near the triangle.
+bool PassesBy(float3 from, float3 to, SweptTriangle swept)
 {
-    const float3 n = NormalOf(tri);
-    const float s0 = dot(from - tri.A, n);
-    const float s1 = dot(to - tri.A, n);
-    const float3 low = min(tri.A, min(tri.B, tri.C)) - _ContactDistance;
-    const float3 high = max(tri.A, max(tri.B, tri.C)) + _ContactDistance;
-    return min(s0, s1) > _ContactDistance || max(s0, s1) < -_ContactDistance || any(high < min(from, to)) || any(low > max(from, to));
+    const BodyTriangle start = swept.Start;
+    const BodyTriangle end = EndOf(swept);
+    const float3 n = NormalOf(start);
+    const float s0 = dot(from - start.A, n);
+    const float s1 = dot(to - end.A, n);
+    float low1 = s1;
+    float high1 = s1;
+    float3 low = min(start.A, min(start.B, start.C));
+    float3 high = max(start.A, max(start.B, start.C));
+#if defined(FLUID_STRETCHED_BODIES)
+    const float s2 = dot(to - end.B, n);
+    const float s3 = dot(to - end.C, n);
+    low1 = min(s1, min(s2, s3));
+    high1 = max(s1, max(s2, s3));
+    low = min(low, min(end.A, min(end.B, end.C)));
+    high = max(high, max(end.A, max(end.B, end.C)));
+#endif
+    low -= _ContactDistance;
+    high += _ContactDistance;
+    return min(s0, low1) > _ContactDistance || max(s0, high1) < -_ContactDistance || any(high < min(from, to)) || any(low > max(from, to));
 }
 
 #endif

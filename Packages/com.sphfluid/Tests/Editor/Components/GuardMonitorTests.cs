@@ -8,15 +8,17 @@ namespace SphFluid.Tests
         [Test]
         public void NothingActedSaysNothing()
         {
-            Assert.That(new GuardMonitor().Note(default, 0), Is.Null);
+            Assert.That(new GuardMonitor().Note(default), Is.Null);
         }
 
         [Test]
         public void EachKindIsToldOnce()
         {
             var monitor = new GuardMonitor();
-            Assert.That(monitor.Note(default, 2), Does.Contain("2 times a collider moved farther"));
-            Assert.That(monitor.Note(default, 3), Is.Null);
+            var counters = new FluidCounters { Squeezed = 2 };
+            Assert.That(monitor.Note(counters), Does.Contain("2 times a particle had no place between colliders"));
+            counters.Squeezed = 3;
+            Assert.That(monitor.Note(counters), Is.Null);
         }
     }
 }

@@ -1,0 +1,46 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>A collider that was put at its new place at once, since no motion there could be followed.</summary>
+    internal readonly struct BodyJump
+    {
+        public BodyJump(Collider collider, BodyFollowing reason)
+        {
+            Collider = collider;
+            Reason = reason;
+        }
+
+        public Collider Collider { get; }
+        public BodyFollowing Reason { get; }
+
+        /// <summary>What is reported, the same for each jump of a collider for the same reason.</summary>
+        public FluidMessage Message
+        {
+            get
+            {
+                (string what, string cure) = Texts();
+                return new FluidMessage(FluidSeverity.Warning, FluidIssue.ColliderJumped, Collider,
+                    $"The {Collider.GetType().Name} {what}. Liquid cannot follow that: the collider was put at its new place at once, " +
+                    "and liquid in between is now on its other side.", cure);
+            }
+        }
+
+        (string what, string cure) Texts()
+        {
+            switch (Reason)
+            {
+                case BodyFollowing.Mirrored:
+                    return ("was mirrored: the scale of the object or a parent changed its sign", "Keep the signs of scales during play.");
+                case BodyFollowing.Scaled:
+                    return ("was scaled more than tenfold within a frame, or to nothing", "Scale it over more frames, and not to zero.");
+                case BodyFollowing.Reshaped:
+                    return Collider is CapsuleCollider
+                        ? ("changed its length over its radius", "Scale it evenly, or use a Mesh Collider in the shape of a capsule.")
+                        : ("has another mesh, or its mesh has other vertices", "Move, turn, scale or shear the object instead, or change the mesh where no liquid is.");
+                default:
+                    return ("moved too far within a frame", "Move it over more frames, or reset the simulation after it was moved.");
+            }
+        }
+    }
+}

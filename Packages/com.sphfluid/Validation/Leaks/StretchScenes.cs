@@ -1,0 +1,129 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using UnityEngine;
+
+namespace SphFluid.Validation
+{
+    /// <summary>Closed surfaces whose scale or shear changes, with liquid inside or round them.</summary>
+    static class StretchScenes
+    {
+        const float Dx = LeakScenes.Spacing;
+        const float Half = 12f * Dx; // of the box that liquid is in
+        const int Frames = 60;
+
+        /// <summary>Frequencies that surfaces swing at [Hz].</summary>
+        static readonly double[] frequencies = { 0.5, 1, 2, 5 };
+
+        /// <summary>Largest speeds of the walls of a box that swings [m/s], one for each frequency.</summary>
+        /// <param name="amplitude">Of the scale.</param>
+        public static double[] Speeds(double amplitude) => frequencies.Select(f => 2.0 * Math.PI * f * amplitude * Half).ToArray();
+
+        /// <summary>A box whose scale swings about 1, a pool on its bottom. What it holds is less than it has place for at its smallest.</summary>
+        public static LeakScene Pulse(double amplitude, double speed)
+        {
+            double frequency = speed / (2.0 * Math.PI * amplitude * Half);
+            LeakScene scene = Box(1f + (float)amplitude, (float)(1.0 - amplitude));
+            scene.Motion = frame =>
+            {
+                float scale = (float)(1.0 + amplitude * Math.Sin(2.0 * Math.PI * frequency * frame / LeakScene.FrameRate));
+                return new LeakPose(Vector3.zero, Quaternion.identity, scale * Vector3.one);
+            };
+            return scene;
+        }
+
+        /// <summary>The same with one axis that grows as another shrinks.</summary>
+        public static LeakScene Uneven(double amplitude, double speed)
+        {
+            double frequency = speed / (2.0 * Math.PI * amplitude * Half);
+            LeakScene scene = Box(1f / (1f - (float)amplitude), 0.8f);
+            scene.Motion = frame =>
+            {
+                float scale = (float)(1.0 + amplitude * Math.Sin(2.0 * Math.PI * frequency * frame / LeakScene.FrameRate));
+                return new LeakPose(Vector3.zero, Quaternion.identity, new Vector3(scale, 1f, 1f / scale));
+            };
+            return scene;
+        }
+
+        /// <summary>A box that turns about a slanted axis below a parent of uneven scale.</summary>
+        /// <param name="speed">Of its corners [m/s].</param>
+        public static LeakScene Spin(double speed)
+        {
+            var parent = new Vector3(1.5f, 0.8f, 1f);
+            double rate = speed / (1.5 * Math.Sqrt(3.0) * Half) * 180.0 / Math.PI; // degrees a second
+            LeakScene scene = Box(1.5f * 1.75f, 0.8f);
+            scene.Motion = frame =>
+                new LeakPose(Vector3.zero, Quaternion.AngleAxis((float)(rate * frame / LeakScene.FrameRate), new Vector3(0.3f, 1f, 0.2f)), Vector3.one, parent);
+            return scene;
+        }
+
+        /// <summary>A box on its edge below a parent whose scale swings along one axis: its faces shear.</summary>
+        public static LeakScene Shear(double speed)
+        {
+            const double amplitude = 0.4;
+            double frequency = speed / (2.0 * Math.PI * amplitude * Half);
+            LeakScene scene = Box(1.4f * 1.75f, 0.6f);
+            Quaternion tilt = Quaternion.Euler(35f, 0f, 45f);
+            scene.Motion = frame =>
+            {
+                float scale = (float)(1.0 + amplitude * Math.Sin(2.0 * Math.PI * frequency * frame / LeakScene.FrameRate));
+                return new LeakPose(Vector3.zero, tilt, Vector3.one, new Vector3(scale, 1f, 1f));
+            };
+            scene.Particles = Pool(scene, 0.35f);
+            return scene;
+        }
+
+        /// <summary>A turning solid that grows eightfold in a pool: its cells are made anew on the way.</summary>
+        /// <param name="speed">Of its walls [m/s].</param>
+        public static LeakScene Grow(double speed)
+        {
+            const float first = 1.5f * Dx, growth = 8f;
+            float domain = 32f * Dx;
+            int frames = (int)Math.Ceiling(first * (growth - 1f) / speed * LeakScene.FrameRate);
+            var scene = new LeakScene
+            {
+                Settings = LeakScenes.Water(domain * Vector3.one, 0.5f * domain),
+                Surface = Cube(first),
+                Stretches = true,
+                Frames = frames + 6,
+                Motion = frame =>
+                {
+                    float part = Math.Min(frame / (float)frames, 1f);
+                    return new LeakPose(Vector3.down * (0.25f * domain), Quaternion.AngleAxis(90f * part, new Vector3(1f, 2f, 0.5f)),
+                        (1f + (growth - 1f) * part) * new Vector3(1f, 0.6f, 0.8f));
+                },
+            };
+            var obstacle = new WindingNumber(scene.Surface);
+            LeakPose start = scene.PoseAt(0);
+            scene.Particles = CaseLattice.Particles(CaseLattice.Box(new Vector3Int(31, 12, 31), Dx, -0.5f * domain * Vector3.one + 0.5f * Dx * new Vector3(1f, 0f, 1f))
+                .Where(p => obstacle.DistanceTo(start.ToSurface(p)) > Dx && !obstacle.Contains(start.ToSurface(p))).ToList());
+            return scene;
+        }
+
+        static LeakScene Box(float largest, float smallest)
+        {
+            var scene = new LeakScene
+            {
+                Settings = LeakScenes.Water((2f * Half * largest + 4f * Dx) * Vector3.one, 2f * Half),
+                Surface = Cube(Half),
+                Frames = Frames,
+                Stretches = true,
+            };
+            scene.Particles = Pool(scene, 0.5f * smallest);
+            return scene;
+        }
+
+        // A block in the middle of the box that at most a quarter of its smallest size is filled by.
+        static FluidParticle[] Pool(LeakScene scene, float part)
+        {
+            int count = Mathf.FloorToInt(1.25f * part * Half / Dx);
+            return CaseLattice.Particles(CaseLattice.Box(new Vector3Int(count, count, count), Dx, -0.5f * count * Dx * Vector3.one).ToList());
+        }
+
+        static Vector3[] Cube(float half)
+        {
+            TriangleMesh box = PrimitiveTessellator.Box(Matrix4x4.Scale(2f * half * Vector3.one));
+            return box.Indices.Select(i => box.Vertices[i]).ToArray();
+        }
+    }
+}

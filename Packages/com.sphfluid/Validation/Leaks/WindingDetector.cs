@@ -1,0 +1,30 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid.Validation
+{
+    /// <summary>
+    /// For closed surfaces that stretch: a particle whose winding number, rounded, is another than at the start has escaped. A place
+    /// that is not finite has.
+    /// </summary>
+    sealed class WindingDetector : LeakJudge
+    {
+        readonly WindingNumber winding;
+        readonly List<double> start = new List<double>();
+
+        public WindingDetector(Vector3[] corners) => winding = new WindingNumber(corners);
+
+        /// <inheritdoc/>
+        public override bool NeedsSteps => false;
+
+        /// <inheritdoc/>
+        protected override bool Passed(int particle, Vector3 place, bool first)
+        {
+            double now = Math.Round(winding.At(place));
+            if (first)
+                start.Add(now);
+            return now != start[particle]; // NaN too
+        }
+    }
+}
