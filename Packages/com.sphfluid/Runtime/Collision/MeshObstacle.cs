@@ -38,18 +38,21 @@ namespace SphFluid
         /// Whether the surface winds outward round the point: the crossings of a ray along +x, each counted by its
         /// direction, sum to more than zero. A closed room with inward faces holds no solid; an open mesh has no inside.
         /// </summary>
-        public bool Contains(Vector3 point)
+        public bool Contains(Vector3 point) => Winding(point) > 0;
+
+        /// <summary>Times a closed surface winds round the point: 1 inside faces that look outward, −1 inside a room; 0 for an open mesh.</summary>
+        public int Winding(Vector3 point)
         {
-            if (!mesh.IsClosed || !bounds.Contains(point)) return false;
+            if (!mesh.IsClosed || !bounds.Contains(point)) return 0;
             List<int> bin = bins[Index(BinY(point.y), BinZ(point.z))];
-            if (bin == null) return false;
+            if (bin == null) return 0;
             int winding = 0;
             foreach (int t in bin)
             {
                 mesh.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
                 winding += RayCrossing(point, a, b, c);
             }
-            return winding > 0;
+            return winding;
         }
 
         /// <summary>Whether the point is nearer than <paramref name="clearance"/> [m] to a triangle.</summary>

@@ -1,6 +1,8 @@
 using System.Collections;
 using System.Linq;
+using System.Text.RegularExpressions;
 using NUnit.Framework;
+using SphFluid.Validation;
 using UnityEngine;
 using UnityEngine.TestTools;
 
@@ -37,6 +39,84 @@ namespace SphFluid.Tests
                 Assert.That(inside, Is.EqualTo(start.Length));
                 Assert.That(end.Count(p => Inside(p.Position, at)), Is.EqualTo(start.Length), $"contacts {counters.Contacts}, squeezed {counters.Squeezed}");
                 Assert.That(counters.Squeezed + counters.NonFinite + counters.Overlaps, Is.Zero);
+                Object.DestroyImmediate(mesh);
+            }
+        }
+
+        // 0.3 m wide at its smallest; liquid of 0.2 m.
+        [UnityTest]
+        public IEnumerator ABoxWhoseScaleSwingsKeepsItsLiquid([Values("even", "uneven", "turned below a parent")] string motion)
+        {
+            using (var rig = new SimulationRig(0.016f))
+            {
+                FluidSimulation simulation = rig.Create();
+                simulation.Method = FluidMethodKind.Standard;
+                simulation.DomainSize = 1.2f * Vector3.one;
+                GameObject parent = rig.NewObject("Parent"), holder = rig.NewObject("Box");
+                holder.transform.SetParent(parent.transform, false);
+                Mesh mesh = Box(0.2f);
+                holder.AddComponent<MeshCollider>().sharedMesh = mesh;
+                holder.AddComponent<FluidCollider>();
+                yield return null;
+                yield return null;
+                ColliderSides sides = ColliderSides.Of(simulation, FluidSnapshot.Read(simulation));
+                for (int frame = 1; frame <= 30; frame++)
+                {
+                    float swing = 0.25f * Mathf.Sin(0.4f * frame); // 4 Hz
+                    if (motion == "even") holder.transform.localScale = (1f + swing) * Vector3.one;
+                    else if (motion == "uneven") holder.transform.localScale = new Vector3(1f + swing, 1f, 1f / (1f + swing));
+                    else
+                    {
+                        parent.transform.localScale = new Vector3(1f + 0.04f * Mathf.Min(frame, 10), 1f, 1f);
+                        holder.transform.localRotation = Quaternion.Euler(0f, 8f * frame, 3f * frame);
+                    }
+                    yield return null;
+                }
+                FluidSnapshot end = FluidSnapshot.Read(simulation);
+                FluidCounters counters = simulation.Solver.ReadCountersNow();
+                Assert.That(sides.CountChanged(simulation, end), Is.Zero, $"contacts {counters.Contacts}, squeezed {counters.Squeezed}");
+                Vector3[] corners = mesh.triangles.Select(i => mesh.vertices[i]).ToArray();
+                var winding = new WindingNumber(corners);
+                foreach (Vector3 position in end.Positions)
+                    Assert.That(winding.At(holder.transform.InverseTransformPoint(position)), Is.EqualTo(-1.0).Within(1e-6), $"{position} is in the room");
+                Assert.That(counters.Squeezed + counters.NonFinite + counters.Overlaps, Is.Zero);
+                Assert.That(simulation.Messages.Any(m => m.Issue == FluidIssue.ColliderJumped), Is.False);
+                Object.DestroyImmediate(mesh);
+            }
+        }
+
+        [UnityTest]
+        public IEnumerator WhatLiquidCannotFollowIsNamedInThatFrameAndCounted([Values("mirrored", "zero", "vertices")] string change)
+        {
+            using (var rig = new SimulationRig(0.016f))
+            {
+                FluidSimulation simulation = rig.Create();
+                simulation.Method = FluidMethodKind.Standard;
+                simulation.DomainSize = 1.2f * Vector3.one;
+                GameObject holder = rig.NewObject("Vessel");
+                Mesh mesh = Box(0.16f);
+                var collider = holder.AddComponent<MeshCollider>();
+                collider.sharedMesh = mesh;
+                yield return null;
+                yield return null;
+                ColliderSides sides = ColliderSides.Of(simulation, FluidSnapshot.Read(simulation));
+                int escaped = sides.CountChanged(simulation, FluidSnapshot.Read(simulation));
+                Assert.That(escaped, Is.Zero);
+                LogAssert.Expect(LogType.Warning, new Regex("'Vessel'.*(" + (change == "zero" ? "zero or non-finite scale" : "put at its new place at once") + ")"));
+                if (change == "mirrored") holder.transform.localScale = new Vector3(-1f, 1f, 1f);
+                else if (change == "zero") holder.transform.localScale = new Vector3(1f, 0f, 1f);
+                else
+                {
+                    mesh.vertices = mesh.vertices.Select(v => v + 0.5f * Vector3.right).ToArray();
+                    mesh.RecalculateBounds();
+                    collider.sharedMesh = mesh;
+                }
+                yield return null;
+                FluidIssue expected = change == "zero" ? FluidIssue.ColliderTransformSingular : FluidIssue.ColliderJumped;
+                FluidMessage message = simulation.Messages.Single(m => m.Issue == expected);
+                Assert.That(message.Context, Is.SameAs(collider));
+                if (change == "vertices")
+                    Assert.That(sides.CountChanged(simulation, FluidSnapshot.Read(simulation)), Is.GreaterThan(30), "they were left behind");
                 Object.DestroyImmediate(mesh);
             }
         }

@@ -36,6 +36,10 @@ namespace SphFluid.Tests
             return particles;
         }
 
+        /// <summary>A rotation by any angle about any axis.</summary>
+        public static Quaternion RandomRotation(System.Random random) =>
+            Quaternion.AngleAxis(360f * (float)random.NextDouble(), RandomVector(random).normalized);
+
         /// <summary>Each component in [-0.5, 0.5).</summary>
         public static Vector3 RandomVector(System.Random random)
         {

@@ -69,7 +69,7 @@ namespace SphFluid.Validation
                 float scale = (float)(1.0 + amplitude * Math.Sin(2.0 * Math.PI * frequency * frame / LeakScene.FrameRate));
                 return new LeakPose(Vector3.zero, tilt, Vector3.one, new Vector3(scale, 1f, 1f));
             };
-            scene.Particles = Pool(scene, 0.35f);
+            scene.Particles = Block(0.5f);
             return scene;
         }
 
@@ -77,8 +77,8 @@ namespace SphFluid.Validation
         /// <param name="speed">Of its walls [m/s].</param>
         public static LeakScene Grow(double speed)
         {
-            const float first = 1.5f * Dx, growth = 8f;
-            float domain = 32f * Dx;
+            const float first = 0.75f * Dx, growth = 8f;
+            const float domain = 24f * Dx; // 11 dx from its middle to the floor: more than the solid reaches in the end
             int frames = (int)Math.Ceiling(first * (growth - 1f) / speed * LeakScene.FrameRate);
             var scene = new LeakScene
             {
@@ -89,34 +89,33 @@ namespace SphFluid.Validation
                 Motion = frame =>
                 {
                     float part = Math.Min(frame / (float)frames, 1f);
-                    return new LeakPose(Vector3.down * (0.25f * domain), Quaternion.AngleAxis(90f * part, new Vector3(1f, 2f, 0.5f)),
+                    return new LeakPose(Dx * Vector3.down, Quaternion.AngleAxis(90f * part, new Vector3(1f, 2f, 0.5f)),
                         (1f + (growth - 1f) * part) * new Vector3(1f, 0.6f, 0.8f));
                 },
             };
             var obstacle = new WindingNumber(scene.Surface);
             LeakPose start = scene.PoseAt(0);
-            scene.Particles = CaseLattice.Particles(CaseLattice.Box(new Vector3Int(31, 12, 31), Dx, -0.5f * domain * Vector3.one + 0.5f * Dx * new Vector3(1f, 0f, 1f))
+            scene.Particles = CaseLattice.Particles(CaseLattice.Box(new Vector3Int(23, 13, 23), Dx, -0.5f * domain * Vector3.one + 0.5f * Dx * new Vector3(1f, 0f, 1f))
                 .Where(p => obstacle.DistanceTo(start.ToSurface(p)) > Dx && !obstacle.Contains(start.ToSurface(p))).ToList());
             return scene;
         }
 
         static LeakScene Box(float largest, float smallest)
         {
-            var scene = new LeakScene
+            return new LeakScene
             {
                 Settings = LeakScenes.Water((2f * Half * largest + 4f * Dx) * Vector3.one, 2f * Half),
                 Surface = Cube(Half),
                 Frames = Frames,
                 Stretches = true,
+                Particles = Block(smallest),
             };
-            scene.Particles = Pool(scene, 0.5f * smallest);
-            return scene;
         }
 
-        // A block in the middle of the box that at most a quarter of its smallest size is filled by.
-        static FluidParticle[] Pool(LeakScene scene, float part)
+        // A block in the middle of the box, a sixth of the volume of the box at its smallest.
+        static FluidParticle[] Block(float smallest)
         {
-            int count = Mathf.FloorToInt(1.25f * part * Half / Dx);
+            int count = Mathf.FloorToInt(1.1f * smallest * Half / Dx);
             return CaseLattice.Particles(CaseLattice.Box(new Vector3Int(count, count, count), Dx, -0.5f * count * Dx * Vector3.one).ToList());
         }
 

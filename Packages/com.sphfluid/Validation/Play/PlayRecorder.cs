@@ -14,6 +14,7 @@ namespace SphFluid.Validation
         readonly FrameTable record = new FrameTable("time_s", "simulation", "steps", "max_speed_m_s", "rms_speed_m_s",
             "density_error_mean", "density_error_max", "kinetic_energy_j", "centre_x_m", "centre_y_m", "centre_z_m");
         readonly Dictionary<FluidSimulation, SurfaceCaps> surfaces = new Dictionary<FluidSimulation, SurfaceCaps>();
+        readonly Dictionary<FluidSimulation, ColliderSides> sides = new Dictionary<FluidSimulation, ColliderSides>();
         PlayArguments arguments;
         long stepsBefore;
 
@@ -39,6 +40,8 @@ namespace SphFluid.Validation
                 if (!surfaces.TryGetValue(simulations[i], out SurfaceCaps caps))
                     surfaces.Add(simulations[i], caps = new SurfaceCaps());
                 caps.Observe(PlaySurface.StatusOf(simulations[i]));
+                if (simulations[i].IsRunning && !(sides.TryGetValue(simulations[i], out ColliderSides known) && known.AreOf(simulations[i])))
+                    sides[simulations[i]] = ColliderSides.Of(simulations[i], FluidSnapshot.Read(simulations[i]));
                 if (arguments.RecordFile != null && simulations[i].IsRunning)
                     Record(i, simulations[i]);
             }
@@ -64,7 +67,7 @@ namespace SphFluid.Validation
                     if (simulation.IsRunning)
                         running.Add(simulation);
                 }
-                new PlayResults(arguments, running, surfaces).Write(frames, record);
+                new PlayResults(arguments, running, surfaces, sides).Write(frames, record);
             }
             catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException || exception is InvalidDataException)
             {

@@ -10,12 +10,16 @@ namespace SphFluid.Validation
         readonly PlayArguments arguments;
         readonly IReadOnlyList<FluidSimulation> simulations;
         readonly IReadOnlyDictionary<FluidSimulation, SurfaceCaps> surfaces;
+        readonly IReadOnlyDictionary<FluidSimulation, ColliderSides> sides;
 
         /// <param name="arguments">What to write.</param>
         /// <param name="simulations">The simulations.</param>
         /// <param name="surfaces">What the surfaces of simulations that were watched could not do.</param>
-        public PlayResults(PlayArguments arguments, IReadOnlyList<FluidSimulation> simulations, IReadOnlyDictionary<FluidSimulation, SurfaceCaps> surfaces)
+        /// <param name="sides">On which side of colliders the particles of simulations that were watched began.</param>
+        public PlayResults(PlayArguments arguments, IReadOnlyList<FluidSimulation> simulations, IReadOnlyDictionary<FluidSimulation, SurfaceCaps> surfaces,
+            IReadOnlyDictionary<FluidSimulation, ColliderSides> sides)
         {
+            this.sides = sides;
             this.arguments = arguments;
             this.simulations = simulations;
             this.surfaces = surfaces;
@@ -64,6 +68,7 @@ namespace SphFluid.Validation
             ColliderPenetration penetration = ColliderPenetration.Of(simulation, snapshot);
             LiquidVolume volume = LiquidVolume.Of(simulation, snapshot);
             FluidCounters counters = simulation.Solver.ReadCountersNow();
+            int throughColliders = sides.TryGetValue(simulation, out ColliderSides start) && start.AreOf(simulation) ? start.CountChanged(simulation, snapshot) : 0;
             SurfaceCaps surface = surfaces.TryGetValue(simulation, out SurfaceCaps watched) ? watched : new SurfaceCaps();
             return new JsonObject()
                 .Add("simulation", simulation.name)
@@ -84,7 +89,7 @@ namespace SphFluid.Validation
                 .Add("density_error_mean", statistics.DensityErrorMean)
                 .Add("density_error_max", statistics.DensityErrorMax)
                 .Add("nonfinite_count", statistics.NonFiniteCount)
-                .Add("escaped_count", statistics.EscapedCount)
+                .Add("escaped_count", statistics.EscapedCount + throughColliders)
                 .Add("inside_collider_count", penetration.Inside)
                 .Add("deep_inside_collider_count", penetration.Deep)
                 .Add("volume_m3", volume.Measured)

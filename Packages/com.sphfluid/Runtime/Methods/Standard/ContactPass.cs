@@ -33,7 +33,6 @@ namespace SphFluid
 
             Bind(cmd, resolve, state);
             resolve.SetFloat(cmd, FluidShaderIds.TimeStep, timeStep);
-            resolve.SetFloat(cmd, StandardShaderIds.Friction, 0f);
             resolve.SetBuffer(cmd, StandardShaderIds.ContactListIn, walls.ContactList);
             resolve.SetBuffer(cmd, StandardShaderIds.ContactArgumentsIn, walls.ContactArguments);
             resolve.SetBuffer(cmd, StandardShaderIds.NewVelocitiesOut, state.Standard.NewVelocities);

@@ -41,7 +41,6 @@ namespace SphFluid
         public static readonly int ContactFloor = Shader.PropertyToID("_ContactFloor");
         public static readonly int ContactTolerance = Shader.PropertyToID("_ContactTolerance");
         public static readonly int LongestWay = Shader.PropertyToID("_LongestWay");
-        public static readonly int Friction = Shader.PropertyToID("_Friction");
 
         public static readonly int InverseSupport = Shader.PropertyToID("_InverseSupport");
         public static readonly int DensityFactor = Shader.PropertyToID("_DensityFactor");

@@ -96,11 +96,16 @@ namespace SphFluid.Tests
                 BodyCount = 29,
                 BoundsMin = new Vector3(8, 16, 32),
                 BoundsMax = new Vector3(64, 128, 256),
+                PartsPerMetre = 31,
+                StretchDiagonal0 = new Vector3(1, 2, 4),
+                StretchShear0 = new Vector3(8, 16, 32),
+                StretchDiagonal1 = new Vector3(64, 128, 256),
+                StretchShear1 = new Vector3(512, 1024, 2048),
             };
             var triangle = new BodyTriangle { A = new Vector3(1, 2, 4), NormalX = 8, B = new Vector3(16, 32, 64), NormalY = 128, C = new Vector3(1, 2, 4), NormalZ = 16 };
             using (GraphicsBuffer bodies = GpuBuffers.Create("Bodies", 2, CollisionBody.Stride))
             using (GraphicsBuffer triangles = GpuBuffers.Create("BodyTriangles", 2, BodyTriangle.Stride))
-            using (GraphicsBuffer values = GpuBuffers.Create("Values", 15, sizeof(float)))
+            using (GraphicsBuffer values = GpuBuffers.Create("Values", 20, sizeof(float)))
             {
                 bodies.SetData(new[] { default, body });
                 triangles.SetData(new[] { default, triangle });
@@ -111,7 +116,8 @@ namespace SphFluid.Tests
                     kernel.SetBuffer(cmd, Values, values);
                     kernel.DispatchThreads(cmd, 1);
                 });
-                Assert.That(GpuTest.Read<float>(values, 15), Is.EqualTo(new float[] { 15, 240, 7, 17, 56, 19, 448, 23, 7, 29, 56, 448, 15, 240, 23 }));
+                float[] expected = { 15, 240, 7, 17, 56, 19, 448, 23, 7, 29, 56, 448, 15, 240, 23, 31, 7, 56, 448, 3584 };
+                Assert.That(GpuTest.Read<float>(values, 20), Is.EqualTo(expected));
             }
         }
     }

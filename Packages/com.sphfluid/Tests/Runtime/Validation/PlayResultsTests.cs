@@ -42,7 +42,7 @@ namespace SphFluid.Tests
             for (int frame = 0; frame < 4; frame++)
                 yield return null;
 
-            new PlayResults(arguments, new[] { simulation }, new Dictionary<FluidSimulation, SurfaceCaps>()).Write(new FrameTable("steps"), new FrameTable("steps"));
+            new PlayResults(arguments, new[] { simulation }, new Dictionary<FluidSimulation, SurfaceCaps>(), new Dictionary<FluidSimulation, ColliderSides>()).Write(new FrameTable("steps"), new FrameTable("steps"));
 
             SurfaceMesh mesh = PlyMesh.Read(file);
             MeshEdges edges = MeshEdges.Of(mesh);

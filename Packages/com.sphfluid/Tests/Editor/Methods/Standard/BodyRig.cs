@@ -21,6 +21,7 @@ namespace SphFluid.Tests
         public FluidSolverSettings Settings { get; }
         public CollisionBodies Bodies { get; }
         public FluidSolver Solver => liquid.Solver;
+        public IReadOnlyList<ColliderSolid> Solids => colliders.Scene.Solids;
 
         /// <summary>By rule for water of a depth in a domain.</summary>
         public static FluidSolverSettings Water(Vector3 domain, float spacing, float depth, float expectedSpeed = 0f)

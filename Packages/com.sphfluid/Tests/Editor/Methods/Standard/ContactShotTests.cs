@@ -12,7 +12,7 @@ namespace SphFluid.Tests
         const int Shots = 8192;
 
         // Triangles round a centre: soups with needles, flat pieces, duplicates and turned copies, fans, cut patches.
-        static List<Vector3> Scene(int kind, Vector3 centre, System.Random random)
+        internal static List<Vector3> Scene(int kind, Vector3 centre, System.Random random)
         {
             var corners = new List<Vector3>();
             Vector3 At() => centre + 0.2f * ParticleSets.RandomVector(random);
@@ -123,7 +123,7 @@ namespace SphFluid.Tests
         }
 
         // From at least two floors off all triangles towards a triangle, 0.01 to 8 dx.
-        static void Shoot(List<Vector3> corners, System.Random random, out Vector4 from, out Vector4 to)
+        internal static void Shoot(List<Vector3> corners, System.Random random, out Vector4 from, out Vector4 to)
         {
             Vector3 target, p;
             float length;

@@ -93,6 +93,41 @@ namespace SphFluid.Tests
             }
         }
 
+        [TestCase("scale", 6)]
+        [TestCase("scale", 30)]
+        [TestCase("uneven", 6)]
+        [TestCase("shear", 8)]
+        [TestCase("spin", 8)]
+        public void ABoxThatStretchesLosesNothing(string motion, int period)
+        {
+            Vector3 size = 12f * Spacing * Vector3.one;
+            FluidSolverSettings settings = BodyRig.Water(3f * size, Spacing, size.y);
+            var parent = new GameObject("parent");
+            using (var rig = new BodyRig(settings))
+            {
+                Transform box = rig.AddBox(size);
+                box.SetParent(parent.transform, false);
+                rig.Start(Block(new Vector3Int(5, 5, 5), -2.5f * Spacing * Vector3.one));
+                for (int step = 1; step <= 120; step++)
+                {
+                    float swing = Mathf.Sin(2f * Mathf.PI * step / period);
+                    if (motion == "scale") box.localScale = (1f + 0.4f * swing) * size;
+                    else if (motion == "uneven") box.localScale = Vector3.Scale(size, new Vector3(1f + 0.4f * swing, 1f, 1f / (1f + 0.4f * swing)));
+                    else parent.transform.localScale = motion == "shear" ? new Vector3(1f + 0.4f * swing, 1f, 1f) : new Vector3(1.5f, 0.8f, 1f);
+                    if (motion == "shear") box.localRotation = Quaternion.Euler(35f, 0f, 45f);
+                    if (motion == "spin") box.localRotation = Quaternion.AngleAxis(360f * step / period, new Vector3(0.3f, 1f, 0.2f));
+                    rig.Frame(1);
+                }
+                FluidCounters counters = rig.Solver.ReadCountersNow();
+                int lost = rig.Particles().Count(p => !IsInside(box, p.Position));
+                string figures = $"contacts {counters.Contacts}, fallbacks {counters.ContactFallbacks}, squeezed {counters.Squeezed}";
+                UnityEngine.Object.DestroyImmediate(parent);
+                Assert.That(lost, Is.Zero, figures);
+                Assert.That(counters.Squeezed + counters.NonFinite + counters.Overlaps + rig.Bodies.Jumps, Is.Zero, figures);
+                if (period < 10) Assert.That(counters.Contacts, Is.GreaterThan(10), figures);
+            }
+        }
+
         [Test]
         public void ASheetKeepsTwoLiquidsApart()
         {

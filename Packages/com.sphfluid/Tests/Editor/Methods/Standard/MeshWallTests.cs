@@ -136,6 +136,25 @@ namespace SphFluid.Tests
             }
         }
 
+        // Beyond an edge a wall is less solid than a half-space: by the square of the cosine to the face's normal.
+        [TestCase(0.4f, 20f)]
+        [TestCase(0.3f, 45f)]
+        [TestCase(0.2f, 70f)]
+        [TestCase(0.4f, 95f)]
+        public void AWallFadesBeyondItsEdge(float distanceOverSpacing, float degrees)
+        {
+            FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f);
+            using (var rig = new BodyRig(settings))
+            {
+                rig.Add(new[] { new Vector3(0f, 0f, -0.4f), new Vector3(-0.4f, 0f, 0f), new Vector3(0f, 0f, 0.4f) });
+                float distance = distanceOverSpacing * Spacing, angle = degrees * Mathf.Deg2Rad;
+                Wall wall = Gather(rig, new[] { distance * new Vector3(Mathf.Sin(angle), Mathf.Cos(angle), 0f) })[0];
+                double facing = Math.Abs(Math.Cos(angle)), weight = facing * facing;
+                Assert.That(wall.Value, Is.EqualTo(weight * StandardReference.Mirror(distance, settings.SupportRadius, Spacing)).Within(1e-5));
+                Assert.That(wall.Flags & 1u, Is.Zero, "not a face");
+            }
+        }
+
         [Test]
         public void NormalsKeepTheirDirectionAndAxesAreExact()
         {
@@ -151,6 +170,46 @@ namespace SphFluid.Tests
                     Wall wall = Gather(rig, new[] { 0.4f * Spacing * axis })[0];
                     Assert.That((wall.Normal - axis).magnitude, Is.LessThan(i < 6 ? 1e-7f : 5e-5f), $"along {axis}");
                 }
+            }
+        }
+
+        [Test]
+        public void AStretchedBoxIsABoxOfPlanesAndTellsTheSpeedOfItsFaces()
+        {
+            FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f), inner = settings;
+            using (var rig = new BodyRig(settings))
+            {
+                Transform box = rig.Add(Box(0.4f * Vector3.one, 3));
+                Vector3[] points = Points(251, 0.3f * Vector3.one, 8);
+                rig.Start(points.Select((p, i) => new FluidParticle(p, Vector3.zero, (uint)i)).ToArray());
+                box.localScale = new Vector3(0.9f, 1.3f, 1.1f);
+                rig.Frame(1);
+                box.localScale = new Vector3(0.8f, 1.4f, 1.2f);
+                rig.UpdateBodies();
+                Assert.That(rig.Bodies.HasStretch, Is.True);
+                rig.Solver.State.BeginBodyStep(0, 1, settings.TimeStep);
+                FluidShaderSet set = TestShaders.CreateSet();
+                GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.Solver.State));
+                UnityEngine.Object.DestroyImmediate(set);
+                Vector4[] at = GpuTest.Read<Vector4>(rig.Solver.State.Standard.Positions, points.Length);
+                MeshWallBuffers buffers = rig.Solver.State.Standard.Walls;
+                uint[] slots = GpuTest.Read<uint>(buffers.WallSlot, points.Length);
+                Wall[] walls = GpuTest.Read<Wall>(buffers.NearWalls, points.Length);
+                inner.DomainSize = 0.4f * new Vector3(0.9f, 1.3f, 1.1f); // where the step begins
+                int felt = 0;
+                for (int i = 0; i < points.Length; i++)
+                {
+                    double expected = StandardReference.Walls((Vector3)at[i], inner);
+                    double value = slots[i] == 0 ? 0.0 : walls[slots[i] - 1].Value;
+                    Assert.That(value, Is.EqualTo(expected).Within(2e-5), $"at {at[i]}");
+                    if (slots[i] == 0) continue;
+                    Wall wall = walls[slots[i] - 1];
+                    int axis = Mathf.Abs(wall.Normal.x) > 0.5f ? 0 : Mathf.Abs(wall.Normal.y) > 0.5f ? 1 : 2;
+                    float speed = (axis == 0 ? -0.02f : 0.02f) / settings.TimeStep; // half of 0.4 m by 0.1 a step, into the box along x
+                    Assert.That(wall.Approach, Is.EqualTo(-speed).Within(1).Percent, $"of axis {axis}");
+                    felt++;
+                }
+                Assert.That(felt, Is.GreaterThan(20));
             }
         }
 

@@ -77,6 +77,25 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void TheWindingNumberIsThatOfRaysInsideAndOut()
+        {
+            TriangleMesh mesh = TestMeshes.Sphere(0.5f, 0.01f);
+            var winding = new WindingNumber(mesh.Indices.Select(i => mesh.Vertices[i]).ToArray());
+            var obstacle = new MeshObstacle(mesh);
+            var random = new System.Random(6);
+            int inside = 0;
+            for (int i = 0; i < 500; i++)
+            {
+                Vector3 p = 0.7f * ParticleSets.RandomVector(random);
+                Assert.That(winding.At(p), Is.EqualTo(obstacle.Winding(p)).Within(1e-9));
+                inside += obstacle.Contains(p) ? 1 : 0;
+            }
+            Assert.That(inside, Is.GreaterThan(100));
+            Assert.That(winding.At(Vector3.zero), Is.EqualTo(1.0).Within(1e-12));
+            Assert.That(new WindingNumber(new[] { Vector3.right, Vector3.up, Vector3.forward }).At(Vector3.zero), Is.EqualTo(-0.125).Or.EqualTo(0.125).Within(1e-12), "an octant");
+        }
+
+        [Test]
         public void RestTellsStuckFromCarriedAndFalling()
         {
             const float dx = 0.02f;

@@ -32,6 +32,12 @@ namespace SphFluid.Tests
         [TestCase("wall", 3.0, 15)]
         [TestCase("sizes", 5.0, 6)]
         [TestCase("coplanar", 5.0, 12)]
+        [TestCase("pulse-25", 1.885, 12)]
+        [TestCase("pulse-50", 3.77, 12)]
+        [TestCase("uneven-50", 3.77, 12)]
+        [TestCase("spin", 10.0, 12)]
+        [TestCase("shear", 3.016, 12)]
+        [TestCase("grow", 1.0, 14)]
         public void NothingLeaks(string name, double speed, int frames)
         {
             LeakScene scene = LeakScenes.Find(name).Build(speed);
@@ -74,6 +80,8 @@ namespace SphFluid.Tests
         [TestCase("cup", 5.0)]
         [TestCase("open-cup", 5.0)]
         [TestCase("coplanar", 5.0)]
+        [TestCase("pulse-50", 3.77)]
+        [TestCase("grow", 1.0)]
         public void TheJudgesSeeWhatGoesThrough(string name, double speed)
         {
             LeakScene scene = LeakScenes.Find(name).Build(speed);

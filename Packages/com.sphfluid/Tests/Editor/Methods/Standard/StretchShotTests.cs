@@ -1,0 +1,131 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Shots at triangles that move, turn, scale and shear in the step: no way that the contact kernels let pass crosses one.</summary>
+    public sealed class StretchShotTests
+    {
+        const float Spacing = 0.01f;
+        const int Shots = 4096;
+
+        [TestCase(0f, 0)]
+        [TestCase(0f, 1)]
+        [TestCase(0f, 2)]
+        [TestCase(2f, 0)]
+        [TestCase(2f, 1)]
+        [TestCase(2f, 2)]
+        public void NoShotCrosses(float offset, int kind)
+        {
+            FluidSolverSettings settings = BodyRig.Water(new Vector3(2f * offset + 1.2f, 1.2f, 1.2f), Spacing, 0.3f);
+            settings.TimeStep = 1e-3f;
+            var centre = new Vector3(offset, 0f, 0f);
+            var random = new System.Random(31 + kind);
+            FluidShaderSet set = TestShaders.CreateSet();
+            var walls = new GatherWallsPass(set);
+            var contact = new ContactPass(set);
+            long crossings = 0, shots = 0, squeezed = 0;
+            for (int scene = 0; scene < 5; scene++)
+            {
+                List<Vector3> corners = ContactShotTests.Scene(kind, Vector3.zero, random);
+                using (var rig = new BodyRig(settings))
+                {
+                    var parent = new GameObject("parent");
+                    Transform body = rig.Add(corners);
+                    body.SetParent(parent.transform, false);
+                    parent.transform.localPosition = centre;
+                    parent.transform.localScale = Scale(random, 0.2f);
+                    body.localRotation = ParticleSets.RandomRotation(random);
+                    List<Vector3> start = corners.ConvertAll(body.TransformPoint);
+                    var from = new Vector4[Shots];
+                    var to = new Vector4[Shots];
+                    for (int i = 0; i < Shots; i++) ContactShotTests.Shoot(start, random, out from[i], out to[i]);
+                    rig.Start(from.Select((p, i) => new FluidParticle(p, Vector3.zero, (uint)i)).ToArray());
+                    ColliderSolid before = rig.Solids.Single();
+                    FluidState state = rig.Solver.State;
+                    rig.Setup();
+
+                    // From a hair to a third of the scale, a turn of up to 40 degrees, up to 5 dx.
+                    float reach = Mathf.Pow(10f, -3f + 2.5f * (float)random.NextDouble());
+                    parent.transform.localScale = Vector3.Scale(parent.transform.localScale, Scale(random, reach));
+                    body.localRotation *= Quaternion.AngleAxis(40f * (float)random.NextDouble(), ParticleSets.RandomVector(random));
+                    parent.transform.localPosition += 5f * Spacing * (float)random.NextDouble() * ParticleSets.RandomVector(random);
+                    rig.UpdateBodies();
+                    Assert.That(rig.Bodies.HasStretch, Is.True);
+                    var motion = new BodyMotion(before);
+                    motion.MoveTo(rig.Solids.Single().State);
+
+                    state.Standard.Positions.SetData(from);
+                    state.Standard.NewPositions.SetData(to);
+                    state.Standard.NewVelocities.SetData(from.Select((p, i) => (to[i] - p) / settings.TimeStep).ToArray());
+                    state.BeginBodyStep(0, 1, settings.TimeStep);
+                    GpuTest.Run(cmd =>
+                    {
+                        walls.Record(cmd, state);
+                        contact.Record(cmd, state, settings.TimeStep);
+                    });
+                    state.EndBodySteps();
+                    Vector4[] end = GpuTest.Read<Vector4>(state.Standard.NewPositions, Shots);
+                    shots += Shots;
+                    crossings += Crossings(motion, from, end);
+                    FluidCounters counters = rig.Solver.ReadCountersNow();
+                    squeezed += counters.Squeezed;
+                    Assert.That(counters.Contacts, Is.GreaterThan(Shots / 20));
+                    Object.DestroyImmediate(parent);
+                }
+            }
+            Object.DestroyImmediate(set);
+            Assert.That(squeezed, Is.Zero, "what is carried keeps its place among the triangles");
+            Assert.That(crossings, Is.Zero, $"of {shots} shots");
+        }
+
+        static Vector3 Scale(System.Random random, float reach)
+        {
+            Vector3 v = ParticleSets.RandomVector(random);
+            return new Vector3(Mathf.Exp(reach * v.x), Mathf.Exp(reach * v.y), Mathf.Exp(reach * v.z));
+        }
+
+        // In the rigid frame, in double: there particle and corners go straight.
+        static long Crossings(BodyMotion motion, Vector4[] from, Vector4[] end)
+        {
+            AffineMap toFrame0 = Frame(motion.Rotation0, motion.Position0), toFrame1 = Frame(motion.Rotation1, motion.Position1);
+            TriangleMesh mesh = motion.Mesh;
+            var starts = new Double3[mesh.Vertices.Length];
+            var ends = new Double3[mesh.Vertices.Length];
+            for (int i = 0; i < starts.Length; i++)
+            {
+                starts[i] = At(motion.Stretch0.Map, mesh.Vertices[i]);
+                ends[i] = At(motion.Stretch1.Map, mesh.Vertices[i]);
+            }
+            long crossings = 0;
+            for (int p = 0; p < from.Length; p++)
+            {
+                Double3 x0 = At(toFrame0, from[p]), x1 = At(toFrame1, end[p]);
+                for (int t = 0; t < mesh.TriangleCount; t++)
+                {
+                    int a = mesh.Indices[3 * t], b = mesh.Indices[3 * t + 1], c = mesh.Indices[3 * t + 2];
+                    if (!MovingTriangle.Crosses(x0, x1, new[] { starts[a], starts[b], starts[c] }, new[] { ends[a], ends[b], ends[c] })) continue;
+                    crossings++;
+                    break;
+                }
+            }
+            return crossings;
+        }
+
+        static AffineMap Frame(Quaternion rotation, Vector3 position)
+        {
+            double x = rotation.x, y = rotation.y, z = rotation.z, w = rotation.w, s = 2.0 / (x * x + y * y + z * z + w * w);
+            return new AffineMap(
+                1 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w),
+                s * (x * y + z * w), 1 - s * (x * x + z * z), s * (y * z - x * w),
+                s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y), position.x, position.y, position.z).Inverse;
+        }
+
+        static Double3 At(in AffineMap m, Vector3 p) => new Double3(
+            m.M00 * p.x + m.M01 * p.y + m.M02 * p.z + m.X, m.M10 * p.x + m.M11 * p.y + m.M12 * p.z + m.Y, m.M20 * p.x + m.M21 * p.y + m.M22 * p.z + m.Z);
+    }
+}
