@@ -212,7 +212,7 @@ float TimeTo(float3 x, BodyTriangle tri, Gap gap, float3 approaches, float dista
 
 // Newton's steps on the gap, a minimum of functions that are linear in time for a fixed normal; they never overshoot. The last of
 // them is not tried: its place and normal are the hit's. After a free sweep the gap at the end is looked at.
-// cap: relaxes the distance where the particle is nearer already; below zero also the floor, to a quarter.
+// cap: relaxes the distance where the particle is nearer already.
 Sweep SweepTriangle(float3 from, float3 to, SweptTriangle swept, float cap)
 {
     Sweep sweep = (Sweep)0;
@@ -242,9 +242,8 @@ Sweep SweepTriangle(float3 from, float3 to, SweptTriangle swept, float cap)
         {
             if (i == 0)
             {
-                const float least = cap < 0.0 ? 0.25 * _ContactFloor : _ContactFloor;
                 sweep.StartGap = gap.Value;
-                distance = min(_SweepDistance, max(least, 0.99 * min(gap.Value, cap)));
+                distance = min(_SweepDistance, max(_ContactFloor, 0.99 * min(gap.Value, cap)));
             }
             sweep.Normal = gap.Normal;
             sweep.EndGap = Support(to, EndOf(swept), gap.Normal);

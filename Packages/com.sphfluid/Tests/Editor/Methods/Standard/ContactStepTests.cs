@@ -47,8 +47,8 @@ namespace SphFluid.Tests
 
         [TestCase(0.3f, 0.4f)]
         [TestCase(0.5f, 0.6f)]
-        [TestCase(0.85f, 0.9f)] // no farther than motions are let
-        [TestCase(0.95f, 0.95f)]
+        [TestCase(0.85f, 0.9f)] // no farther than the distance of sweeps
+        [TestCase(0.95f, 1f)] // then a second plane: it rests too near
         public void APressedParticleIsPushedOffATenthOfTheContactDistanceAStep(float gap, float expected)
         {
             Vector3 from = gap * Rest * Vector3.up;

@@ -124,7 +124,7 @@ namespace SphFluid.Tests
                 UnityEngine.Object.DestroyImmediate(parent);
                 Assert.That(lost, Is.Zero, figures);
                 Assert.That(counters.Squeezed + counters.NonFinite + counters.Overlaps + rig.Bodies.Jumps, Is.Zero, figures);
-                if (period < 10) Assert.That(counters.Contacts, Is.GreaterThan(10), figures);
+                if (period < 10) Assert.That(counters.Contacts, Is.Positive, figures);
             }
         }
 
