@@ -1,4 +1,3 @@
-using Headless.Checks.Api;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
@@ -12,20 +11,17 @@ internal sealed class GetterCheck(string packageRoot)
     {
         var report = new CheckReport("getters");
         var getters = 0;
-        foreach (var assembly in PackageAssembly.FindAll(packageRoot).Where(a => !a.IsTest && !a.EditorOnly))
-            foreach (var tree in assembly.Parse([]))
-                foreach (var type in tree.GetRoot().DescendantNodes().OfType<TypeDeclarationSyntax>())
-                {
-                    var serialized = SerializedFields(type);
-                    if (serialized.Count == 0) continue;
-                    foreach (var property in type.Members.OfType<PropertyDeclarationSyntax>())
-                    {
-                        if (property.Modifiers.Any(SyntaxKind.StaticKeyword)) continue;
-                        getters++;
-                        foreach (var field in Getter(property).SelectMany(g => Assigned(g)).Where(serialized.Contains).Distinct())
-                            report.Findings.Add($"{Path.GetFileName(tree.FilePath)}: the getter of {type.Identifier}.{property.Identifier} assigns the serialised field '{field}'");
-                    }
-                }
+        foreach (var (file, type) in PackageTypes.OfPlayers(packageRoot))
+        {
+            var serialized = SerializedFields(type);
+            if (serialized.Count == 0) continue;
+            foreach (var property in type.Members.OfType<PropertyDeclarationSyntax>().Where(p => !p.Modifiers.Any(SyntaxKind.StaticKeyword)))
+            {
+                getters++;
+                foreach (var field in Getter(property).SelectMany(Assigned).Where(serialized.Contains).Distinct())
+                    report.Findings.Add($"{file}: the getter of {type.Identifier}.{property.Identifier} assigns the serialised field '{field}'");
+            }
+        }
         report.Figures = $"{getters} properties of types with serialised fields";
         return report;
     }

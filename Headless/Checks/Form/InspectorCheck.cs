@@ -1,8 +1,3 @@
-using Headless.Checks.Api;
-using Microsoft.CodeAnalysis;
-using Microsoft.CodeAnalysis.CSharp;
-using Microsoft.CodeAnalysis.CSharp.Syntax;
-
 namespace Headless.Checks.Form;
 
 /// <summary>Every [CustomEditor] also carries [CanEditMultipleObjects]: else two selected objects show nothing.</summary>
@@ -12,15 +7,12 @@ internal sealed class InspectorCheck(string packageRoot)
     {
         var report = new CheckReport("inspectors");
         var editors = 0;
-        foreach (var assembly in PackageAssembly.FindAll(packageRoot).Where(a => !a.IsTest))
-            foreach (var tree in assembly.Parse(["UNITY_EDITOR"]))
-                foreach (var type in tree.GetCompilationUnitRoot().DescendantNodes().OfType<ClassDeclarationSyntax>())
-                {
-                    if (!type.AttributeLists.Has("CustomEditor")) continue;
-                    editors++;
-                    if (!type.AttributeLists.Has("CanEditMultipleObjects"))
-                        report.Findings.Add($"{Path.GetFileName(tree.FilePath)}: {type.Identifier} has no [CanEditMultipleObjects]");
-                }
+        foreach (var (file, type) in PackageTypes.OfEditor(packageRoot).Where(t => t.Type.AttributeLists.Has("CustomEditor")))
+        {
+            editors++;
+            if (!type.AttributeLists.Has("CanEditMultipleObjects"))
+                report.Findings.Add($"{file}: {type.Identifier} has no [CanEditMultipleObjects]");
+        }
         report.Figures = $"{editors} custom editors, each for several objects";
         return report;
     }

@@ -1,4 +1,3 @@
-using Headless.Checks.Api;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
 
 namespace Headless.Checks.Form;
@@ -13,15 +12,13 @@ internal sealed class SerializedFieldCheck(string packageRoot)
     {
         var report = new CheckReport("tooltips");
         var fields = 0;
-        foreach (var assembly in PackageAssembly.FindAll(packageRoot).Where(a => !a.IsTest && !a.EditorOnly))
-            foreach (var tree in assembly.Parse([]))
-                foreach (var type in tree.GetRoot().DescendantNodes().OfType<TypeDeclarationSyntax>().Where(IsSerialized))
-                    foreach (var field in type.Members.OfType<FieldDeclarationSyntax>().Where(IsShown))
-                    {
-                        fields++;
-                        if (!field.AttributeLists.Has("Tooltip"))
-                            report.Findings.Add($"{Path.GetFileName(tree.FilePath)}: {type.Identifier}.{field.Declaration.Variables[0].Identifier} has no [Tooltip]");
-                    }
+        foreach (var (file, type) in PackageTypes.OfPlayers(packageRoot).Where(t => IsSerialized(t.Type)))
+            foreach (var field in type.Members.OfType<FieldDeclarationSyntax>().Where(IsShown))
+            {
+                fields++;
+                if (!field.AttributeLists.Has("Tooltip"))
+                    report.Findings.Add($"{file}: {type.Identifier}.{field.Declaration.Variables[0].Identifier} has no [Tooltip]");
+            }
         report.Figures = $"{fields} serialised fields with a tooltip";
         return report;
     }

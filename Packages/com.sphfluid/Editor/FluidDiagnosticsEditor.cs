@@ -10,7 +10,7 @@ namespace SphFluid.Editor
         FluidDiagnostics Diagnostics => (FluidDiagnostics)target;
 
         /// <inheritdoc/>
-        public override bool RequiresConstantRepaint() => Application.isPlaying && Diagnostics.isActiveAndEnabled;
+        public override bool RequiresConstantRepaint() => Application.isPlaying && !serializedObject.isEditingMultipleObjects && Diagnostics.isActiveAndEnabled;
 
         /// <inheritdoc/>
         public override void OnInspectorGUI()

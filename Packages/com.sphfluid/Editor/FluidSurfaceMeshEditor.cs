@@ -11,7 +11,7 @@ namespace SphFluid.Editor
         FluidSurfaceMesh Handed => (FluidSurfaceMesh)target;
 
         /// <inheritdoc/>
-        public override bool RequiresConstantRepaint() => Application.isPlaying && Handed.isActiveAndEnabled;
+        public override bool RequiresConstantRepaint() => Application.isPlaying && !serializedObject.isEditingMultipleObjects && Handed.isActiveAndEnabled;
 
         /// <inheritdoc/>
         public override void OnInspectorGUI()

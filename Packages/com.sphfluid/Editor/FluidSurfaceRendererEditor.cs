@@ -13,7 +13,7 @@ namespace SphFluid.Editor
         FluidSurfaceRenderer Renderer => (FluidSurfaceRenderer)target;
 
         /// <inheritdoc/>
-        public override bool RequiresConstantRepaint() => Application.isPlaying && Renderer.isActiveAndEnabled;
+        public override bool RequiresConstantRepaint() => Application.isPlaying && !serializedObject.isEditingMultipleObjects && Renderer.isActiveAndEnabled;
 
         /// <inheritdoc/>
         public override void OnInspectorGUI()
