@@ -28,15 +28,15 @@ CBUFFER_START(UnityLighting)
     float4 unity_4LightPosX0;
     float4 unity_4LightPosY0;
     float4 unity_4LightPosZ0;
-    half4 unity_4LightAtten0;
-    half4 unity_LightColor[8];
-    half4 unity_SHAr;
-    half4 unity_SHAg;
-    half4 unity_SHAb;
-    half4 unity_SHBr;
-    half4 unity_SHBg;
-    half4 unity_SHBb;
-    half4 unity_SHC;
+    float4 unity_4LightAtten0;
+    float4 unity_LightColor[8];
+    float4 unity_SHAr;
+    float4 unity_SHAg;
+    float4 unity_SHAb;
+    float4 unity_SHBr;
+    float4 unity_SHBg;
+    float4 unity_SHBb;
+    float4 unity_SHC;
 CBUFFER_END
 
 CBUFFER_START(UnityShadows)
@@ -44,7 +44,7 @@ CBUFFER_START(UnityShadows)
     float4 _LightSplitsNear;
     float4 _LightSplitsFar;
     float4x4 unity_WorldToShadow[4];
-    half4 _LightShadowData;
+    float4 _LightShadowData;
     float4 unity_ShadowFadeCenterAndType;
 CBUFFER_END
 
@@ -56,20 +56,20 @@ CBUFFER_START(UnityPerDraw)
 CBUFFER_END
 
 CBUFFER_START(UnityPerFrame)
-    half4 glstate_lightmodel_ambient;
-    half4 unity_AmbientSky;
-    half4 unity_AmbientEquator;
-    half4 unity_AmbientGround;
+    float4 glstate_lightmodel_ambient;
+    float4 unity_AmbientSky;
+    float4 unity_AmbientEquator;
+    float4 unity_AmbientGround;
     float4x4 glstate_matrix_projection;
     float4x4 unity_MatrixV;
     float4x4 unity_MatrixInvV;
     float4x4 unity_MatrixVP;
     int unity_StereoEyeIndex;
-    half4 unity_ShadowColor;
+    float4 unity_ShadowColor;
 CBUFFER_END
 
 CBUFFER_START(UnityFog)
-    half4 unity_FogColor;
+    float4 unity_FogColor;
     float4 unity_FogParams;
 CBUFFER_END
 
@@ -77,11 +77,11 @@ CBUFFER_START(UnityReflectionProbes)
     float4 unity_SpecCube0_BoxMax;
     float4 unity_SpecCube0_BoxMin;
     float4 unity_SpecCube0_ProbePosition;
-    half4 unity_SpecCube0_HDR;
+    float4 unity_SpecCube0_HDR;
     float4 unity_SpecCube1_BoxMax;
     float4 unity_SpecCube1_BoxMin;
     float4 unity_SpecCube1_ProbePosition;
-    half4 unity_SpecCube1_HDR;
+    float4 unity_SpecCube1_HDR;
 CBUFFER_END
 
 UNITY_DECLARE_TEXCUBE(unity_SpecCube0);
