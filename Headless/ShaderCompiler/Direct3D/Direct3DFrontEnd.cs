@@ -28,8 +28,8 @@ public sealed class Direct3DFrontEnd : IDisposable
         _version = new Lazy<string>(() => $"d3dcompiler_47 {_toolchain.Version()}, {_translator.Version}, {FormatVersion}");
     }
 
-    /// <summary>What is missing on this machine and how to get it; null when all is there.</summary>
-    public string? Missing => _toolchain.Missing()
+    /// <summary>What is missing on this machine and how to get it; null when all is there. The first call sets Wine up.</summary>
+    public string? Missing => _compiler.Problem
         ?? (_translator.Version is null ? "vkd3d-compiler is not installed: apt-get install vkd3d-compiler" : null);
 
     /// <summary>Names what the binaries are made with.</summary>

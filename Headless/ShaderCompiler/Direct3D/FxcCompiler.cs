@@ -9,11 +9,14 @@ internal sealed partial class FxcCompiler(FxcToolchain toolchain) : IDisposable
     private readonly ConcurrentBag<FxcSession> _idle = [];
     private readonly Lazy<string?> _problem = new(toolchain.Prepare);
 
+    /// <summary>What is missing on this machine and how to get it; null when all is there.</summary>
+    public string? Problem => _problem.Value;
+
     /// <summary>The compiled kernel as a DXBC container.</summary>
     /// <exception cref="ShaderCompileException">An error in the source, or no compiler.</exception>
     public byte[] Compile(StageJob job)
     {
-        if (_problem.Value is { } problem)
+        if (Problem is { } problem)
         {
             throw new ShaderCompileException(job.Source.Files[0], 0, $"{problem} ({job.Owner})");
         }

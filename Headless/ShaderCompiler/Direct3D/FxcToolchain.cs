@@ -23,8 +23,7 @@ internal sealed partial class FxcToolchain(string cacheFolder)
     private string Driver => Path.Combine(WorkFolder, "fxc_jobs.exe");
     private string Prefix => Path.Combine(WorkFolder, "prefix");
 
-    /// <summary>What is missing and how to get it; null when all is there.</summary>
-    public string? Missing() =>
+    private string? Missing() =>
         !File.Exists(Fetched) ? $"{LibraryName} is not in {cacheFolder}: run './setup.sh test' with a network"
         : Wine is null ? "wine64 is not installed: apt-get install wine64"
         : null;
@@ -43,27 +42,29 @@ internal sealed partial class FxcToolchain(string cacheFolder)
         using FileStream held = Lock(Path.Combine(WorkFolder, "lock"));
         // Another process may have these files open: they are put in place whole, and only where they differ.
         Replace(Path.Combine(WorkFolder, LibraryName), File.ReadAllBytes(Fetched));
-        if (!Replace(Path.Combine(WorkFolder, SourceName), DriverSource()) && File.Exists(Driver))
-        {
-            return CreatePrefix();
-        }
+        bool changed = Replace(Path.Combine(WorkFolder, SourceName), DriverSource());
+        return (changed || !File.Exists(Driver) ? BuildDriver() : null) ?? CreatePrefix();
+    }
+
+    private string? BuildDriver()
+    {
+        string built = Driver + ".new";
+        File.Delete(Driver);
         try
         {
-            string built = Driver + ".new";
             (int code, string output) = RunProcess(new ProcessStartInfo(
                 CrossCompiler, ["-O1", "-Wall", Path.Combine(WorkFolder, SourceName), "-o", built]));
             if (code != 0)
             {
-                File.Delete(Path.Combine(WorkFolder, SourceName));
                 return $"{CrossCompiler} failed on {SourceName}: {output}";
             }
-            File.Move(built, Driver, overwrite: true);
-            return CreatePrefix();
         }
         catch (Win32Exception)
         {
             return $"{CrossCompiler} is not installed: apt-get install gcc-mingw-w64-x86-64";
         }
+        File.Move(built, Driver);
+        return null;
     }
 
     /// <summary>Compiles the jobs, a line each, and returns a line for each; what Wine says of itself is left out. One process does

@@ -47,6 +47,9 @@ public sealed class PackageShaderTests : SandboxTests
 
     private static string[] LastOfEach(IEnumerable<KeywordSet> sets) => [.. sets.Select(s => s.Keywords[^1])];
 
-    internal static string Repository([CallerFilePath] string thisFile = "") =>
+    /// <summary>Folder of the repository that these tests are compiled from.</summary>
+    internal static string Root => Repository();
+
+    private static string Repository([CallerFilePath] string thisFile = "") =>
         Path.GetFullPath(Path.Combine(Path.GetDirectoryName(thisFile)!, "..", "..", ".."));
 }

@@ -13,10 +13,10 @@ public sealed class Direct3DPackageTests
     public void Translates(string file)
     {
         Direct3DFrontEnd direct3D = Direct3DTools.Require();
-        IncludeResolver includes = new(PackageShaderTests.Repository());
+        IncludeResolver includes = new(PackageShaderTests.Root);
         // The player's cache: what a test compiles here, the package's tests do not compile again.
         ShaderCompiler compiler = new(Path.Combine(EngineSession.CacheFolder, "shaders"), includes) { Direct3D = direct3D };
-        ComputeSource source = ComputeSource.Parse(Path.Combine(PackageShaderTests.Repository(), file), includes);
+        ComputeSource source = ComputeSource.Parse(Path.Combine(PackageShaderTests.Root, file), includes);
         foreach (KernelDeclaration kernel in source.Kernels)
         {
             foreach (string[] keywords in PackageShaderTests.Ends(source.KeywordSets))
