@@ -7,13 +7,20 @@
 
 UNITY_DECLARE_SHADOWMAP(_ShadowMapTexture);
 
-// Nine bilinear comparisons over 3 x 3 texels, in place of Unity's filter in screen space.
+// Nine bilinear comparisons over 3 x 3 texels, in place of Unity's filter in screen space; each at the depth that the surface has there,
+// and a texel nearer to the light.
 half UnitySampleShadow(float4 coord)
 {
     float width;
     float height;
     _ShadowMapTexture.GetDimensions(width, height);
     float2 texel = 1.0 / float2(width, height);
+    float3 right = ddx(coord.xyz);
+    float3 up = ddy(coord.xyz);
+    float area = right.x * up.y - right.y * up.x;
+    float2 slope = float2(right.z * up.y - right.y * up.z, right.x * up.z - right.z * up.x);
+    slope = abs(area) > 1e-12 ? clamp(slope / area, -16.0, 16.0) : 0.0;
+    float nearer = dot(abs(slope), texel);
     float sum = 0.0;
     [unroll]
     for (int y = -1; y <= 1; y++)
@@ -21,7 +28,9 @@ half UnitySampleShadow(float4 coord)
         [unroll]
         for (int x = -1; x <= 1; x++)
         {
-            sum += UNITY_SAMPLE_SHADOW(_ShadowMapTexture, float3(coord.xy + float2(x, y) * texel, coord.z));
+            float2 offset = float2(x, y) * texel;
+            float depth = coord.z + dot(offset, slope) + nearer; // reversed: the light's side has the larger depth
+            sum += UNITY_SAMPLE_SHADOW(_ShadowMapTexture, float3(coord.xy + offset, depth));
         }
     }
     bool outside = any(coord.xy < 0.0) || any(coord.xy > 1.0);
