@@ -7,7 +7,7 @@ namespace Headless.Checks.Fxc;
 /// warnings, and holds the result against the limits of Direct3D 11.0.</summary>
 internal sealed class FxcCheck(string projectRoot, string packageRoot, string cacheFolder)
 {
-    private const int MaxUavs = 8, MaxSharedBytes = 32 * 1024, MaxThreads = 1024;
+    private const int MaxUavs = 8, MaxThreads = 1024;
 
     public CheckReport Run()
     {
@@ -32,7 +32,7 @@ internal sealed class FxcCheck(string projectRoot, string packageRoot, string ca
         return report;
     }
 
-    private static void Compile(List<FxcJob> jobs, FxcToolchain toolchain, CheckReport report, int files)
+    private void Compile(List<FxcJob> jobs, FxcToolchain toolchain, CheckReport report, int files)
     {
         var folder = Directory.CreateTempSubdirectory("fxc");
         try
@@ -42,24 +42,22 @@ internal sealed class FxcCheck(string projectRoot, string packageRoot, string ca
                 File.WriteAllText(Path.Combine(folder.FullName, $"{i}.hlsl"), job.Text);
                 return $"{i}\t{i}.hlsl\t{job.Entry}\t{job.Profile}";
             }).ToList();
-            var results = toolchain.Run(folder.FullName, lines);
-            var slots = 0;
-            foreach (var result in results) slots = Math.Max(slots, Judge(result.Split('\t'), jobs, report));
+            var results = toolchain.Run(folder.FullName, lines).Select(line => FxcResult.Parse(line, jobs)).ToList();
+            foreach (var result in results) Check(result, report);
             if (results.Count != jobs.Count) report.Findings.Add($"{jobs.Count} jobs went in, {results.Count} results came out");
+            var slots = results.Count > 0 ? results.Max(r => r.Slots) : 0;
             report.Figures = $"{results.Count} entry points and variants of {files} files compiled by d3dcompiler_47, at most {slots} instruction slots";
+            new FxcBudget(packageRoot).Check(results, report);
+            new KernelNeedsCheck(packageRoot).Check(results, report);
         }
         finally { folder.Delete(recursive: true); }
     }
 
-    private static int Judge(string[] fields, List<FxcJob> jobs, CheckReport report)
+    private static void Check(FxcResult result, CheckReport report)
     {
-        var job = jobs[int.Parse(fields[0])];
-        var (uavs, shared, threads, slots) = (int.Parse(fields[2]), int.Parse(fields[3]), int.Parse(fields[4]), int.Parse(fields[5]));
-        var messages = fields.Length > 6 ? fields[6].Trim() : "";
-        if (fields[1] != "ok" || messages.Length > 0) report.Findings.Add($"{job.Name} ({job.Profile}): {messages}");
-        if (uavs > MaxUavs) report.Findings.Add($"{job.Name}: {uavs} UAVs, Direct3D 11.0 has {MaxUavs}");
-        if (shared > MaxSharedBytes) report.Findings.Add($"{job.Name}: {shared} bytes of groupshared memory, the limit is {MaxSharedBytes}");
-        if (threads > MaxThreads) report.Findings.Add($"{job.Name}: {threads} threads a group, the limit is {MaxThreads}");
-        return slots;
+        var name = result.Job.Name;
+        if (!result.Ok || result.Messages.Length > 0) report.Findings.Add($"{name} ({result.Job.Profile}): {result.Messages}");
+        if (result.Uavs > MaxUavs) report.Findings.Add($"{name}: {result.Uavs} UAVs, Direct3D 11.0 has {MaxUavs}");
+        if (result.Threads > MaxThreads) report.Findings.Add($"{name}: {result.Threads} threads a group, the limit is {MaxThreads}");
     }
 }

@@ -6,12 +6,17 @@ namespace Headless.Checks.Fxc;
 /// <summary>One entry point with one choice of keywords, as Unity hands it to the D3D11 compiler.</summary>
 internal sealed record FxcJob(string Name, string Entry, string Profile, string Text)
 {
+    /// <summary>Path of the file that declares the entry point.</summary>
+    public string File { get; init; } = "";
+
+    public bool IsKernel => Profile.StartsWith("cs", StringComparison.Ordinal);
+
     public static IEnumerable<FxcJob> FromCompute(ComputeSource source)
     {
         foreach (var kernel in source.Kernels)
             foreach (var keywords in Variants(source.KeywordSets))
                 yield return new FxcJob(Label(source.Path, kernel.Name, keywords), kernel.Name, "cs_5_0",
-                    Build(source.Expanded, ShaderStage.Compute, 50, kernel.Defines, keywords));
+                    Build(source.Expanded, ShaderStage.Compute, 50, kernel.Defines, keywords)) { File = source.Path };
     }
 
     public static IEnumerable<FxcJob> FromShader(ShaderLabSource shader)
@@ -20,7 +25,7 @@ internal sealed record FxcJob(string Name, string Entry, string Profile, string 
             foreach (var keywords in Variants(pass.Program.KeywordSets))
                 foreach (var (stage, entry, profile) in Stages(pass.Program))
                     yield return new FxcJob(Label(shader.Path, $"{pass.Name} {entry}", keywords), entry, profile,
-                        Build(pass.Program.Expanded, stage, pass.Program.Target, pass.Defines, keywords));
+                        Build(pass.Program.Expanded, stage, pass.Program.Target, pass.Defines, keywords)) { File = shader.Path };
     }
 
     private static IEnumerable<(ShaderStage, string, string)> Stages(ShaderProgram program)

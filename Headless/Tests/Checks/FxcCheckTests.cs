@@ -29,6 +29,7 @@ public sealed class FxcCheckTests
     [TestCase("[numthreads(64,1,1)] void K(uint3 id : SV_DispatchThreadID) { Out[id.x] = nothing; }", "undeclared identifier", TestName = "an error")]
     [TestCase("[numthreads(64,1,1)] void K(uint3 id : SV_DispatchThreadID) { float2 v = float3(1,2,3); Out[id.x] = v.x; }", "truncation", TestName = "a warning")]
     [TestCase("groupshared float s[9000]; [numthreads(64,1,1)] void K(uint3 id : SV_DispatchThreadID) { s[id.x] = 1; Out[id.x] = s[id.y]; }", "32768", TestName = "too much groupshared memory")]
+    [TestCase("groupshared float s[5000]; [numthreads(64,1,1)] void K(uint3 id : SV_DispatchThreadID) { s[id.x] = 1; Out[id.x] = s[id.y]; }", "20000 bytes of groupshared", TestName = "more groupshared memory than is promised")]
     public void FaultsAreFound(string source, string message)
     {
         var findings = Run("RWStructuredBuffer<float> Out;\n" + source).Findings;
@@ -36,9 +37,55 @@ public sealed class FxcCheckTests
         Assert.That(findings, Has.Some.Contains(message).IgnoreCase);
     }
 
-    private static Headless.Checks.CheckReport Run(string source)
+    [Test]
+    public void TooManyComputeVariantsAreFound()
+    {
+        var keywords = string.Concat(Enumerable.Range(0, 6).Select(i => $"#pragma multi_compile_local _ A{i}\n"));
+        var report = Run(keywords + "RWStructuredBuffer<float> Out; [numthreads(1,1,1)] void K() { Out[0] = 1; }");
+
+        Assert.That(report.Findings, Has.One.Contains("64 compute variants"));
+        Assert.That(report.Figures, Does.Contain("64 compute variants").And.Contains("1 buffers"));
+    }
+
+    [Test]
+    public void StatedNeedsAreHeldAgainstTheListings()
+    {
+        const string kernel = "RWStructuredBuffer<float> Out; RWByteAddressBuffer Words; StructuredBuffer<float> In; groupshared float s[64];"
+            + "[numthreads(64,1,1)] void K(uint3 id : SV_DispatchThreadID) { s[id.x] = In[id.x]; Out[id.x] = s[63u - id.x]; Words.Store(0, 1); }";
+
+        Assert.That(Run(kernel, Needs(64, 3, 2, 256)).Findings, Is.Empty);
+        Assert.That(Run(kernel, Needs(64, 2, 2, 256)).Findings, Has.One.Contains("64 threads, 3 buffers, 2 written, 256 bytes shared"));
+        Assert.That(Run(kernel, "nothing").Findings, Has.One.Contains("states no needs"));
+    }
+
+    [Test]
+    public void AResultLineKeepsItsPlaces()
+    {
+        var job = new FxcJob("K", "K", "cs_5_0", "");
+        var result = FxcResult.Parse("0\tok\t2\t256\t64\t45\ta | b \t3\t120\r", [job]);
+
+        Assert.That(result, Is.EqualTo(new FxcResult(job, true, 2, 256, 64, 45, "a | b", 3, 120)));
+        Assert.That(FxcResult.Parse("0\tfailed\t0\t0\t0\t0\tcrashed", [job]), Is.EqualTo(new FxcResult(job, false, 0, 0, 0, 0, "crashed", 0, 0)));
+    }
+
+    [Test]
+    public void ALongCompilationIsFound()
+    {
+        var job = new FxcJob("K.compute K", "K", "cs_5_0", "") { File = "/p/Shaders/K.compute" };
+        var report = new Headless.Checks.CheckReport("FXC");
+        new FxcBudget("/p").Check([new FxcResult(job, true, 1, 0, 64, 10, "", 1, 2010), new FxcResult(job, true, 1, 0, 64, 10, "", 1, 1990)], report);
+
+        Assert.That(report.Findings, Has.Count.EqualTo(1).And.One.Contains("2.0 s of CPU time"));
+        Assert.That(report.Figures, Does.Contain("2 compute variants"));
+    }
+
+    private static string Needs(int threads, int buffers, int writable, int memory) =>
+        $"new KernelNeeds(\"a part\", \"Shaders\",\n  groupThreads: {threads}, buffers: {buffers}, writableBuffers: {writable}, groupMemory: {memory}, vertexBuffers: 0)";
+
+    private static Headless.Checks.CheckReport Run(string source, string? needs = null)
     {
         using var package = new TemporaryPackage().Write("Shaders/K.compute", "#pragma kernel K\n" + source);
+        if (needs is not null) package.Write("Runtime/KernelNeeds.cs", needs);
         var report = new FxcCheck(package.Project, package.Root, cache).Run();
         if (report.SkippedBecause is { } reason) Assert.Ignore(reason);
         return report;

@@ -15,8 +15,9 @@ namespace SphFluid.Editor
         {
             FluidSupport support = FluidSupport.Query();
             var text = new StringBuilder();
-            text.AppendLine($"{FluidMessage.Prefix} {SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}): simulation " +
-                $"{YesNo(support.Simulation)}, geometry-shader surface {YesNo(support.GeometrySurface)}, asynchronous readback {YesNo(support.AsyncReadback)}.");
+            text.AppendLine($"{FluidMessage.Prefix} {SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}): Standard method " +
+                $"{YesNo(support.Supports(FluidMethodKind.Standard))}, thesis method {YesNo(support.Supports(FluidMethodKind.Thesis))}, " +
+                $"surface {YesNo(support.Surface)}, geometry-shader surface {YesNo(support.GeometrySurface)}, asynchronous readback {YesNo(support.AsyncReadback)}.");
             foreach (FluidMessage message in support.Messages) text.AppendLine($"{message.Text} {message.Cure}");
             Debug.Log(text.ToString());
         }

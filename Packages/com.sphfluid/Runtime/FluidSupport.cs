@@ -6,58 +6,100 @@ namespace SphFluid
     /// <summary>What the graphics device can do for the fluid, with a reason for each thing it cannot.</summary>
     public readonly struct FluidSupport
     {
-        /// <summary>Threads of the largest kernel group, that of BitonicSort.</summary>
-        internal const int GroupThreads = 1024;
+        const string OtherDevice = "Use another graphics device or API.";
 
-        /// <summary>Structured buffers that the largest kernel binds.</summary>
-        internal const int ComputeBuffers = 8;
+        readonly DeviceCapabilities device;
 
-        FluidSupport(IReadOnlyList<FluidMessage> messages, bool simulation, bool geometrySurface, bool asyncReadback)
+        FluidSupport(in DeviceCapabilities device)
         {
-            Messages = messages;
-            Simulation = simulation;
-            GeometrySurface = geometrySurface;
-            AsyncReadback = asyncReadback;
+            this.device = device;
+            Messages = null;
+            Messages = AllMessages();
         }
 
-        /// <summary>One sentence for each missing capability.</summary>
+        /// <summary>One sentence for each missing capability. It is an error where no method runs.</summary>
         public IReadOnlyList<FluidMessage> Messages { get; }
 
-        /// <summary>Whether the liquid can be simulated.</summary>
-        public bool Simulation { get; }
+        /// <summary>Whether a liquid can be simulated, by one method at least.</summary>
+        public bool Simulation => Supports(FluidMethodKind.Standard) || Supports(FluidMethodKind.Thesis);
 
-        /// <summary>Whether the thesis's surface can be drawn; the sparse one needs no geometry shader.</summary>
-        public bool GeometrySurface { get; }
+        /// <summary>Whether a liquid can be drawn as a surface, by a Fluid Surface Renderer or a Fluid Surface Mesh.</summary>
+        public bool Surface => Runs(KernelNeeds.Surface) && Runs(KernelNeeds.Drawing);
+
+        /// <summary>Whether the thesis's surface can be drawn; the other needs no geometry shader.</summary>
+        public bool GeometrySurface => device.GeometryShaders && Runs(KernelNeeds.GeometrySurface);
 
         /// <summary>Whether counters reach the CPU without stalling it.</summary>
-        public bool AsyncReadback { get; }
+        public bool AsyncReadback => device.AsyncReadback;
 
         /// <summary>Asks the present device.</summary>
         /// <returns>The report.</returns>
         public static FluidSupport Query() => From(DeviceCapabilities.Query());
 
-        internal static FluidSupport From(in DeviceCapabilities device)
+        /// <summary>Whether the device runs the kernels of a method.</summary>
+        /// <param name="method">The method.</param>
+        /// <returns>True when it does.</returns>
+        public bool Supports(FluidMethodKind method) => Runs(NeedsOf(method));
+
+        internal static FluidSupport From(in DeviceCapabilities device) => new FluidSupport(device);
+
+        /// <summary>What keeps a method from running here, as errors.</summary>
+        internal IReadOnlyList<FluidMessage> ErrorsOf(FluidMethodKind method)
         {
             var messages = new List<FluidMessage>();
             if (!device.ComputeShaders)
-                Add(messages, FluidSeverity.Error, $"{device.Name} has no compute shaders, which the liquid is computed with.",
-                    "Use Direct3D 11 or 12, Vulkan or Metal.");
+                Add(messages, FluidSeverity.Error, NoComputeShaders, ComputeCure);
+            else
+                AddLacks(messages, FluidSeverity.Error, NeedsOf(method), CureFor(method));
+            return messages;
+        }
+
+        string NoComputeShaders => $"{device.Name} has no compute shaders, which the liquid is computed with.";
+
+        static string ComputeCure => "Use Direct3D 11 or 12, Vulkan or Metal.";
+
+        static KernelNeeds NeedsOf(FluidMethodKind method) => method == FluidMethodKind.Standard ? KernelNeeds.Standard : KernelNeeds.Thesis;
+
+        bool Runs(KernelNeeds needs)
+        {
+            if (!device.ComputeShaders) return false;
+            foreach (string _ in needs.Lacks(device)) return false;
+            return true;
+        }
+
+        string CureFor(FluidMethodKind method)
+        {
+            if (method == FluidMethodKind.Standard)
+                return Runs(KernelNeeds.Thesis) ? "Set the simulation's Method to Thesis, which runs here." : OtherDevice;
+            return Runs(KernelNeeds.Standard) ? "Set the simulation's Method to Standard, which runs here." : OtherDevice;
+        }
+
+        List<FluidMessage> AllMessages()
+        {
+            var messages = new List<FluidMessage>();
+            if (!device.ComputeShaders)
+                Add(messages, FluidSeverity.Error, NoComputeShaders, ComputeCure);
             else
             {
-                if (device.GroupThreads < GroupThreads)
-                    Add(messages, FluidSeverity.Error, $"{device.Name} runs compute groups of {device.GroupThreads} threads; the sort needs {GroupThreads}.",
-                        "Use another graphics device.");
-                if (device.ComputeBuffers < ComputeBuffers)
-                    Add(messages, FluidSeverity.Error, $"{device.Name} binds {device.ComputeBuffers} buffers to a compute shader; the liquid needs {ComputeBuffers}.",
-                        "Use another graphics device or API.");
+                FluidSeverity severity = Simulation ? FluidSeverity.Info : FluidSeverity.Error;
+                AddLacks(messages, severity, KernelNeeds.Standard, CureFor(FluidMethodKind.Standard));
+                AddLacks(messages, severity, KernelNeeds.Thesis, CureFor(FluidMethodKind.Thesis));
+                AddLacks(messages, FluidSeverity.Info, KernelNeeds.Surface, "Draw the liquid with a Fluid Particle Renderer.");
+                AddLacks(messages, FluidSeverity.Info, KernelNeeds.Drawing, OtherDevice);
+                AddLacks(messages, FluidSeverity.Info, KernelNeeds.GeometrySurface, "Draw the liquid with a Fluid Surface Renderer.");
+                AddLacks(messages, FluidSeverity.Info, KernelNeeds.Diagnostics, "Leave out the Fluid Diagnostics.");
             }
-            bool simulation = messages.Count == 0;
             if (!device.GeometryShaders)
                 Add(messages, FluidSeverity.Info, $"{device.Name} has no geometry shaders, which the thesis's surface is made with.",
                     "Draw the liquid with a Fluid Surface Renderer.");
             if (!device.AsyncReadback)
                 Add(messages, FluidSeverity.Info, $"{device.Name} has no asynchronous readback, so the simulation's event counters are not shown.", "");
-            return new FluidSupport(messages, simulation, device.GeometryShaders, device.AsyncReadback);
+            return messages;
+        }
+
+        void AddLacks(List<FluidMessage> messages, FluidSeverity severity, KernelNeeds needs, string cure)
+        {
+            foreach (string lack in needs.Lacks(device)) Add(messages, severity, lack, cure);
         }
 
         static void Add(List<FluidMessage> messages, FluidSeverity severity, string text, string cure) =>
@@ -73,6 +115,7 @@ namespace SphFluid
         public bool AsyncReadback;
         public int GroupThreads;
         public int ComputeBuffers;
+        public int VertexBuffers;
 
         public static DeviceCapabilities Query() => new DeviceCapabilities
         {
@@ -82,6 +125,7 @@ namespace SphFluid
             AsyncReadback = SystemInfo.supportsAsyncGPUReadback,
             GroupThreads = SystemInfo.maxComputeWorkGroupSize,
             ComputeBuffers = SystemInfo.maxComputeBufferInputsCompute,
+            VertexBuffers = SystemInfo.maxComputeBufferInputsVertex,
         };
     }
 }

@@ -70,9 +70,8 @@ namespace SphFluid
 
         static void CheckDevice(FluidSimulation simulation, List<FluidMessage> messages)
         {
-            foreach (FluidMessage message in FluidSupport.Query().Messages)
-                if (message.Severity == FluidSeverity.Error)
-                    messages.Add(new FluidMessage(message.Severity, message.Issue, simulation, message.Text, message.Cure));
+            foreach (FluidMessage message in FluidSupport.Query().ErrorsOf(simulation.Method))
+                messages.Add(new FluidMessage(message.Severity, message.Issue, simulation, message.Text, message.Cure));
         }
 
         static void CheckReferences(FluidSimulation simulation, List<FluidMessage> messages)

@@ -19,6 +19,7 @@ namespace SphFluid
         readonly ComputeShader shader;
         readonly int index;
         readonly Dictionary<string, LocalKeyword> keywords = new Dictionary<string, LocalKeyword>();
+        readonly Dictionary<string, bool> declaredKeywords = new Dictionary<string, bool>();
 
         /// <summary>Finds a kernel.</summary>
         /// <param name="shader">The compute shader.</param>
@@ -109,6 +110,19 @@ namespace SphFluid
             cmd.SetComputeIntParam(shader, id, value ? 1 : 0);
         }
 
+        /// <summary>Whether the shader has variants by a keyword.</summary>
+        /// <param name="keyword">The keyword.</param>
+        internal bool HasKeyword(string keyword)
+        {
+            if (!declaredKeywords.TryGetValue(keyword, out bool isDeclared))
+            {
+                isDeclared = TryFindKeyword(keyword, out _);
+                declaredKeywords.Add(keyword, isDeclared);
+            }
+
+            return isDeclared;
+        }
+
         /// <summary>Records a keyword for the next dispatch: which variant of the shader it takes.</summary>
         /// <param name="cmd">Command buffer.</param>
         /// <param name="keyword">A keyword that the shader declares by multi_compile_local.</param>
@@ -190,15 +204,25 @@ namespace SphFluid
                 : new Vector2Int(MaxGroups, Groups(groups, MaxGroups));
         }
 
-        LocalKeyword FindKeyword(string keyword)
+        bool TryFindKeyword(string keyword, out LocalKeyword found)
         {
             foreach (LocalKeyword declared in shader.keywordSpace.keywords)
             {
                 if (declared.name == keyword)
                 {
-                    return declared;
+                    found = declared;
+                    return true;
                 }
             }
+
+            found = default;
+            return false;
+        }
+
+        LocalKeyword FindKeyword(string keyword)
+        {
+            if (TryFindKeyword(keyword, out LocalKeyword found))
+                return found;
 
             throw new FluidDeviceException(
                 $"The compute shader '{shader.name}' does not declare '{keyword}'. Add '#pragma multi_compile_local _ {keyword}' to it.");

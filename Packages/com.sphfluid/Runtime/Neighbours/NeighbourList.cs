@@ -16,23 +16,20 @@ namespace SphFluid
         // Entries over a full lattice's neighbours: room for compression and clumps.
         const double Room = 1.5;
 
-        const string Keyword = "FLUID_NEIGHBOUR_LIST";
-
         static readonly int ListLength = Shader.PropertyToID("_ListLength");
         static readonly int Neighbours = Shader.PropertyToID("_Neighbours");
         static readonly int NeighboursOut = Shader.PropertyToID("_NeighboursOut");
         static readonly int NeighbourCounts = Shader.PropertyToID("_NeighbourCounts");
         static readonly int NeighbourCountsOut = Shader.PropertyToID("_NeighbourCountsOut");
 
-        readonly int length;
         GraphicsBuffer entries, counts;
 
         /// <summary>A list for a number of particles.</summary>
         /// <param name="particleCount">Number of particles.</param>
-        /// <param name="length">Most neighbours of a particle that are listed.</param>
+        /// <param name="length">Most neighbours of a particle that are listed; 0 for a step that searches twice.</param>
         public NeighbourList(int particleCount, int length)
         {
-            this.length = length;
+            Length = length;
             try
             {
                 entries = GpuBuffers.Create("NeighbourList", EntryCount(particleCount, length), sizeof(uint));
@@ -45,6 +42,9 @@ namespace SphFluid
             }
         }
 
+        /// <summary>Most neighbours of a particle that are listed.</summary>
+        public int Length { get; }
+
         /// <summary>Bytes of the buffers.</summary>
         public long Bytes => GpuBuffers.Size(entries, counts);
 
@@ -55,10 +55,10 @@ namespace SphFluid
         /// <summary>Whether one buffer of the device holds the list; a step does without where it does not.</summary>
         public static bool Fits(int particleCount, int length) => EntryCount(particleCount, length) * sizeof(uint) <= SystemInfo.maxGraphicsBufferSize;
 
-        /// <summary>Records the keyword, and the list for the kernel that fills it.</summary>
+        /// <summary>Records the list for the kernel that fills it.</summary>
         public static void SetOut(CommandBuffer cmd, ComputeKernel kernel, NeighbourList list) => Set(cmd, kernel, list, NeighboursOut, NeighbourCountsOut);
 
-        /// <summary>Records the keyword, and the list for a kernel that reads it.</summary>
+        /// <summary>Records the list for a kernel that reads it.</summary>
         public static void Set(CommandBuffer cmd, ComputeKernel kernel, NeighbourList list) => Set(cmd, kernel, list, Neighbours, NeighbourCounts);
 
         public void Dispose()
@@ -69,9 +69,7 @@ namespace SphFluid
 
         static void Set(CommandBuffer cmd, ComputeKernel kernel, NeighbourList list, int entriesId, int countsId)
         {
-            kernel.SetKeyword(cmd, Keyword, list != null);
-            if (list == null) return;
-            kernel.SetInt(cmd, ListLength, list.length);
+            kernel.SetInt(cmd, ListLength, list.Length);
             kernel.SetBuffer(cmd, entriesId, list.entries);
             kernel.SetBuffer(cmd, countsId, list.counts);
         }

@@ -7,7 +7,6 @@ namespace SphFluid
     abstract class SurfaceDrawing : IDisposable
     {
         // The vertices.
-        const int VertexStageBuffers = 1;
 
         readonly SceneLighting lighting = new SceneLighting();
         Material material;
@@ -29,11 +28,13 @@ namespace SphFluid
         /// <summary>What the device lacks to draw a sparse surface, as a sentence; null when nothing.</summary>
         public static string MissingSupport()
         {
-            string device = $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType})";
-            if (SystemInfo.maxComputeBufferInputsVertex < VertexStageBuffers)
-                return $"{device} cannot read a buffer in the vertex shader, which the surface needs.";
+            DeviceCapabilities device = DeviceCapabilities.Query();
+            foreach (string lack in KernelNeeds.Drawing.Lacks(device))
+                return lack;
+            foreach (string lack in KernelNeeds.Surface.Lacks(device))
+                return lack;
             if (!SystemInfo.supportsIndirectArgumentsBuffer)
-                return $"{device} cannot draw what the GPU has counted, which the surface needs.";
+                return $"{device.Name} cannot draw what the GPU has counted, which the surface needs.";
             return null;
         }
 

@@ -4,13 +4,13 @@
 // Walls that hold the liquid next to them. The stress of a particle at a distance d, mu (v - v_wall) / d, acts on the mass of
 // its layer, rho dx an area: a = -beta nu (v - v_wall) / (d dx), in the wall's plane, where d < dx; the friction beta is 1 for
 // no slip.
-// A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_NO_SLIP".
+// A kernel that includes this file and has such walls defines FLUID_NO_SLIP.
 #include "../Neighbours/PeriodicAxes.hlsl"
 #include "WallVelocities.hlsl"
 
 #if defined(FLUID_NO_SLIP)
 float _DragSpeed;    // beta nu / dx, m/s
-float _DragDistance; // dx, m
+float _DragDistance; // dx, m; far below zero where no wall holds the liquid
 float _DragStep;     // s, the step of the velocities
 
 // 1/s; a twentieth of dx is the nearest that counts.

@@ -3,18 +3,13 @@
 
 // Neighbours that the density pass met, for the motion pass of the same step. 32 particles lie side by side: their n-th entries are
 // one line of memory. Worked example: particle 33, the second of its 32, length 72: entry 0 stands at 72 * 32 + 1, entry 1 32 behind.
-// A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_NEIGHBOUR_LIST".
-#if defined(FLUID_NEIGHBOUR_LIST)
-
 #define LIST_LANES 32u // mirrored by NeighbourList.Lanes
 
-uint _ListLength; // most neighbours of a particle that are listed; who has more searches again
+uint _ListLength; // most neighbours of a particle that are listed; who has more searches again: all, where it is 0
 
 uint ListPlace(uint id, uint n)
 {
     return (id / LIST_LANES * _ListLength + n) * LIST_LANES + id % LIST_LANES;
 }
-
-#endif
 
 #endif

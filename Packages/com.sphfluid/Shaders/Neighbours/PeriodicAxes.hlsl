@@ -2,7 +2,8 @@
 #define SPHFLUID_PERIODIC_AXES
 
 // Axes of the domain box whose two faces are one: what leaves at one comes in at the other.
-// A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_PERIODIC".
+// A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_PERIODIC" where pairs of particles are its work, and elsewhere
+// defines FLUID_PERIODIC: lengths of 0 then leave every number as it is.
 #if defined(FLUID_PERIODIC)
 float3 _PeriodLength; // m, the box along the axis; 0: the axis has walls
 float3 _PeriodRate;   // 1/m, its inverse; 0 likewise

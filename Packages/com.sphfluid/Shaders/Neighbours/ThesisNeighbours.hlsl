@@ -10,7 +10,9 @@ StructuredBuffer<uint2> _GridIndices; // [first, end) of each cell in _Particles
 float _SmoothLengthSquared;           // h^2, h the support radius
 float _DensityCoefficient;            // m 315 / (64 pi h^9)
 
-// A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_CELLS_OF_H" and "_ FLUID_PERIODIC".
+int _CellsOfH; // 1: cells are h wide and the 27 around a particle are searched; 0: 2h wide, and eight are
+
+// A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_PERIODIC" or defines FLUID_PERIODIC (PeriodicAxes.hlsl).
 
 // Along periodic axes the cell beyond the last is the first. Cells are one to two beyond the grid at most.
 int3 WrapCell(int3 cell)
@@ -22,76 +24,79 @@ int3 WrapCell(int3 cell)
     return cell;
 }
 
-#if defined(FLUID_CELLS_OF_H)
-
 // Cells h wide: whatever is in reach lies in the 27 around the particle. Three of a row follow each other in the order of
 // the cells, so their particles are one run: 9 runs. Worked example: in a row, [4, 6) [0, 0) [6, 9) make [4, 9).
 // Where x is periodic, a row at its end goes on at its beginning: a second run for each. Worked example: 5 cells, x = 0:
 // cells 0 and 1, then cell 4; x = 4: cells 3 and 4, then cell 0. Three cells or more never meet twice.
+// Cells 2h wide are GetNeighbors(GetQuadrant(position)), thesis 6.3.1: h reaches over one face an axis, the nearer one. Eight runs of a cell each,
+// the ninth empty. Worked example on one axis, in cells: 4.3 lies in the lower half of cell 4, floor(4.3 - 0.5) = 3, cells 3 and 4;
+// 4.7 lies in the upper half, floor(4.7 - 0.5) = 4, cells 4 and 5.
 uint NeighbourRanges(float3 position)
 {
 #if defined(FLUID_PERIODIC)
     const int x = int(floor(GridPosition(position).x));
-    return _PeriodLength.x > 0.0 && (x < 1 || x + 1 >= _GridCounts.x) ? 18u : 9u;
+    return _CellsOfH != 0 && _PeriodLength.x > 0.0 && (x < 1 || x + 1 >= _GridCounts.x) ? 18u : 9u;
 #else
     return 9u;
 #endif
 }
 
-uint2 NeighbourRange(float3 position, uint k)
+// Cells from first to last of a row along x.
+struct CellSpan
 {
-#if defined(FLUID_PERIODIC)
+    int first;
+    int last;
+    int2 row; // y, z
+};
+
+CellSpan RunOfThree(float3 position, uint k)
+{
     const uint row = k % 9u;
-#else
-    const uint row = k;
-#endif
-    int3 cell = int3(floor(GridPosition(position))) + int3(0, int(row % 3u) - 1, int(row / 3u) - 1);
-    int first = max(cell.x - 1, 0);
-    int last = min(cell.x + 1, _GridCounts.x - 1);
+    const int3 cell = int3(floor(GridPosition(position))) + int3(0, int(row % 3u) - 1, int(row / 3u) - 1);
+    CellSpan run;
+    run.first = max(cell.x - 1, 0);
+    run.last = min(cell.x + 1, _GridCounts.x - 1);
+    run.row = WrapCell(cell).yz;
 #if defined(FLUID_PERIODIC)
-    cell.yz = WrapCell(cell).yz;
-    if (k >= 9u)
-    {
-        first = cell.x < 1 ? _GridCounts.x + cell.x - 1 : 0;
-        last = cell.x < 1 ? _GridCounts.x - 1 : cell.x + 1 - _GridCounts.x;
-    }
+    const int first = cell.x < 1 ? _GridCounts.x + cell.x - 1 : 0;
+    const int last = cell.x < 1 ? _GridCounts.x - 1 : cell.x + 1 - _GridCounts.x;
+    run.first = k < 9u ? run.first : first;
+    run.last = k < 9u ? run.last : last;
 #endif
-    uint2 run = uint2(0xffffffffu, 0u);
-    if (all(cell.yz >= 0) && all(cell.yz < _GridCounts.yz))
-    {
-        for (int x = first; x <= last; x++)
-        {
-            const uint2 range = _GridIndices[CellIndex(int3(x, cell.yz))];
-            run.x = range.x < range.y ? min(run.x, range.x) : run.x; // an empty cell is [0, 0)
-            run.y = max(run.y, range.y);
-        }
-    }
     return run;
 }
 
-#else
-
-// GetNeighbors(GetQuadrant(position)), thesis 6.3.1. A cell is 2h wide, so h reaches over one face an axis: the nearer one.
-// Worked example on one axis, in cells: 4.3 lies in the lower half of cell 4, floor(4.3 - 0.5) = 3, cells 3 and 4;
-// 4.7 lies in the upper half, floor(4.7 - 0.5) = 4, cells 4 and 5.
-uint NeighbourRanges(float3 position)
-{
-    return 8u;
-}
-
-// Particles of the k-th neighbour cell; cells outside the grid hold none.
-uint2 NeighbourRange(float3 position, uint k)
+CellSpan RunOfOne(float3 position, uint k)
 {
     const int3 cell = WrapCell(int3(floor(GridPosition(position) - 0.5)) + int3(uint3(k, k >> 1, k >> 2) & 1u));
-    uint2 range = uint2(0u, 0u);
-    if (all(cell >= 0) && all(cell < _GridCounts))
-    {
-        range = _GridIndices[CellIndex(cell)];
-    }
-    return range;
+    const bool exists = k < 8u && cell.x >= 0 && cell.x < _GridCounts.x;
+    CellSpan run;
+    run.first = exists ? cell.x : 0;
+    run.last = exists ? cell.x : -1;
+    run.row = cell.yz;
+    return run;
 }
 
-#endif
+// Particles of the k-th run.
+uint2 NeighbourRange(float3 position, uint k)
+{
+    const CellSpan three = RunOfThree(position, k);
+    const CellSpan one = RunOfOne(position, k);
+    const int first = _CellsOfH != 0 ? three.first : one.first;
+    const int last = _CellsOfH != 0 ? three.last : one.last;
+    const int2 row = _CellsOfH != 0 ? three.row : one.row;
+    uint2 particles = uint2(0xffffffffu, 0u);
+    if (all(row >= 0) && all(row < _GridCounts.yz))
+    {
+        for (int x = first; x <= last; x++)
+        {
+            const uint2 range = _GridIndices[CellIndex(int3(x, row))];
+            particles.x = range.x < range.y ? min(particles.x, range.x) : particles.x; // an empty cell is [0, 0)
+            particles.y = max(particles.y, range.y);
+        }
+    }
+    return particles;
+}
 
 // The one neighbour loop: every particle j of the neighbour cells, j included where position is its own.
 // Whether j is in reach of h is the body's question: it has the distance, by Separation.

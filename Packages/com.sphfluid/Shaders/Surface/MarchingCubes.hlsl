@@ -43,7 +43,17 @@ float3 MCEdgeNormal(int3 a, int3 b, float t, float3 alongEdge)
 {
     float3 outwards = 0.0;
     if (MCInGrid(a) && MCInGrid(b))
-        outwards = -lerp(MCGradient(a), MCGradient(b), t);
+    {
+        float3 first = 0.0;
+        float3 second = 0.0;
+        [loop]
+        for (uint end = 0u; end < 2u; end++) // one copy of the gradient for the compiler
+        {
+            first = second;
+            second = MCGradient(end == 0u ? a : b);
+        }
+        outwards = -lerp(first, second, t);
+    }
     float squared = dot(outwards, outwards);
     return squared > 0.0 ? outwards * rsqrt(squared) : alongEdge;
 }

@@ -24,12 +24,12 @@ namespace SphFluid
             float viscosity = settings.Viscosity / settings.RestDensity;
             double moment = WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing);
             float friction = settings.Boundaries.Friction;
-            bool rub = friction > 0f || state.HasBodies && state.Bodies.HoldLiquid;
+            bool isHeld = friction > 0f || state.HasBodies && state.Bodies.HoldLiquid;
             cmd.BeginSample(Marker);
             CellRowsBinding.Set(cmd, kernel, state.Cells, state.Standard.CellStart);
             DomainBindings.SetPeriodic(cmd, kernel, settings);
             DomainBindings.SetBodyForce(cmd, kernel, settings.BodyForce);
-            DomainBindings.SetWallVelocities(cmd, kernel, settings.Boundaries, rub);
+            DomainBindings.SetWallVelocities(cmd, kernel, settings.Boundaries);
             StandardWallBinding.Set(cmd, kernel, settings);
             GatherWallsPass.SetWalls(cmd, kernel, state);
             NeighbourList.Set(cmd, kernel, state.Standard.List);
@@ -39,7 +39,7 @@ namespace SphFluid
             kernel.SetFloat(cmd, StandardShaderIds.WallPush, (float)(settings.RestDensity / moment));
             kernel.SetFloat(cmd, StandardShaderIds.ViscosityFactor, 2f * viscosity / settings.RestDensity);
             kernel.SetFloat(cmd, StandardShaderIds.WallViscosity, friction * viscosity);
-            kernel.SetFloat(cmd, StandardShaderIds.NoSlipViscosity, viscosity);
+            kernel.SetFloat(cmd, StandardShaderIds.NoSlipViscosity, isHeld ? viscosity : 0f);
             kernel.SetFloat(cmd, StandardShaderIds.ShellDistance, Shell * settings.Spacing);
             kernel.SetVector(cmd, FluidShaderIds.Gravity, settings.Gravity);
             kernel.SetFloat(cmd, FluidShaderIds.TimeStep, step.Length);

@@ -71,22 +71,18 @@ namespace SphFluid
         /// <summary>Makes <see cref="Walls"/>, if they are not there.</summary>
         public void RequireWalls() => Walls ??= new MeshWallBuffers(positions.count);
 
-        /// <summary>Neighbours of the last density pass; null for a step that searches twice.</summary>
+        /// <summary>Neighbours of the last density pass; of length 0 for a step that searches twice.</summary>
         public NeighbourList List { get; private set; }
 
-        /// <summary>Makes <see cref="List"/>, or frees it, as the settings have it.</summary>
+        /// <summary>Makes <see cref="List"/>, with entries or without as the settings and the device have it.</summary>
         public void RequireList(in FluidSolverSettings settings)
         {
-            if (settings.NeighbourList && List == null)
-            {
-                int length = NeighbourList.LengthFor(settings);
-                if (NeighbourList.Fits(positions.count, length)) List = new NeighbourList(positions.count, length);
-            }
-            else if (!settings.NeighbourList && List != null)
-            {
-                List.Dispose();
-                List = null;
-            }
+            int length = settings.NeighbourList ? NeighbourList.LengthFor(settings) : 0;
+            if (!NeighbourList.Fits(positions.count, length)) length = 0;
+            if (List != null && List.Length > 0 == length > 0) return;
+            List?.Dispose();
+            List = null;
+            List = new NeighbourList(positions.count, length);
         }
 
         /// <summary>Bytes of all buffers.</summary>

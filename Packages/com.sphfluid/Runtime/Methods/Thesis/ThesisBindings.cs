@@ -6,8 +6,8 @@ namespace SphFluid
     /// <summary>The globals that several blocks share: Shaders/Neighbours/FluidGrid.hlsl and ThesisNeighbours.hlsl.</summary>
     internal static class ThesisBindings
     {
-        // Shaders/Neighbours/ThesisNeighbours.hlsl has both searches; a kernel that includes it declares this keyword.
-        const string CellsOfSmoothLength = "FLUID_CELLS_OF_H";
+        // Shaders/Neighbours/ThesisNeighbours.hlsl has both searches.
+        static readonly int CellsOfSmoothLength = Shader.PropertyToID("_CellsOfH");
 
         // Copied when recorded, so one array serves; command buffers are recorded on the main thread.
         static readonly int[] Counts = new int[3];
@@ -29,7 +29,7 @@ namespace SphFluid
             double h = settings.SupportRadius;
             SetGrid(cmd, kernel, state.Grid);
             DomainBindings.SetPeriodic(cmd, kernel, settings);
-            kernel.SetKeyword(cmd, CellsOfSmoothLength, !settings.OctantSearch);
+            kernel.SetBool(cmd, CellsOfSmoothLength, !settings.OctantSearch);
             kernel.SetFloat(cmd, FluidShaderIds.SmoothLengthSquared, (float)(h * h));
             kernel.SetFloat(cmd, FluidShaderIds.DensityCoefficient, (float)(settings.ParticleMass * ThesisKernels.Poly6Factor(h)));
             kernel.SetBuffer(cmd, FluidShaderIds.Particles, state.Buffers.Particles);

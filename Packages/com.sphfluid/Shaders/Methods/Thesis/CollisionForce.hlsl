@@ -140,7 +140,7 @@ float3 CollisionForce(float3 position, float3 velocity)
         }
     }
 #if defined(FLUID_NO_SLIP)
-    force += drag;
+    force = _DragDistance > 0.0 ? force + drag : force;
 #endif
     return force;
 }

@@ -38,6 +38,7 @@ void FindFieldSource(int3 block, uint index)
     const int3 nearest = int3(place == 4) - int3(place == 0);
     const int3 other = int3(place == 3) - int3(place == 1);
     uint source = NO_SOURCE;
+    [loop]
     for (uint k = 0u; k < 8u && source == NO_SOURCE; k++)
     {
         const int3 step = nearest + other * int3(k & 1u, k >> 1 & 1u, k >> 2);
@@ -65,6 +66,7 @@ void LoadFieldRow(uint row)
     LoadFieldSample(fieldSources[first], int3(-1, at));
     LoadFieldSample(fieldSources[first + 1], int3(0, at));
     const uint source = fieldSources[first + 2];
+    [loop]
     for (int x = 1; x < BLOCK_CUBES; x++)
         LoadFieldSample(source, int3(x, at));
     LoadFieldSample(fieldSources[first + 3], int3(BLOCK_CUBES, at));

@@ -2,6 +2,7 @@
 #define SPHFLUID_FIELD_ROWS
 
 // Sums over the particles at a row of ROW_SAMPLES samples along x, in registers: a particle is read once a row, and no thread writes where another does.
+// A kernel that includes this file defines FLUID_PERIODIC.
 #include "../../Neighbours/FluidGrid.hlsl"
 #include "../../Neighbours/PeriodicAxes.hlsl"
 #include "../SurfaceGrid.hlsl"
@@ -13,19 +14,13 @@ StructuredBuffer<KernelShape> _SurfaceShapes;
 #endif
 StructuredBuffer<uint2> _GridIndices; // [first, end) of each cell of the fluid grid
 float _FieldReach;                    // m: how far from a sample the particles that it feels may lie
-#if defined(FLUID_PERIODIC)
 float3 _PeriodSteps;                  // length of the domain in R along periodic axes
-#endif
 
 // Fluid cells that particles in reach of the samples from first to last may be in. Particles beyond a wall are in the outermost cells.
 int2 CellsInReach(float first, float last, float origin, float cell, int count, float reach, float period)
 {
-    int2 cells = int2(floor((first - reach - origin) / cell), floor((last + reach - origin) / cell));
-    if (period == 0.0)
-    {
-        cells = int2(clamp(cells.x, 0, count - 1), clamp(cells.y, 0, count - 1));
-    }
-    return cells;
+    const int2 cells = int2(floor((first - reach - origin) / cell), floor((last + reach - origin) / cell));
+    return period == 0.0 ? clamp(cells, 0, count - 1) : cells;
 }
 
 // Whether no particle of a row of cells reaches a row of samples, both along x. The margin takes rounding.
@@ -100,13 +95,9 @@ void SumRow(int3 first, inout float row[ROW_SAMPLES])
 {
     const float3 from = _MCMinimum + _MCCellSize * float3(first);
     const float to = _MCMinimum.x + _MCCellSize.x * float(first.x + ROW_SAMPLES - 1);
-    float3 period = float3(0.0, 0.0, 0.0);
-#if defined(FLUID_PERIODIC)
-    period = _PeriodLength;
-#endif
-    const int2 xs = CellsInReach(from.x, to, _GridOrigin.x, _CellSize.x, _GridCounts.x, _FieldReach, period.x);
-    const int2 ys = CellsInReach(from.y, from.y, _GridOrigin.y, _CellSize.y, _GridCounts.y, _FieldReach, period.y);
-    const int2 zs = CellsInReach(from.z, from.z, _GridOrigin.z, _CellSize.z, _GridCounts.z, _FieldReach, period.z);
+    const int2 xs = CellsInReach(from.x, to, _GridOrigin.x, _CellSize.x, _GridCounts.x, _FieldReach, _PeriodLength.x);
+    const int2 ys = CellsInReach(from.y, from.y, _GridOrigin.y, _CellSize.y, _GridCounts.y, _FieldReach, _PeriodLength.y);
+    const int2 zs = CellsInReach(from.z, from.z, _GridOrigin.z, _CellSize.z, _GridCounts.z, _FieldReach, _PeriodLength.z);
     for (int z = zs.x; z <= zs.y; z++)
     {
         for (int y = ys.x; y <= ys.y; y++)
@@ -115,7 +106,6 @@ void SumRow(int3 first, inout float row[ROW_SAMPLES])
             {
                 continue;
             }
-#if defined(FLUID_PERIODIC)
             const int2 turn = int2(Turn(y, _GridCounts.y), Turn(z, _GridCounts.z));
             const int2 wrapped = int2(y, z) - turn * _GridCounts.yz;
             for (int xTurn = Turn(xs.x, _GridCounts.x); xTurn <= Turn(xs.y, _GridCounts.x); xTurn++)
@@ -124,9 +114,6 @@ void SumRow(int3 first, inout float row[ROW_SAMPLES])
                 const uint2 run = RunOf(max(xs.x - offset, 0), min(xs.y - offset, _GridCounts.x - 1), wrapped.x, wrapped.y);
                 AddRun(run, _PeriodSteps * float3(xTurn, turn), first, row);
             }
-#else
-            AddRun(RunOf(xs.x, xs.y, y, z), float3(0.0, 0.0, 0.0), first, row);
-#endif
         }
     }
 }

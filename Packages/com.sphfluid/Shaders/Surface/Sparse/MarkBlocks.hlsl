@@ -35,7 +35,8 @@ void MarkAround(float3 position)
     const int3 below = (_PeriodLength > 0.0 && lower < 0) ? MCCells() : int3(0, 0, 0);
     const int3 above = (_PeriodLength > 0.0 && upper >= MCCells()) ? -MCCells() : int3(0, 0, 0);
     const int3 shift = below + above;
-    for (uint k = 1u; k < 8u; k++)
+    const uint end = any(shift != 0) ? 8u : 1u;
+    for (uint k = 1u; k < end; k++)
     {
         const int3 taken = int3(uint3(k, k >> 1, k >> 2) & 1u);
         const bool isOther = !any(taken != 0 && shift == 0);

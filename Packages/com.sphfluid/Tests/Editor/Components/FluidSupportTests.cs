@@ -25,7 +25,36 @@ namespace SphFluid.Tests
             Assert.That(support.Messages.Single().Severity, Is.EqualTo(FluidSeverity.Error));
         }
 
-        [TestCase(256, 16, "groups of 256 threads")]
+        [Test]
+        public void GroupsOf256ThreadsRunTheStandardMethodOnly()
+        {
+            DeviceCapabilities device = Device();
+            device.GroupThreads = 256;
+            FluidSupport support = FluidSupport.From(device);
+            Assert.That(support.Simulation && support.Supports(FluidMethodKind.Standard) && support.Surface);
+            Assert.That(support.ErrorsOf(FluidMethodKind.Standard), Is.Empty);
+            Assert.That(support.Messages.Single().Severity, Is.EqualTo(FluidSeverity.Info), "the liquid runs");
+            foreach (FluidMethodKind method in new[] { FluidMethodKind.Thesis, FluidMethodKind.ThesisPrinted })
+            {
+                Assert.That(support.Supports(method), Is.False);
+                FluidMessage refusal = support.ErrorsOf(method).Single();
+                Assert.That(refusal.Severity, Is.EqualTo(FluidSeverity.Error));
+                Assert.That(refusal.Text, Does.Contain("Old Card runs compute groups of 256 threads; the thesis method needs 1024"));
+                Assert.That(refusal.Cure, Does.Contain("Method to Standard"));
+            }
+        }
+
+        [Test]
+        public void FewBuffersLeaveTheMethodThatNeedsFewer()
+        {
+            DeviceCapabilities device = Device();
+            device.ComputeBuffers = 8;
+            FluidSupport support = FluidSupport.From(device);
+            Assert.That(support.Simulation && support.Supports(FluidMethodKind.Thesis) && !support.Supports(FluidMethodKind.Standard));
+            Assert.That(support.ErrorsOf(FluidMethodKind.Standard).Single().ToString(), Does.Contain("binds 8 buffers").And.Contain("Method to Thesis"));
+        }
+
+        [TestCase(128, 64, "groups of 128 threads")]
         [TestCase(1024, 4, "binds 4 buffers")]
         public void SmallLimitsStopTheSimulation(int threads, int buffers, string reason)
         {
@@ -33,8 +62,29 @@ namespace SphFluid.Tests
             device.GroupThreads = threads;
             device.ComputeBuffers = buffers;
             FluidSupport support = FluidSupport.From(device);
-            Assert.That(support.Simulation, Is.False);
-            Assert.That(support.Messages.Single().Text, Does.Contain(reason));
+            Assert.That(support.Simulation || support.Surface, Is.False);
+            Assert.That(support.Messages.Select(m => m.Text), Has.Some.Contain(reason).And.Some.Contain("the Standard method"));
+            Assert.That(support.Messages.Select(m => m.Severity), Has.Some.EqualTo(FluidSeverity.Error));
+            foreach (FluidMethodKind method in new[] { FluidMethodKind.Standard, FluidMethodKind.Thesis })
+                Assert.That(support.ErrorsOf(method).Single().Cure, Does.Contain("another graphics device"));
+        }
+
+        [Test]
+        public void WithoutBuffersInVertexShadersNoSurfaceIsDrawn()
+        {
+            DeviceCapabilities device = Device();
+            device.VertexBuffers = 0;
+            FluidSupport support = FluidSupport.From(device);
+            Assert.That(support.Simulation && !support.Surface);
+            Assert.That(support.Messages.Single().Text, Does.Contain("binds 0 buffers to a vertex shader; the drawing needs 1"));
+        }
+
+        [Test]
+        public void ADeviceRunsWhatItSupports()
+        {
+            FluidSupport support = FluidSupport.Query();
+            foreach (FluidMethodKind method in new[] { FluidMethodKind.Standard, FluidMethodKind.Thesis })
+                Assert.That(support.Supports(method), Is.EqualTo(support.ErrorsOf(method).Count == 0));
         }
 
         [Test]
@@ -51,6 +101,7 @@ namespace SphFluid.Tests
         static DeviceCapabilities Device() => new DeviceCapabilities
         {
             Name = "Old Card", ComputeShaders = true, GeometryShaders = true, AsyncReadback = true, GroupThreads = 1024, ComputeBuffers = 16,
+            VertexBuffers = 16,
         };
     }
 }

@@ -64,11 +64,11 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void AKernelWithoutTheSearchKeywordIsNamed()
+        public void AKernelWithoutAKeywordIsNamed()
         {
             var kernel = new ComputeKernel(shaders.ResetGridIndices, "ResetGridIndices");
-            Assert.That(() => GpuTest.Run(cmd => kernel.SetKeyword(cmd, "FLUID_CELLS_OF_H", true)),
-                Throws.TypeOf<FluidDeviceException>().With.Message.Contains("multi_compile_local _ FLUID_CELLS_OF_H"));
+            Assert.That(() => GpuTest.Run(cmd => kernel.SetKeyword(cmd, "FLUID_PERIODIC", true)),
+                Throws.TypeOf<FluidDeviceException>().With.Message.Contains("multi_compile_local _ FLUID_PERIODIC"));
         }
 
         [Test]

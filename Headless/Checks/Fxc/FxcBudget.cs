@@ -1,0 +1,35 @@
+namespace Headless.Checks.Fxc;
+
+/// <summary>What a user waits for and what small devices lack: time of each compilation, number of compute variants, shared memory.</summary>
+internal sealed class FxcBudget(string packageRoot)
+{
+    public const int MaxMilliseconds = 2000, MaxVariants = 60, MaxSharedBytes = 16 * 1024;
+
+    // What Unity imports with the package and compiles for a player; tests' kernels stay in the source tree.
+    private static readonly string[] shipped = ["Shaders/", "Validation/"];
+
+    /// <summary>Kernels with more shared memory than Vulkan and OpenGL ES 3.1 promise, each with the reason.</summary>
+    private static readonly Dictionary<string, string> largeGroups = [];
+
+    public void Check(IReadOnlyList<FxcResult> results, CheckReport report)
+    {
+        var kernels = results.Where(r => r.Job.IsKernel).ToList();
+        foreach (var result in results.Where(r => r.Milliseconds > MaxMilliseconds))
+            report.Findings.Add($"{result.Job.Name}: FXC took {result.Milliseconds / 1000.0:F1} s of CPU time, {MaxMilliseconds / 1000} are allowed: the first Play waits for it");
+        foreach (var result in kernels.Where(r => r.SharedBytes > MaxSharedBytes && !largeGroups.ContainsKey(r.Job.Entry)))
+            report.Findings.Add($"{result.Job.Name}: {result.SharedBytes} bytes of groupshared memory, Vulkan and OpenGL ES 3.1 promise {MaxSharedBytes}");
+        var variants = kernels.Count(r => IsShipped(r.Job.File));
+        if (variants > MaxVariants) report.Findings.Add($"{variants} compute variants, {MaxVariants} are allowed: let numbers switch what a keyword does not make faster");
+        if (kernels.Count == 0) return;
+        var slowest = results.MaxBy(r => r.Milliseconds)!;
+        report.Figures += $"; {variants} compute variants, longest compilation {slowest.Milliseconds / 1000.0:F2} s of CPU time ({slowest.Job.Name})"
+            + $", all {results.Sum(r => r.Milliseconds) / 1000.0:F0} s; largest: {kernels.Max(r => r.Threads)} threads, {kernels.Max(r => r.Buffers)} buffers, "
+            + $"{kernels.Max(r => r.Uavs)} written, {kernels.Max(r => r.SharedBytes)} bytes shared";
+    }
+
+    private bool IsShipped(string file)
+    {
+        var path = Path.GetRelativePath(packageRoot, file).Replace('\\', '/');
+        return Array.Exists(shipped, folder => path.StartsWith(folder, StringComparison.Ordinal));
+    }
+}

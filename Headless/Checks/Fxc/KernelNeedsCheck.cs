@@ -1,0 +1,56 @@
+using System.Globalization;
+using System.Text.RegularExpressions;
+
+namespace Headless.Checks.Fxc;
+
+/// <summary>Holds the numbers of Runtime/KernelNeeds.cs, which decide what devices the package runs on, against FXC's listings.</summary>
+internal sealed partial class KernelNeedsCheck(string packageRoot)
+{
+    private const string Source = "Runtime/KernelNeeds.cs";
+
+    private sealed record Needs(string Folder, int GroupThreads, int Buffers, int WritableBuffers, int GroupMemory, int VertexBuffers);
+
+    public void Check(IReadOnlyList<FxcResult> results, CheckReport report)
+    {
+        var path = Path.Combine(packageRoot, Source);
+        if (!File.Exists(path)) return;
+        var stated = Stated().Matches(File.ReadAllText(path)).Select(Read).ToList();
+        if (stated.Count == 0) { report.Findings.Add($"{Source} states no needs that this check can read"); return; }
+        var parts = results.GroupBy(r => FolderOf(r.Job.File, stated));
+        foreach (var part in parts.Where(p => p.Key is not null))
+        {
+            var counted = Count(part.Key!, [.. part]);
+            var claim = stated.Find(s => s.Folder == part.Key)!;
+            if (claim != counted) report.Findings.Add($"{Source} says of {part.Key}: {Show(claim)}; FXC's listings say: {Show(counted)}");
+        }
+        foreach (var needs in stated.Where(s => parts.All(p => p.Key != s.Folder)))
+            report.Findings.Add($"{Source} names {needs.Folder}, which holds no shaders");
+    }
+
+    private static Needs Read(Match match)
+    {
+        int Number(string name) => int.Parse(match.Groups[name].Value, CultureInfo.InvariantCulture);
+        return new Needs(match.Groups["folder"].Value, Number("threads"), Number("buffers"), Number("writable"), Number("memory"), Number("vertex"));
+    }
+
+    private static Needs Count(string folder, List<FxcResult> results)
+    {
+        int Most(bool kernels, Func<FxcResult, int> figure) =>
+            results.Where(r => kernels ? r.Job.IsKernel : r.Job.Profile.StartsWith("vs", StringComparison.Ordinal)).Select(figure).DefaultIfEmpty(0).Max();
+        return new Needs(
+            folder, Most(true, r => r.Threads), Most(true, r => r.Buffers), Most(true, r => r.Uavs), Most(true, r => r.SharedBytes), Most(false, r => r.Buffers));
+    }
+
+    // The innermost folder that is named.
+    private string? FolderOf(string file, List<Needs> stated)
+    {
+        var path = Path.GetRelativePath(packageRoot, file).Replace('\\', '/');
+        return stated.Select(s => s.Folder).Where(f => path.StartsWith(f + "/", StringComparison.Ordinal)).MaxBy(f => f.Length);
+    }
+
+    private static string Show(Needs needs) =>
+        $"{needs.GroupThreads} threads, {needs.Buffers} buffers, {needs.WritableBuffers} written, {needs.GroupMemory} bytes shared, {needs.VertexBuffers} buffers of a vertex shader";
+
+    [GeneratedRegex(@"new KernelNeeds\(""[^""]*"",\s*""(?<folder>[^""]*)"",\s*groupThreads: (?<threads>\d+), buffers: (?<buffers>\d+), writableBuffers: (?<writable>\d+), groupMemory: (?<memory>\d+), vertexBuffers: (?<vertex>\d+)\)")]
+    private static partial Regex Stated();
+}
