@@ -104,7 +104,7 @@ float3 ColliderForce(CollisionCollider collider, float3 position, float3 velocit
     }
 
 #if defined(FLUID_NO_SLIP)
-    if (nearest < _DragDistance)
+    for (bool isHeld = nearest < _DragDistance; isHeld; isHeld = false) // ends at once: skipped where a branch may not be
     {
         const float3 away = nearest > 0.0 ? nearestOffset / nearest : normalize(nearestNormal);
         drag += MeshDrag(away, behind ? 0.0 : nearest, velocity + drag * _KickStep);
@@ -128,7 +128,12 @@ float3 CollisionForce(float3 position, float3 velocity)
     float3 force = DomainForce(position, velocity);
 #if defined(FLUID_NO_SLIP)
     contact = max(contact, _DragDistance);
-    drag = DomainDrag(position + _DomainHalfSize, _DomainHalfSize - position, velocity);
+    const float3 low = position + _DomainHalfSize;
+    const float3 high = _DomainHalfSize - position;
+    for (bool isNear = any(min(low, high) < _DragDistance); isNear; isNear = false)
+    {
+        drag = DomainDrag(low, high, velocity);
+    }
 #endif
     const float reach = contact + length(velocity) * _TimeStep;
     for (uint c = 0u; c < _ColliderCount; c++)
