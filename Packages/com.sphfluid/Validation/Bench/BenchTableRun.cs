@@ -132,7 +132,7 @@ namespace SphFluid.Validation
             costs.TryGetValue(row, out (double Wall, double Frame) cost);
             yield return sampler.Sample(liquidOf[row], row.Config, cost.Frame);
             row.Dispatches = sampler.Dispatches;
-            row.IsListed = liquidOf[row].Solver.State.Standard?.List != null;
+            row.IsListed = liquidOf[row].Solver.State.Standard?.List?.Length > 0;
             row.Surface = sampler.FactsOf(row.Config);
             if (keep)
                 Keep(row);
