@@ -1,10 +1,11 @@
 using Headless.Checks.Shaders;
 using Headless.Shaders;
+using System.Text.RegularExpressions;
 
 namespace Headless.Checks.Cross;
 
 /// <summary>A kernel variant on its way into another shading language.</summary>
-internal sealed class CrossKernel(ShaderVariant variant, ShaderBinary binary)
+internal sealed partial class CrossKernel(ShaderVariant variant, ShaderBinary binary)
 {
     private const string Front = "glslangValidator", Translator = "spirv-cross";
     private const int ComputeTarget = 50;
@@ -20,7 +21,10 @@ internal sealed class CrossKernel(ShaderVariant variant, ShaderBinary binary)
     public string? ToMetal(string folder)
     {
         var spirV = Write(folder, "metal.spv", binary.SpirV);
-        return Problem(Tool.Run(Translator, spirV, "--msl", "--msl-version", "20100", "--output", spirV + ".metal"));
+        var text = spirV + ".metal";
+        return Problem(Tool.Run(Translator, spirV, "--msl", "--msl-version", "20100", "--output", text))
+            // No compiler of Metal is at hand: the translator writes "double" where it should refuse.
+            ?? (Doubles().IsMatch(File.ReadAllText(text)) ? "Metal has no numbers of 64 bits (double)" : null);
     }
 
     /// <summary>Translates into OpenGL ES 3.1's language and compiles that; null, or what is wrong.</summary>
@@ -55,6 +59,9 @@ internal sealed class CrossKernel(ShaderVariant variant, ShaderBinary binary)
         File.WriteAllBytes(path, bytes);
         return path;
     }
+
+    [GeneratedRegex(@"\bdouble[234]?\b")]
+    private static partial Regex Doubles();
 
     private static string? Problem((int Code, string Output)? run) =>
         run is null ? "a program is missing" : run.Value.Code == 0 ? null : run.Value.Output.ReplaceLineEndings(" | ");

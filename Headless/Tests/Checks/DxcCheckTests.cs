@@ -19,7 +19,7 @@ public sealed class DxcCheckTests
     }
 
     [TestCase("Out[id.x] = nothing;", "undeclared identifier", TestName = "an error for DXC")]
-    [TestCase("float2 v = float3(1, 2, 3); Out[id.x] = v.x;", "truncates", TestName = "a warning of DXC")]
+    [TestCase("float2 v = float3(1, 2, 3); Out[id.x] = v.x;", "truncation", TestName = "a warning of DXC")]
     public void FaultsAreFound(string body, string message) => Assert.That(Run(body).Findings, Has.Some.Contains(message).IgnoreCase);
 
     private static CheckReport Run(string body)
