@@ -10,11 +10,12 @@ cache=${XDG_CACHE_HOME:-$HOME/.cache}/sphfluid
 dotnet_major=10
 
 run_packages=(libvulkan1 mesa-vulkan-drivers glslang-tools ffmpeg gnuplot-nox)
-test_packages=(vulkan-validationlayers spirv-tools vkd3d-compiler wine64 gcc-mingw-w64-x86-64 npm)
-# Microsoft's HLSL compiler, used by ./run check and ./test only: it is a file in this npm package.
-compiler_package=gl@8.1.6
-compiler_file=package/deps/windows/dll/x64/d3dcompiler_47.dll
-compiler_sha256=e994847e01a6f1e4cbdc5a864616ac262f67ee4f14db194984661a8d927ab7f4
+test_packages=(vulkan-validationlayers spirv-tools spirv-cross vkd3d-compiler wine64 gcc-mingw-w64-x86-64 npm)
+# Microsoft's HLSL compilers, used by ./run check and ./test only: files in these npm packages.
+fxc=(d3dcompiler_47.dll gl@8.1.6 package/deps/windows/dll/x64/d3dcompiler_47.dll
+    e994847e01a6f1e4cbdc5a864616ac262f67ee4f14db194984661a8d927ab7f4)
+dxc=(dxcompiler.dll webgpu@0.6.2 package/dist/win32-x64/dxcompiler.dll
+    04cf618004bf19f789f54e8931c7f7106223bccd354b093c4ff725c748512602)
 
 say() { printf 'setup: %s\n' "$*" >&2; }
 fail() { say "$*"; exit 1; }
@@ -39,7 +40,7 @@ installed() { [[ $(dpkg-query -W -f '${Status}' "$1" 2> /dev/null) == *" install
 install_packages() {
     local missing=() package sudo=()
     if ! command -v dpkg-query > /dev/null; then
-        say "this is not a Debian system. Needed are the Vulkan loader and a driver, glslangValidator, ffmpeg and gnuplot$([[ $purpose == test ]] && echo ', the Vulkan validation layers, spirv-val, vkd3d-compiler, wine64, x86_64-w64-mingw32-gcc and npm')."
+        say "this is not a Debian system. Needed are the Vulkan loader and a driver, glslangValidator, ffmpeg and gnuplot$([[ $purpose == test ]] && echo ', the Vulkan validation layers, spirv-val, spirv-cross, vkd3d-compiler, wine64, x86_64-w64-mingw32-gcc and npm')."
         return
     fi
     for package in "${packages[@]}"; do
@@ -63,21 +64,25 @@ install_packages() {
     fi
 }
 
+# fetch_compiler FILE PACKAGE PATH SHA256: a file of an npm package into the cache.
 fetch_compiler() {
-    local target=$cache/d3dcompiler_47.dll folder
+    local target=$cache/$1 package=$2 file=$3 sha256=$4 folder
     [[ -e $target ]] && return
-    command -v npm > /dev/null || fail "npm is missing: it fetches the HLSL compiler for ./run check. See https://nodejs.org/en/download"
-    say "fetching d3dcompiler_47.dll (npm package $compiler_package)"
+    command -v npm > /dev/null || { say "npm is missing: it fetches $1 for ./run check. See https://nodejs.org/en/download"; return 1; }
+    say "fetching $1 (npm package $package)"
     folder=$(mktemp -d)
-    (cd "$folder" && npm pack --silent "$compiler_package" > /dev/null && tar -xzf gl-*.tgz "$compiler_file") \
-        || fail "npm could not fetch $compiler_package."
-    echo "$compiler_sha256  $folder/$compiler_file" | sha256sum --check --quiet > /dev/null || fail "$compiler_file of $compiler_package is not the file expected."
-    mv "$folder/$compiler_file" "$target"
+    (cd "$folder" && npm pack --silent --fetch-retries=0 "$package" > /dev/null && tar -xzf "${package%@*}"-*.tgz "$file") \
+        || { say "npm could not fetch $package."; return 1; }
+    echo "$sha256  $folder/$file" | sha256sum --check --quiet > /dev/null || { say "$file of $package is not the file expected."; return 1; }
+    mv "$folder/$file" "$target"
     rm -r "$folder"
 }
 
 mkdir -p "$cache" "$root/Build"
 check_dotnet
 install_packages
-[[ $purpose == test ]] && fetch_compiler
+if [[ $purpose == test ]]; then
+    fetch_compiler "${fxc[@]}" || exit 1
+    fetch_compiler "${dxc[@]}" || { say "without it ./run check leaves out DXC; the next run tries again."; exit 0; }
+fi
 touch "$stamp"

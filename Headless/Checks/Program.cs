@@ -1,10 +1,12 @@
 using Headless.Checks;
 using Headless.Checks.Api;
+using Headless.Checks.Cross;
+using Headless.Checks.Dxc;
 using Headless.Checks.Form;
 using Headless.Checks.Fxc;
 using Headless.Checks.Gpu;
 
-string[] names = ["api", "surface", "fxc", "gpu", "form"];
+string[] names = ["api", "surface", "fxc", "dxc", "cross", "gpu", "form"];
 var usage = $"usage: sphchecks PROJECT [--stand-in FOLDER] [--cache FOLDER] [--only {string.Join('|', names)}] [--update]";
 string? project = null, standIn = null, only = null, family = null, shaderCache = null;
 var update = false;
@@ -38,6 +40,8 @@ void Add(string name, Func<IEnumerable<CheckReport>> run)
 Add("api", () => new ApiCheck(package).Run());
 if (standIn is not null) Add("surface", () => [new StandInSurfaceCheck(standIn).Run()]);
 Add("fxc", () => [new FxcCheck(project, package, cache).Run()]);
+Add("dxc", () => [new DxcCheck(project, package, cache).Run()]);
+Add("cross", () => new CrossCheck(project, package, shaderCache).Run());
 Add("gpu", () => new GpuCheck(project, package, shaderCache, Path.Combine(project, "Headless", "Checks", "Gpu", "Data")).Run(update));
 Add("form", () => FormChecks.Run(project, package));
 

@@ -1,4 +1,4 @@
-using Headless.Shaders;
+using Headless.Checks.Shaders;
 using Headless.Shaders.Direct3D;
 
 namespace Headless.Checks.Fxc;
@@ -12,41 +12,24 @@ internal sealed class FxcCheck(string projectRoot, string packageRoot, string ca
     public CheckReport Run()
     {
         var report = new CheckReport("FXC");
-        var jobs = new List<FxcJob>();
-        var includes = new IncludeResolver(projectRoot);
-        var files = Directory.GetFiles(packageRoot, "*", SearchOption.AllDirectories).Where(f => Path.GetExtension(f) is ".compute" or ".shader").Order().ToList();
-        foreach (var file in files)
-        {
-            try
-            {
-                jobs.AddRange(Path.GetExtension(file) == ".compute"
-                    ? FxcJob.FromCompute(ComputeSource.Parse(file, includes))
-                    : FxcJob.FromShader(ShaderLabSource.Parse(file, includes)));
-            }
-            catch (ShaderCompileException e) { report.Findings.Add(e.Message); }
-        }
-        if (jobs.Count == 0 && report.Findings.Count == 0) report.Findings.Add($"no shaders below {packageRoot}");
+        var jobs = HlslJobs.Read(projectRoot, packageRoot, report.Findings);
         var toolchain = new FxcToolchain(cacheFolder);
         if (toolchain.Prepare() is { } missing) { report.SkippedBecause = missing; return report; }
-        Compile(jobs, toolchain, report, files.Count);
+        Compile(jobs, toolchain, report);
         return report;
     }
 
-    private void Compile(List<FxcJob> jobs, FxcToolchain toolchain, CheckReport report, int files)
+    private void Compile(HlslJobs jobs, FxcToolchain toolchain, CheckReport report)
     {
         var folder = Directory.CreateTempSubdirectory("fxc");
         try
         {
-            var lines = jobs.Select((job, i) =>
-            {
-                File.WriteAllText(Path.Combine(folder.FullName, $"{i}.hlsl"), job.Text);
-                return $"{i}\t{i}.hlsl\t{job.Entry}\t{job.Profile}";
-            }).ToList();
-            var results = toolchain.Run(folder.FullName, lines).Select(line => FxcResult.Parse(line, jobs)).ToList();
+            var results = toolchain.Run(folder.FullName, jobs.Write(folder.FullName, profile => profile))
+                .Select(line => FxcResult.Parse(line, jobs.Jobs)).ToList();
             foreach (var result in results) Check(result, report);
-            if (results.Count != jobs.Count) report.Findings.Add($"{jobs.Count} jobs went in, {results.Count} results came out");
+            if (results.Count != jobs.Jobs.Count) report.Findings.Add($"{jobs.Jobs.Count} jobs went in, {results.Count} results came out");
             var slots = results.Count > 0 ? results.Max(r => r.Slots) : 0;
-            report.Figures = $"{results.Count} entry points and variants of {files} files compiled by d3dcompiler_47, at most {slots} instruction slots";
+            report.Figures = $"{results.Count} entry points and variants of {jobs.Files} files compiled by d3dcompiler_47, at most {slots} instruction slots";
             new FxcBudget(packageRoot).Check(results, report);
             new KernelNeedsCheck(packageRoot).Check(results, report);
         }

@@ -112,6 +112,7 @@ internal sealed class PlayCommand(PlayOptions options)
             ("simulated_s", frames > 0 ? Time.timeAsDouble : 0), ("wall_s", wall),
             ("frames", frames), ("fps", options.Fps), ("width", options.Width), ("height", options.Height),
             ("gpu_memory_bytes", device.AllocatedBytes), ("errors", console.Errors),
+            ("environment", EnvironmentVersions.Read()),
         ]);
     }
 

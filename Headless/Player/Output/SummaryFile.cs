@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Headless.Player.Output;
 
-/// <summary><c>summary.json</c>: flat keys in the order given.</summary>
+/// <summary><c>summary.json</c>: keys in the order given; a list of texts by key becomes an object.</summary>
 public static class SummaryFile
 {
     public static void Write(string path, IReadOnlyList<(string Key, object? Value)> entries)
@@ -23,6 +23,11 @@ public static class SummaryFile
                     case long l: writer.WriteNumberValue(l); break;
                     case double d when double.IsFinite(d): writer.WriteNumberValue(Math.Round(d, 6)); break;
                     case double: writer.WriteNullValue(); break;
+                    case IReadOnlyList<(string Key, string Text)> texts:
+                        writer.WriteStartObject();
+                        foreach (var (name, text) in texts) writer.WriteString(name, text);
+                        writer.WriteEndObject();
+                        break;
                     default: writer.WriteStringValue(value.ToString()); break;
                 }
             }

@@ -1,0 +1,39 @@
+using Headless.Checks.Fxc;
+using Headless.Shaders;
+
+namespace Headless.Checks.Shaders;
+
+/// <summary>What Microsoft's compilers are given: every entry point of a package in every choice of keywords, tests' shaders included.</summary>
+/// <param name="Files">Files with shaders.</param>
+internal sealed record HlslJobs(IReadOnlyList<FxcJob> Jobs, int Files)
+{
+    /// <param name="problems">Gets a message for each file that cannot be read, and one where there is none.</param>
+    public static HlslJobs Read(string project, string package, List<string> problems)
+    {
+        var jobs = new List<FxcJob>();
+        var includes = new IncludeResolver(project);
+        var files = Directory.GetFiles(package, "*", SearchOption.AllDirectories).Where(f => Path.GetExtension(f) is ".compute" or ".shader").Order().ToList();
+        foreach (var file in files)
+        {
+            try
+            {
+                jobs.AddRange(Path.GetExtension(file) == ".compute"
+                    ? FxcJob.FromCompute(ComputeSource.Parse(file, includes))
+                    : FxcJob.FromShader(ShaderLabSource.Parse(file, includes)));
+            }
+            catch (ShaderCompileException e) { problems.Add(e.Message); }
+        }
+        if (jobs.Count == 0 && problems.Count == 0) problems.Add($"no shaders below {package}");
+        return new HlslJobs(jobs, files.Count);
+    }
+
+    /// <summary>Writes each text as NUMBER.hlsl, and returns the lines of a job list: number, file, entry point, profile.</summary>
+    public IReadOnlyList<string> Write(string folder, Func<string, string> profile) =>
+    [
+        .. Jobs.Select((job, i) =>
+        {
+            File.WriteAllText(Path.Combine(folder, $"{i}.hlsl"), job.Text);
+            return $"{i}\t{i}.hlsl\t{job.Entry}\t{profile(job.Profile)}";
+        }),
+    ];
+}
