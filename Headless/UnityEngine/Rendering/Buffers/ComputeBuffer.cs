@@ -77,7 +77,7 @@ public sealed partial class ComputeBuffer : IDisposable
 
         int size = UnsafeUtility.SizeOf<T>();
         writingOffset = Storage.CheckRange(checked(count * size), size, computeBufferStartIndex, nameof(BeginWrite));
-        writing = new NativeArray<byte>(count * size, Allocator.Persistent);
+        writing = new NativeArray<byte>(count * size, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
         return writing.Reinterpret<T>(1);
     }
 

@@ -118,7 +118,7 @@ public sealed partial class GraphicsBuffer : IDisposable
 
         int size = UnsafeUtility.SizeOf<T>();
         lockedOffset = Storage.CheckRange(checked(count * size), size, bufferStartIndex, nameof(LockBufferForWrite));
-        locked = new NativeArray<byte>(count * size, Allocator.Persistent);
+        locked = new NativeArray<byte>(count * size, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
         return locked.Reinterpret<T>(1);
     }
 

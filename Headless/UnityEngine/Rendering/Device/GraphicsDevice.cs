@@ -32,6 +32,7 @@ internal static class GraphicsDevice
         Shutdown();
         device = opened;
         compiler = shaderCompiler;
+        MemoryPoison.Enabled = opened.Poisons;
         EngineHooks.RenderFrame = FrameRenderer.RenderFrame;
         EngineHooks.EndFrame = EndFrame;
         EngineHooks.FillPrimitive = BuiltinMeshes.FillPrimitive;
@@ -64,6 +65,7 @@ internal static class GraphicsDevice
         FrameRenderer.Reset();
         Drawer.Reset();
         device.Dispose();
+        MemoryPoison.Enabled = false;
         device = null;
         compiler = null;
     }
