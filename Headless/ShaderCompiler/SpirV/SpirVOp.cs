@@ -76,6 +76,11 @@ internal enum SpirVOp : ushort
     Kill = 252,
     Return = 253,
     DecorateId = 332,
+    GroupNonUniformElect = 333,
+    GroupNonUniformBallotBitCount = 342,
+    GroupNonUniformIAdd = 349,
+    GroupNonUniformLogicalXor = 364,
+    GroupNonUniformQuadSwap = 366,
     DecorateString = 5632,
     MemberDecorateString = 5633,
 }

@@ -24,14 +24,10 @@ public sealed partial class ComputeBuffer : IDisposable
 
     public ComputeBuffer(int count, int stride, ComputeBufferType type, ComputeBufferMode usage)
     {
-        if ((type & (ComputeBufferType.Append | ComputeBufferType.Counter)) != 0)
-        {
-            throw new NotSupportedException("Append and Counter buffers have no counterpart on this device: use an atomic counter in a structured buffer.");
-        }
-
         mode = usage;
         Storage = new DeviceBuffer(
-            nameof(ComputeBuffer), count, stride, BufferUse.Storage | BufferUse.Transfer | BufferUse.Indirect | BufferUse.Uniform)
+            nameof(ComputeBuffer), count, stride, BufferUse.Storage | BufferUse.Transfer | BufferUse.Indirect | BufferUse.Uniform,
+            (type & (ComputeBufferType.Append | ComputeBufferType.Counter)) != 0)
         {
             Targets = BufferTargets.Of(type),
         };
