@@ -63,6 +63,7 @@ internal static class GraphicsDevice
         GlobalKeywords.Clear();
         DrawQueue.Clear();
         RandomWriteTargets.Clear();
+        LightLimits.Reset();
         Blitter.Reset();
         FrameRenderer.Reset();
         Drawer.Reset();
