@@ -1,4 +1,5 @@
 using System.Linq;
+using UnityEngine.Rendering;
 using UnityEngine;
 
 namespace Headless.Engine;
