@@ -24,7 +24,8 @@ internal sealed class EngineSession : IDisposable
     /// <param name="console">Takes the lines of the console.</param>
     /// <param name="direct3D">Compiles the kernels in the place of glslang.</param>
     public static EngineSession Start(
-        string project, string? assemblies, string? device, bool validate, Action<LogType, string> console, Direct3DFrontEnd? direct3D = null)
+        string project, string? assemblies, string? device, bool validate, Action<LogType, string> console, Direct3DFrontEnd? direct3D = null,
+        MemoryChecks? checks = null)
     {
         EngineHooks.Console = console;
         var scripts = new ScriptAssemblies(assemblies);
@@ -32,18 +33,22 @@ internal sealed class EngineSession : IDisposable
         EngineState.ScriptAssemblies = loaded;
         var includes = new IncludeResolver(project);
         var compiler = new ShaderCompiler(Path.Combine(CacheFolder, "shaders"), includes) { Direct3D = direct3D };
-        GraphicsDevice.Initialize(new GpuDeviceOptions { Adapter = device, Validate = validate }, compiler);
+        checks ??= MemoryChecks.FromEnvironment();
+        GraphicsDevice.Initialize(
+            new GpuDeviceOptions { Adapter = device, Validate = validate, Poison = checks.Poison, CheckBounds = checks.Bounds }, compiler);
         UnityProject opened = UnityProject.Open(project, scripts.Find, includes, line => console(LogType.Warning, "[Import] " + line));
         return new EngineSession(opened, scripts) { Assemblies = loaded };
     }
 
-    /// <summary>Prints what the validation layer found; true when it found nothing.</summary>
+    /// <summary>Prints what the validation layer found, and accesses outside buffers that were checked; true when there are none.</summary>
     public static bool ReportValidation()
     {
         IReadOnlyList<string> messages = GraphicsDevice.Device.ValidationMessages;
         foreach (string message in messages.Distinct()) Console.Error.WriteLine("[Validation] " + message);
         if (messages.Count > 0) Console.Error.WriteLine($"sphplayer: the validation layers had {messages.Count} message(s).");
-        return messages.Count == 0;
+        IReadOnlyList<string> outside = GraphicsDevice.Device.TakeOutOfBounds();
+        foreach (string line in outside) Console.Error.WriteLine("[Bounds] " + line);
+        return messages.Count == 0 && outside.Count == 0;
     }
 
     public void Dispose()

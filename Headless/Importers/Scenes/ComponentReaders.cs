@@ -83,6 +83,9 @@ internal static class ComponentReaders
         light.range = f.Float("m_Range", 10);
         light.spotAngle = f.Float("m_SpotAngle", 30);
         light.cullingMask = f.LayerBits("m_CullingMask", -1);
+        light.renderMode = (LightRenderMode)f.Int("m_RenderMode");
+        light.lightmapBakeType = (LightmapBakeType)f.Int("m_Lightmapping", (int)LightmapBakeType.Realtime);
+        light.cookie = f.Reference<Texture>("m_Cookie");
         NativeFields shadows = f.Nested("m_Shadows");
         light.shadows = (LightShadows)shadows.Int("m_Type");
         light.shadowStrength = shadows.Float("m_Strength", 1);

@@ -26,8 +26,9 @@ internal static class TestCommand
             return 0;
         }
         using var output = new TestRunOutput(Console.Out);
-        using EngineSession session = EngineSession.Start(options.Project, options.Assemblies, options.Device, options.Validate, output.AddConsoleLine, direct3D);
-        Console.WriteLine($"graphics device: {GraphicsDevice.Device.Adapter}");
+        using EngineSession session = EngineSession.Start(
+            options.Project, options.Assemblies, options.Device, options.Validate, output.AddConsoleLine, direct3D, options.Checks);
+        Console.WriteLine($"graphics device: {GraphicsDevice.Device.Adapter}{options.Checks}");
         var definitions = new AssemblyDefinitions(session.Project.Index);
         ILookup<bool, Assembly> tests = session.Assemblies.Where(HasTests)
             .ToLookup(a => definitions.All.Any(d => d.Name == a.GetName().Name && d.EditorOnly));

@@ -19,10 +19,14 @@ public sealed record TestOptions
     public bool Direct3D { get; init; }
     public string? Device { get; init; }
     public bool Validate { get; init; }
+    public MemoryChecks Checks { get; init; } = new(false, false);
 
     public static TestOptions Parse(IReadOnlyList<string> words)
     {
-        var arguments = new Arguments("test", words, ["--project", "--assemblies", "--mode", "--filter", "--compiler", "--device"], ["--validate"]);
+        var arguments = new Arguments(
+            "test", words, ["--project", "--assemblies", "--mode", "--filter", "--compiler", "--device"],
+            ["--validate", "--poison", "--check-bounds"]);
+        MemoryChecks environment = MemoryChecks.FromEnvironment();
         return new TestOptions
         {
             Project = arguments.Folder("--project"),
@@ -32,6 +36,8 @@ public sealed record TestOptions
             Direct3D = arguments.OneOf("--compiler", Compilers["glslang"], Compilers),
             Device = arguments.Text("--device"),
             Validate = arguments.Has("--validate"),
+            Checks = new MemoryChecks(
+                environment.Poison || arguments.Has("--poison"), environment.Bounds || arguments.Has("--check-bounds")),
         };
     }
 }

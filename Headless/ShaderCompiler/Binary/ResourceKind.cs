@@ -10,4 +10,7 @@ public enum ResourceKind
     Texture,
     RWTexture,
     Sampler,
+
+    /// <summary>The hidden counter of an append, consume or counted buffer; its name is the buffer's and "@count".</summary>
+    Counter,
 }

@@ -18,6 +18,9 @@ public sealed record ShaderResource(
     /// <summary>True for a SamplerComparisonState.</summary>
     public bool Comparison { get; init; }
 
+    /// <summary>Number n of register(un) of what a shader writes, given or assigned; otherwise -1.</summary>
+    public int Register { get; init; } = -1;
+
     /// <summary>Elements of an array of textures or samplers; otherwise 1.</summary>
     public int Count { get; init; } = 1;
 }

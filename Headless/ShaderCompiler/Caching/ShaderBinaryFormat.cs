@@ -65,6 +65,7 @@ internal static class ShaderBinaryFormat
         writer.Write(resource.SampledType);
         writer.Write(resource.Comparison);
         writer.Write(resource.Count);
+        writer.Write(resource.Register);
     }
 
     private static ShaderResource ReadResource(BinaryReader reader) =>
@@ -75,6 +76,7 @@ internal static class ShaderBinaryFormat
             SampledType = reader.ReadString(),
             Comparison = reader.ReadBoolean(),
             Count = reader.ReadInt32(),
+            Register = reader.ReadInt32(),
         };
 
     private static void WriteMember(BinaryWriter writer, ConstantMember member)

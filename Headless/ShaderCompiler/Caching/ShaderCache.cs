@@ -7,7 +7,7 @@ namespace Headless.Shaders;
 internal sealed class ShaderCache(string directory)
 {
     /// <summary>Raised whenever rewriting or the file format changes.</summary>
-    private const int FormatVersion = 3;
+    private const int FormatVersion = 4;
 
     /// <summary>Why the last write failed; null when none did.</summary>
     public string? WriteProblem { get; private set; }
@@ -19,7 +19,7 @@ internal sealed class ShaderCache(string directory)
         hash.AppendData(Encoding.UTF8.GetBytes(compiler));
         foreach (StageJob job in jobs)
         {
-            hash.AppendData(Encoding.UTF8.GetBytes($"{FormatVersion}\0{job.Stage}\0{job.EntryPoint}\0{job.Text}\0"));
+            hash.AppendData(Encoding.UTF8.GetBytes($"{FormatVersion}\0{job.Stage}\0{job.EntryPoint}\0{WaveOperations.Allowed(job)}\0{job.Text}\0"));
         }
         return Convert.ToHexStringLower(hash.GetHashAndReset());
     }

@@ -8,6 +8,10 @@ internal static class BinaryBuilder
     /// <param name="stages">A kernel alone, or the stages of a pass in pipeline order.</param>
     public static IReadOnlyList<ShaderBinary> Build(IReadOnlyList<(StageJob Job, byte[] SpirV)> stages)
     {
+        foreach ((StageJob job, byte[] spirV) in stages)
+        {
+            WaveOperations.Check(job, new SpirVModule(spirV));
+        }
         List<SpirVIndex> modules = [.. stages.Select(s => new SpirVIndex(new SpirVModule(s.SpirV)))];
         IReadOnlyList<VertexInput> inputs = [];
         List<ShaderBinary> binaries = [];
@@ -42,9 +46,11 @@ internal static class BinaryBuilder
         layout.Apply(keepConstantOffsets: job.Text.Contains("packoffset", StringComparison.Ordinal));
         DescriptorNumbers.Assign(index, set);
         AtomicOperands.Repair(index.Module);
+        WaveOperations.MakePrefixesExclusive(index.Module);
         EntryPointName.Set(index.Module, job.EntryPoint);
         Precision.MakeFull(index.Module);
-        return new ShaderReflector(index, layout, SourceNames.RawBuffers(job.Declarations), SourceNames.Sized(job.Text))
+        return new ShaderReflector(
+                index, layout, SourceNames.RawBuffers(job.Declarations), SourceNames.Sized(job.Text), SourceNames.WriteRegisters(job.Text))
             .Read(job.Stage, job.EntryPoint, inputs);
     }
 }

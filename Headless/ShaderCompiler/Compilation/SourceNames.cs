@@ -25,6 +25,20 @@ internal static partial class SourceNames
     /// <summary>Variables whose GetDimensions is called.</summary>
     public static HashSet<string> Sized(string text) => [.. GetDimensions().Matches(text).Select(m => m.Groups[1].Value)];
 
+    /// <summary>Numbers n of register(un) by the name they are given to.</summary>
+    public static Dictionary<string, int> WriteRegisters(string text)
+    {
+        Dictionary<string, int> registers = [];
+        foreach (Match match in WriteRegister().Matches(text))
+        {
+            registers[match.Groups[1].Value] = int.Parse(match.Groups[2].Value);
+        }
+        return registers;
+    }
+
+    [GeneratedRegex(@"\b(\w+)\s*(?:\[\w*\]\s*)?:\s*register\s*\(\s*u(\d+)")]
+    private static partial Regex WriteRegister();
+
     [GeneratedRegex(@"\b(?:RW)?ByteAddressBuffer\s+((?:[^;(){}]|\([^()]*\))+);")]
     private static partial Regex RawBufferDeclaration();
 

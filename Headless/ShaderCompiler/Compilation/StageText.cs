@@ -25,7 +25,7 @@ internal static class StageText
         {
             Define(text, keyword, "1");
         }
-        text.Append(MatrixSwizzles.Rewrite(LegacySamplers.Rewrite(source.Text)));
+        text.Append(MatrixSwizzles.Rewrite(LegacySamplers.Rewrite(source.Hlsl)));
         return text.ToString();
     }
 

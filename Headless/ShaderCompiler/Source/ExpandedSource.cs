@@ -10,5 +10,10 @@ internal sealed record ExpandedSource(string Text, IReadOnlyList<string> Files, 
     /// <summary>Stands for a text, whose quotes and spaces would not survive the compiler.</summary>
     public const string MessageWord = "HEADLESS_MESSAGE_";
 
+    private string? _hlsl;
+
+    /// <summary>Text with FXC's rules for globals and loop variables written out.</summary>
+    public string Hlsl => _hlsl ??= GlobalInitializers.Rewrite(LoopScopes.Rewrite(Text));
+
     public string FileName(int index) => index >= 1 && index <= Files.Count ? Files[index - 1] : Files[0];
 }

@@ -4,13 +4,15 @@ namespace Headless.Shaders.SpirV;
 
 /// <summary>Reads what the host must know from a rewritten module.</summary>
 /// <param name="rawBuffers">Names of byte address buffers; in SPIR-V they look like structured buffers of uint.</param>
+/// <param name="writeRegisters">Numbers n of register(un) that the source gives.</param>
 /// <param name="sized">Names whose GetDimensions is called; glslang makes the stride a constant.</param>
 internal sealed class ShaderReflector(
-    SpirVIndex index, D3DLayout layout, IReadOnlySet<string> rawBuffers, IReadOnlySet<string> sized)
+    SpirVIndex index, D3DLayout layout, IReadOnlySet<string> rawBuffers, IReadOnlySet<string> sized,
+    IReadOnlyDictionary<string, int> writeRegisters)
 {
     public ShaderBinary Read(ShaderStage stage, string entryPoint, IReadOnlyList<VertexInput> inputs)
     {
-        IReadOnlyList<ShaderResource> resources = Resources();
+        IReadOnlyList<ShaderResource> resources = Numbered(Resources(), stage);
         (int x, int y, int z) = KernelFacts.GroupSize(index);
         int shared = KernelFacts.SharedBytes(index, layout);
         SemanticNames.Strip(index.Module);
@@ -22,6 +24,33 @@ internal sealed class ShaderReflector(
     }
 
     public static string Hash(byte[] spirV) => Convert.ToHexStringLower(SHA256.HashData(spirV));
+
+    /// <summary>
+    /// Gives what is written its register: the source's, or the next free one. In a pixel shader the render targets have the
+    /// first ones.
+    /// </summary>
+    private List<ShaderResource> Numbered(List<ShaderResource> resources, ShaderStage stage)
+    {
+        HashSet<int> taken = [.. resources.Where(r => writeRegisters.ContainsKey(r.Name)).Select(r => writeRegisters[r.Name])];
+        int next = stage == ShaderStage.Fragment ? StageInterface.Read(index, SpirVStorage.Output, perVertex: false).Count : 0;
+        for (int i = 0; i < resources.Count; i++)
+        {
+            if (resources[i].Kind is not (ResourceKind.RWStructuredBuffer or ResourceKind.RWByteAddressBuffer or ResourceKind.RWTexture))
+            {
+                continue;
+            }
+            if (!writeRegisters.TryGetValue(resources[i].Name, out int register))
+            {
+                while (!taken.Add(next))
+                {
+                    next++;
+                }
+                register = next;
+            }
+            resources[i] = resources[i] with { Register = register };
+        }
+        return resources;
+    }
 
     private List<ShaderResource> Resources()
     {
@@ -75,9 +104,7 @@ internal sealed class ShaderReflector(
     {
         if (name.EndsWith("@count", StringComparison.Ordinal))
         {
-            throw new InvalidDataException(
-                $"'{name[..^6]}' needs a hidden counter (append, consume, IncrementCounter), which is not supported; "
-                + "use InterlockedAdd on an element of a RWStructuredBuffer");
+            return new ShaderResource(name, ResourceKind.Counter, binding, 0, 0, [], "");
         }
         bool readOnly = index.Find(type, 0, SpirVDecoration.NonWritable) is not null;
         bool raw = rawBuffers.Contains(name);

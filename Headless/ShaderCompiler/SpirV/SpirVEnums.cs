@@ -29,6 +29,8 @@ internal enum SpirVStorage : uint
     Uniform = 2,
     Output = 3,
     Workgroup = 4,
+    Private = 6,
+    Function = 7,
     StorageBuffer = 12,
 }
 

@@ -20,9 +20,8 @@ public abstract class RenderFixture
     {
         folder = Path.Combine(Path.GetTempPath(), $"headless-rendering-{Guid.NewGuid():N}");
         Directory.CreateDirectory(folder);
-        var options = new GpuDeviceOptions { Adapter = Environment.GetEnvironmentVariable("VULKAN_TEST_DEVICE"), Validate = true };
         string cache = Path.Combine(Path.GetTempPath(), "headless-rendering-shaders");
-        GraphicsDevice.Initialize(options, new ShaderCompiler(cache, new IncludeResolver(folder)));
+        GraphicsDevice.Initialize(Options, new ShaderCompiler(cache, new IncludeResolver(folder)));
     }
 
     [OneTimeTearDown]
@@ -72,6 +71,8 @@ public abstract class RenderFixture
             Assert.That(errors, Is.Empty, "console errors");
         });
     }
+
+    protected virtual GpuDeviceOptions Options => new() { Adapter = Environment.GetEnvironmentVariable("VULKAN_TEST_DEVICE"), Validate = true };
 
     protected IReadOnlyList<string> Warnings => warnings;
 

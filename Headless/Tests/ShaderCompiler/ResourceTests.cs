@@ -103,8 +103,14 @@ public sealed class ResourceTests : SandboxTests
         Assert.That(Resource(binary, "$Globals").Size, Is.EqualTo(16));
     }
 
-    [TestCase("AppendStructuredBuffer<float> _B;", "_B.Append(1);", "hidden counter")]
-    [TestCase("RWStructuredBuffer<uint> _B;", "_B.IncrementCounter();", "hidden counter")]
+    [TestCase("AppendStructuredBuffer<float> _B;", "_B.Append(1);")]
+    [TestCase("RWStructuredBuffer<uint> _B;", "_B.IncrementCounter();")]
+    public void HiddenCountersAreResourcesOfTheirOwn(string declaration, string use)
+    {
+        ShaderBinary binary = Sandbox.Kernel($"{declaration}\n[numthreads(1, 1, 1)] void CS() {{ {use} }}");
+        Assert.That(Resource(binary, "_B@count").Kind, Is.EqualTo(ResourceKind.Counter));
+    }
+
     [TestCase("RWBuffer<float> _B;", "_B[0] = 1;", "typed buffer")]
     public void WhatIsNotSupportedIsNamed(string declaration, string use, string expected)
     {

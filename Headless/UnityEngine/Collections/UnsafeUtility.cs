@@ -6,8 +6,16 @@ namespace Unity.Collections.LowLevel.Unsafe;
 
 public static unsafe class UnsafeUtility
 {
-    public static void* Malloc(long size, int alignment, Allocator allocator) =>
-        NativeMemory.AlignedAlloc((nuint)Math.Max(size, 1), (nuint)Math.Max(alignment, sizeof(void*)));
+    public static void* Malloc(long size, int alignment, Allocator allocator)
+    {
+        void* memory = NativeMemory.AlignedAlloc((nuint)Math.Max(size, 1), (nuint)Math.Max(alignment, sizeof(void*)));
+        if (Headless.Engine.MemoryPoison.Enabled)
+        {
+            NativeMemory.Fill(memory, (nuint)Math.Max(size, 1), 0xFF);
+        }
+
+        return memory;
+    }
 
     public static void Free(void* memory, Allocator allocator) => NativeMemory.AlignedFree(memory);
 

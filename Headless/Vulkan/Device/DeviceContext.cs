@@ -1,3 +1,4 @@
+using Headless.Shaders;
 using Headless.Vulkan.Native;
 
 namespace Headless.Vulkan;
@@ -5,8 +6,9 @@ namespace Headless.Vulkan;
 /// <summary>The logical device with its one queue, memory and limits; every part of this layer holds it.</summary>
 internal sealed unsafe class DeviceContext : IDisposable
 {
-    private DeviceContext(VulkanInstance instance, PhysicalAdapter physical, DeviceFeatures features)
+    private DeviceContext(VulkanInstance instance, PhysicalAdapter physical, DeviceFeatures features, bool poisons)
     {
+        Poisons = poisons;
         Instance = instance;
         Physical = physical;
         Features = features;
@@ -41,6 +43,12 @@ internal sealed unsafe class DeviceContext : IDisposable
 
     public MemoryAllocator Memory { get; }
 
+    /// <summary>Whether new memory holds set bits in place of zeros.</summary>
+    public bool Poisons { get; }
+
+    /// <summary>Takes what shaders find outside their buffers; null where indices are not checked.</summary>
+    public BoundsLog? Bounds { get; set; }
+
     /// <summary>Buffers and textures that are not disposed.</summary>
     public HashSet<GpuResource> Resources { get; } = [];
 
@@ -51,13 +59,22 @@ internal sealed unsafe class DeviceContext : IDisposable
         try
         {
             PhysicalAdapter physical = AdapterList.Choose(AdapterList.Read(instance), options.Adapter);
-            return new DeviceContext(instance, physical, DeviceFeatures.Read(physical, captureExecutables));
+            DeviceFeatures features = DeviceFeatures.Read(physical, captureExecutables);
+            features = options.CheckBounds ? features.WithoutRobustAccess() : features;
+            return new DeviceContext(instance, physical, features, options.Poison);
         }
         catch
         {
             instance.Dispose();
             throw;
         }
+    }
+
+    /// <summary>The shader as it runs: with poisoned groupshared memory and checked indices where the device is to have them.</summary>
+    public ShaderBinary Instrument(ShaderBinary shader)
+    {
+        shader = Bounds is null ? shader : BoundsCheck.Apply(shader, Bounds.Register);
+        return Poisons ? SharedMemoryPoison.Apply(shader) : shader;
     }
 
     /// <summary>Gives a Vulkan object its name in validation messages and captures.</summary>

@@ -45,6 +45,14 @@ internal sealed record DeviceFeatures(VkPhysicalDeviceFeatures Core, bool Mirror
         return new DeviceFeatures(all.features, v12.samplerMirrorClampToEdge != 0, exactBounds, executables);
     }
 
+    /// <summary>Accesses outside a buffer do what the device does, not what D3D11 says.</summary>
+    public DeviceFeatures WithoutRobustAccess()
+    {
+        VkPhysicalDeviceFeatures core = Core;
+        core.robustBufferAccess = 0;
+        return this with { Core = core, Robustness2 = false };
+    }
+
     /// <summary>Fills the chain for device creation; the structs must stay where they are until then.</summary>
     public unsafe void Write(
         VkPhysicalDeviceFeatures2* core, VkPhysicalDeviceVulkan12Features* v12, VkPhysicalDeviceVulkan13Features* v13,

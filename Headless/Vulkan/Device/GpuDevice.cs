@@ -24,6 +24,11 @@ public sealed class GpuDevice : IDisposable
         timers = new TimerCommands(stream);
         readback = new Readback(stream);
         Recorder = new CommandRecorder(stream, timers);
+        if (options.CheckBounds)
+        {
+            context.Bounds = new BoundsLog(context, ring);
+            Recorder.FillBuffer(context.Bounds.Buffer, 0, context.Bounds.Buffer.PaddedSize, 0);
+        }
     }
 
     /// <summary>The device in use.</summary>
@@ -37,6 +42,9 @@ public sealed class GpuDevice : IDisposable
 
     /// <summary>Warnings and errors of the validation layer since the device was opened; empty without it.</summary>
     public IReadOnlyList<string> ValidationMessages => context.Instance.Messages;
+
+    /// <summary>Whether new buffers, textures and groupshared memory hold set bits in place of zeros.</summary>
+    public bool Poisons => context.Poisons;
 
     /// <summary>Records work.</summary>
     public CommandRecorder Recorder { get; }
@@ -65,22 +73,63 @@ public sealed class GpuDevice : IDisposable
         }
     }
 
-    /// <summary>Creates a buffer of zeros; <paramref name="size"/> in bytes.</summary>
+    /// <summary>Creates a buffer of zeros, or of set bits on a device that poisons; <paramref name="size"/> in bytes.</summary>
     /// <exception cref="GpuException">Size is not positive or beyond a limit, or memory is out.</exception>
     public GpuBuffer CreateBuffer(long size, BufferUse use, string name)
     {
         GpuBuffer buffer = new(context, ring, size, use, name);
-        Recorder.FillBuffer(buffer, 0, buffer.PaddedSize, 0);
+        Recorder.FillBuffer(buffer, 0, buffer.PaddedSize, Poisons ? uint.MaxValue : 0);
         return buffer;
     }
 
-    /// <summary>Creates a texture whose texels are all zero.</summary>
+    /// <summary>Creates a texture whose texels are all zero, or poisoned on a device that does so.</summary>
     /// <exception cref="GpuException">A size, format or sample count is not supported, or memory is out.</exception>
     public GpuTexture CreateTexture(GpuTextureDescription description, string name)
     {
         GpuTexture texture = new(context, ring, description, name);
-        Recorder.ClearTexture(texture);
+        if (Poisons)
+        {
+            Recorder.PoisonTexture(texture);
+        }
+        else
+        {
+            Recorder.ClearTexture(texture);
+        }
+
         return texture;
+    }
+
+    /// <summary>On a device that poisons: makes a texture's content what a new one's is.</summary>
+    public void Poison(GpuTexture texture)
+    {
+        if (Poisons)
+        {
+            Recorder.PoisonTexture(texture);
+        }
+    }
+
+    /// <summary>
+    /// The accesses outside buffers and arrays that shaders have made since the last call, a line a shader and variable;
+    /// submits and waits. Empty unless <see cref="GpuDeviceOptions.CheckBounds"/>.
+    /// </summary>
+    public IReadOnlyList<string> TakeOutOfBounds()
+    {
+        if (context.Bounds is not { } bounds)
+        {
+            return [];
+        }
+
+        uint[] words = new uint[bounds.Used / sizeof(uint)];
+        WaitIdle();
+        ReadBuffer(bounds.Buffer, 0, System.Runtime.InteropServices.MemoryMarshal.AsBytes(words.AsSpan()));
+        IReadOnlyList<string> lines = bounds.Describe(words);
+        if (lines.Count > 0)
+        {
+            Recorder.FillBuffer(bounds.Buffer, 0, bounds.Used, 0);
+            WaitIdle();
+        }
+
+        return lines;
     }
 
     /// <summary>The sampler of a description; equal descriptions share one, which lives as long as the device.</summary>

@@ -12,6 +12,18 @@ public sealed record GpuDeviceOptions
     /// <summary>With <see cref="Validate"/>, also checks that no command races with another; slow.</summary>
     public bool ValidateSynchronization { get; init; }
 
+    /// <summary>
+    /// Fills new buffers, textures and groupshared memory with set bits (NaN as a float) in place of zeros, as a real device
+    /// may leave anything in them.
+    /// </summary>
+    public bool Poison { get; init; }
+
+    /// <summary>
+    /// Leaves robust access to buffers off and checks every index into buffers, groupshared and local arrays; what lies
+    /// outside is named by <see cref="GpuDevice.TakeOutOfBounds"/>.
+    /// </summary>
+    public bool CheckBounds { get; init; }
+
     /// <summary>Folder of the persistent pipeline cache; null is the user's cache folder + "sphfluid".</summary>
     public string? CacheDirectory { get; init; }
 }

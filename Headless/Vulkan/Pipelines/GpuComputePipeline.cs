@@ -10,9 +10,10 @@ public sealed unsafe class GpuComputePipeline : GpuPipeline
     {
         Shader = shader;
         CheckLimits(context);
-        Stages = [new StageLayout(context, shader, Name)];
+        ShaderBinary runs = context.Instrument(shader);
+        Stages = [new StageLayout(context, runs, Name)];
         Layout = ShaderStages.CreateLayout(context, Stages, Name);
-        Handle = Create(context, cache);
+        Handle = Create(context, cache, runs);
         context.SetName(VkObjectType.Pipeline, Handle.Handle, Name);
     }
 
@@ -21,10 +22,10 @@ public sealed unsafe class GpuComputePipeline : GpuPipeline
 
     internal override VkPipelineBindPoint BindPoint => VkPipelineBindPoint.Compute;
 
-    private VkPipeline Create(DeviceContext context, VkPipelineCache cache)
+    private VkPipeline Create(DeviceContext context, VkPipelineCache cache, ShaderBinary runs)
     {
         using Utf8Texts texts = new();
-        VkShaderModule module = ShaderStages.CreateModule(context, Shader, Name);
+        VkShaderModule module = ShaderStages.CreateModule(context, runs, Name);
         VkComputePipelineCreateInfo info = new()
         {
             flags = context.Features.PipelineFlags,

@@ -19,7 +19,8 @@ internal sealed record LayoutEntry(ShaderResource Resource, VkDescriptorType Typ
             throw new GpuException($"Shader '{shader}': '{resource.Name}' is an array of {resource.Count} textures or samplers; declare them one by one.");
         }
 
-        bool writes = resource.Kind is ResourceKind.RWStructuredBuffer or ResourceKind.RWByteAddressBuffer or ResourceKind.RWTexture;
+        bool writes = resource.Kind is ResourceKind.RWStructuredBuffer or ResourceKind.RWByteAddressBuffer or ResourceKind.RWTexture
+            or ResourceKind.Counter;
         VkDescriptorType type = resource.Kind switch
         {
             ResourceKind.ConstantBuffer => VkDescriptorType.UniformBufferDynamic,

@@ -10,6 +10,7 @@ internal sealed unsafe class RenderPipelineBuilder(DeviceContext context, VkPipe
     {
         string name = RenderPipelineKey.NameOf(description);
         RenderPipelineCheck.Validate(context, description, name);
+        description = description with { Stages = [.. description.Stages.Select(context.Instrument)] };
         StageLayout[] layouts = new StageLayout[ResourceBindings.SetCount];
         for (int set = 0; set < layouts.Length; set++)
         {

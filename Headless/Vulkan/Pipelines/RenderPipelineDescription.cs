@@ -3,7 +3,7 @@ using Headless.Shaders;
 namespace Headless.Vulkan;
 
 /// <summary>Everything that decides a graphics pipeline; equal content gives the same <see cref="GpuRenderPipeline"/>.</summary>
-public sealed class RenderPipelineDescription
+public sealed record RenderPipelineDescription
 {
     /// <summary>Vertex, optional geometry and optional fragment stage.</summary>
     public required IReadOnlyList<ShaderBinary> Stages { get; init; }

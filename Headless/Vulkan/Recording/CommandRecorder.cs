@@ -61,6 +61,12 @@ public sealed class CommandRecorder
     /// <summary>Sets all texels of a texture to zero.</summary>
     public void ClearTexture(GpuTexture texture) => textureCopy.Clear(texture);
 
+    /// <summary>
+    /// Sets all texels to what shows where it is used: NaN in float formats, the largest value in unsigned ones, -1 in signed
+    /// ones, and 1 (nearest in reversed depth, so that nothing is drawn behind it) in depth.
+    /// </summary>
+    public void PoisonTexture(GpuTexture texture) => textureCopy.Poison(texture);
+
     /// <summary>Averages a multisampled color texture into a one-sample texture of the same format and size.</summary>
     public void ResolveTexture(GpuTexture source, GpuTexture target) => textureCopy.Resolve(source, target);
 

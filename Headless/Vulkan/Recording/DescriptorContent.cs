@@ -40,6 +40,10 @@ internal sealed class DescriptorContent(DeviceContext context)
                 case VkDescriptorType.UniformBufferDynamic:
                     Uniform(pipeline, layout, entry, ref slot, bindings, submission, hazards, target);
                     break;
+                case VkDescriptorType.StorageBuffer when context.Bounds is { } bounds && entry.Resource.Name == BoundsCheck.LogName:
+                    // Additions only, which need no order: the hazards do not hear of them.
+                    (target[0], target[1], target[2]) = (bounds.Buffer.Handle.Handle, 0, (ulong)bounds.Buffer.Size);
+                    break;
                 case VkDescriptorType.StorageBuffer:
                     Storage(pipeline, layout, entry, slot, hazards, target);
                     break;

@@ -98,7 +98,11 @@ internal sealed unsafe class TextureCopyCommands(CommandStream stream)
     }
 
     /// <summary>Sets all texels to zero.</summary>
-    public void Clear(GpuTexture texture)
+    public void Clear(GpuTexture texture) => Clear(texture, 0, 0);
+
+    public void Poison(GpuTexture texture) => Clear(texture, texture.Info.Normalised ? 0x3F800000 : uint.MaxValue, 1);
+
+    private void Clear(GpuTexture texture, uint colorBits, float depth)
     {
         stream.Begin();
         stream.Hazards.Use(texture, VkImageLayout.TransferDstOptimal, write: true, Stage);
@@ -106,13 +110,14 @@ internal sealed unsafe class TextureCopyCommands(CommandStream stream)
         VkImageSubresourceRange range = texture.WholeRange;
         if (texture.IsDepth)
         {
-            VkClearDepthStencilValue zero = default;
-            Vk.vkCmdClearDepthStencilImage(stream.Commands, texture.Handle, VkImageLayout.TransferDstOptimal, &zero, 1, &range);
+            VkClearDepthStencilValue value = new() { depth = depth };
+            Vk.vkCmdClearDepthStencilImage(stream.Commands, texture.Handle, VkImageLayout.TransferDstOptimal, &value, 1, &range);
         }
         else
         {
-            VkClearColorValue zero = default;
-            Vk.vkCmdClearColorImage(stream.Commands, texture.Handle, VkImageLayout.TransferDstOptimal, &zero, 1, &range);
+            VkClearColorValue value = default;
+            new Span<uint>(value.uint32, 4).Fill(colorBits);
+            Vk.vkCmdClearColorImage(stream.Commands, texture.Handle, VkImageLayout.TransferDstOptimal, &value, 1, &range);
         }
 
         stream.Count();

@@ -8,6 +8,11 @@ internal static class BufferViewCheck
     /// <summary>What does not fit and how to mend it; null where the buffer fits.</summary>
     public static string? Mismatch(in BufferEntry entry, DeviceBuffer buffer)
     {
+        if (entry.IsCounter)
+        {
+            return buffer.Counter is null ? $"'{entry.Name}' is counted, but buffer '{buffer.Name}' was created as {buffer.Targets.Flags}: create it as Append or Counter" : null;
+        }
+
         BufferView view = buffer.Targets.View;
         bool fits = entry.Kind switch
         {

@@ -24,14 +24,10 @@ public sealed partial class ComputeBuffer : IDisposable
 
     public ComputeBuffer(int count, int stride, ComputeBufferType type, ComputeBufferMode usage)
     {
-        if ((type & (ComputeBufferType.Append | ComputeBufferType.Counter)) != 0)
-        {
-            throw new NotSupportedException("Append and Counter buffers have no counterpart on this device: use an atomic counter in a structured buffer.");
-        }
-
         mode = usage;
         Storage = new DeviceBuffer(
-            nameof(ComputeBuffer), count, stride, BufferUse.Storage | BufferUse.Transfer | BufferUse.Indirect | BufferUse.Uniform)
+            nameof(ComputeBuffer), count, stride, BufferUse.Storage | BufferUse.Transfer | BufferUse.Indirect | BufferUse.Uniform,
+            (type & (ComputeBufferType.Append | ComputeBufferType.Counter)) != 0)
         {
             Targets = BufferTargets.Of(type),
         };
@@ -77,7 +73,7 @@ public sealed partial class ComputeBuffer : IDisposable
 
         int size = UnsafeUtility.SizeOf<T>();
         writingOffset = Storage.CheckRange(checked(count * size), size, computeBufferStartIndex, nameof(BeginWrite));
-        writing = new NativeArray<byte>(count * size, Allocator.Persistent);
+        writing = new NativeArray<byte>(count * size, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
         return writing.Reinterpret<T>(1);
     }
 

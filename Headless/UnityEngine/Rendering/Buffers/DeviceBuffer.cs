@@ -11,7 +11,8 @@ internal sealed class DeviceBuffer
     private GpuBuffer? gpu;
     private string name;
 
-    public DeviceBuffer(string kind, int count, int stride, BufferUse use)
+    /// <param name="counts">The buffer has a hidden counter, which begins at 0.</param>
+    public DeviceBuffer(string kind, int count, int stride, BufferUse use, bool counts = false)
     {
         if (count <= 0)
         {
@@ -37,11 +38,15 @@ internal sealed class DeviceBuffer
 
         // Copies and fills are made in whole words.
         gpu = GraphicsDevice.Device.CreateBuffer((ByteSize + 3) & ~3L, use, kind);
+        Counter = counts ? BufferCounter.Create(kind, 0) : null;
     }
 
     public int Count { get; }
     public int Stride { get; }
     public long ByteSize { get; }
+    /// <summary>The hidden counter of append, consume and counted buffers; null for others, and once released.</summary>
+    public GpuBuffer? Counter { get; private set; }
+
     public bool IsValid => gpu is not null;
 
     /// <summary>What a script created it for; nothing for buffers of the engine's own.</summary>
@@ -62,7 +67,8 @@ internal sealed class DeviceBuffer
     public void Release()
     {
         gpu?.Dispose();
-        gpu = null;
+        Counter?.Dispose();
+        (gpu, Counter) = (null, null);
     }
 
     /// <summary>Gives the memory back from the finalizer, where nothing but queuing is safe.</summary>
@@ -72,6 +78,11 @@ internal sealed class DeviceBuffer
         {
             gpu = null;
             GraphicsDevice.ReportLeak(kind, name, left);
+            if (Counter is { } counter)
+            {
+                Counter = null;
+                GraphicsDevice.FreeLater(counter);
+            }
         }
     }
 

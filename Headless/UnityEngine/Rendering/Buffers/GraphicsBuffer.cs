@@ -43,14 +43,13 @@ public sealed partial class GraphicsBuffer : IDisposable
             throw new ArgumentException("GraphicsBuffer with usageFlags LockBufferForWrite can't have target CopyDestination.");
         }
 
-        if ((target & (Target.Append | Target.Counter)) != 0)
-        {
-            throw new NotSupportedException("Append and Counter buffers have no counterpart on this device: use an atomic counter in a structured buffer.");
-        }
-
         this.target = target;
         this.usageFlags = usageFlags;
-        Storage = new DeviceBuffer(nameof(GraphicsBuffer), count, stride, Use(target)) { Targets = BufferTargets.Of(target) };
+        Storage = new DeviceBuffer(
+            nameof(GraphicsBuffer), count, stride, Use(target), (target & (Target.Append | Target.Counter)) != 0)
+        {
+            Targets = BufferTargets.Of(target),
+        };
         Handle = Interlocked.Increment(ref lastHandle);
         BufferHandles.Add(Handle, Storage);
     }
@@ -118,7 +117,7 @@ public sealed partial class GraphicsBuffer : IDisposable
 
         int size = UnsafeUtility.SizeOf<T>();
         lockedOffset = Storage.CheckRange(checked(count * size), size, bufferStartIndex, nameof(LockBufferForWrite));
-        locked = new NativeArray<byte>(count * size, Allocator.Persistent);
+        locked = new NativeArray<byte>(count * size, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
         return locked.Reinterpret<T>(1);
     }
 

@@ -65,9 +65,6 @@ public partial class CommandBuffer
         Upload(Require(buffer).Storage, NativeSpans.BytesOf(part), NativeSpans.SizeOf<T>(), graphicsBufferStartIndex);
     }
 
-    public void SetBufferCounterValue(GraphicsBuffer buffer, uint counterValue) => throw new NotSupportedException(
-        "CommandBuffer.SetBufferCounterValue: buffers have no hidden counter on this device: use an atomic counter in a structured buffer.");
-
     public void RequestAsyncReadback(GraphicsBuffer src, Action<AsyncGPUReadbackRequest> callback) =>
         RequestAsyncReadback(src, Require(src).count * src.stride, 0, callback);
 
@@ -116,9 +113,6 @@ public partial class CommandBuffer
         ReadOnlySpan<T> part = NativeSpans.Read(data).Slice(nativeBufferStartIndex, count);
         Upload(Require(buffer).Storage, NativeSpans.BytesOf(part), NativeSpans.SizeOf<T>(), graphicsBufferStartIndex);
     }
-
-    public void SetBufferCounterValue(ComputeBuffer buffer, uint counterValue) => throw new NotSupportedException(
-        "CommandBuffer.SetBufferCounterValue: buffers have no hidden counter on this device: use an atomic counter in a structured buffer.");
 
     public void RequestAsyncReadback(ComputeBuffer src, Action<AsyncGPUReadbackRequest> callback) =>
         RequestAsyncReadback(src, Require(src).count * src.stride, 0, callback);

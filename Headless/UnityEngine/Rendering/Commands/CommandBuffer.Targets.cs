@@ -14,11 +14,16 @@ public partial class CommandBuffer
     public void SetRenderTarget(RenderTargetIdentifier rt, int mipLevel, CubemapFace cubemapFace, int depthSlice) =>
         SetRenderTarget(new RenderTargetIdentifier(rt, mipLevel, cubemapFace, depthSlice));
 
-    public void SetRenderTarget(RenderTargetIdentifier rt, RenderBufferLoadAction loadAction, RenderBufferStoreAction storeAction) => SetRenderTarget(rt);
+    public void SetRenderTarget(RenderTargetIdentifier rt, RenderBufferLoadAction loadAction, RenderBufferStoreAction storeAction) =>
+        SetRenderTarget(rt, loadAction, storeAction, loadAction, storeAction);
 
     public void SetRenderTarget(
         RenderTargetIdentifier rt, RenderBufferLoadAction colorLoadAction, RenderBufferStoreAction colorStoreAction,
-        RenderBufferLoadAction depthLoadAction, RenderBufferStoreAction depthStoreAction) => SetRenderTarget(rt);
+        RenderBufferLoadAction depthLoadAction, RenderBufferStoreAction depthStoreAction) => Add(c =>
+        {
+            SwitchTo(c.Target(rt));
+            TargetState.Discard(colorLoadAction == RenderBufferLoadAction.DontCare, depthLoadAction == RenderBufferLoadAction.DontCare);
+        });
 
     public void SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth) => Add(c =>
     {

@@ -126,7 +126,7 @@ internal static class ComputeDispatcher
                 return false;
             }
 
-            bindings.SetBuffer(table.Set, entry.Binding, slot.Buffer!.Gpu);
+            bindings.SetBuffer(table.Set, entry.Binding, entry.Of(slot.Buffer!));
         }
 
         return true;

@@ -10,6 +10,7 @@ namespace Headless.Engine;
 internal static class GraphicsDevice
 {
     private static readonly ConcurrentQueue<(string Kind, string Name, GpuBuffer Buffer)> Leaks = new();
+    private static readonly ConcurrentQueue<GpuBuffer> Unused = new();
     private static GpuDevice? device;
     private static ShaderCompiler? compiler;
 
@@ -32,6 +33,7 @@ internal static class GraphicsDevice
         Shutdown();
         device = opened;
         compiler = shaderCompiler;
+        MemoryPoison.Enabled = opened.Poisons;
         EngineHooks.RenderFrame = FrameRenderer.RenderFrame;
         EngineHooks.EndFrame = EndFrame;
         EngineHooks.FillPrimitive = BuiltinMeshes.FillPrimitive;
@@ -60,16 +62,22 @@ internal static class GraphicsDevice
         GlobalProperties.Sheet.Clear();
         GlobalKeywords.Clear();
         DrawQueue.Clear();
+        RandomWriteTargets.Clear();
+        LightLimits.Reset();
         Blitter.Reset();
         FrameRenderer.Reset();
         Drawer.Reset();
         device.Dispose();
+        MemoryPoison.Enabled = false;
         device = null;
         compiler = null;
     }
 
     /// <summary>Called from finalizers: the buffer is freed, and complained about, at the end of the frame.</summary>
     public static void ReportLeak(string kind, string name, GpuBuffer buffer) => Leaks.Enqueue((kind, name, buffer));
+
+    /// <summary>Called from finalizers: the buffer is freed at the end of the frame.</summary>
+    public static void FreeLater(GpuBuffer buffer) => Unused.Enqueue(buffer);
 
     /// <summary>Frees what scripts forgot to release, with Unity's warning.</summary>
     public static void CollectLeaks()
@@ -78,6 +86,11 @@ internal static class GraphicsDevice
         {
             Debug.LogWarning($"GarbageCollector disposing of {leak.Kind}. Please use {leak.Kind}.Release() or .Dispose() to manually release the buffer. Name: {leak.Name}");
             leak.Buffer.Dispose();
+        }
+
+        while (Unused.TryDequeue(out GpuBuffer? buffer))
+        {
+            buffer.Dispose();
         }
     }
 

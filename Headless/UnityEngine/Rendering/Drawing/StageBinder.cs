@@ -9,6 +9,8 @@ namespace Headless.Engine;
 /// <summary>Fills the bindings of a draw's stages.</summary>
 internal static class StageBinder
 {
+    private const int PixelSet = 2;
+
     private static byte[] scratch = new byte[1024];
 
     /// <summary>False after naming what is missing, or what of a buffer does not fit.</summary>
@@ -16,20 +18,20 @@ internal static class StageBinder
     {
         foreach (BufferEntry entry in table.Buffers)
         {
-            BufferSlot slot = chain.Buffer(entry.NameId);
-            if (!slot.IsSet)
+            DeviceBuffer? buffer = WriteTarget(table, entry) ?? (chain.Buffer(entry.NameId) is { IsSet: true } slot ? slot.Buffer : null);
+            if (buffer is null)
             {
                 problem = Missing(entry.Name);
                 return false;
             }
 
-            problem = BufferViewCheck.Mismatch(entry, slot.Buffer!);
+            problem = BufferViewCheck.Mismatch(entry, buffer);
             if (problem is not null)
             {
                 return false;
             }
 
-            bindings.SetBuffer(table.Set, entry.Binding, slot.Buffer!.Gpu);
+            bindings.SetBuffer(table.Set, entry.Binding, entry.Of(buffer));
         }
 
         foreach (TextureEntry entry in table.Textures)
@@ -59,9 +61,28 @@ internal static class StageBinder
     private static string Missing(string name) =>
         $"requires a buffer \"{name}\" to be bound, but none provided. Skipping draw calls to avoid crashing.";
 
+    /// <summary>What Graphics.SetRandomWriteTarget bound to the register of the buffer; a counter goes with its buffer.</summary>
+    private static DeviceBuffer? WriteTarget(BindingTable table, in BufferEntry entry)
+    {
+        if (table.Set != PixelSet)
+        {
+            return null;
+        }
+
+        int register = entry.Register;
+        if (entry.IsCounter)
+        {
+            int id = entry.NameId;
+            register = Array.Find(table.Buffers, b => b.NameId == id && !b.IsCounter).Register;
+        }
+
+        return RandomWriteTargets.Buffer(register);
+    }
+
     private static bool BindTexture(BindingTable table, in TextureEntry entry, in PropertyChain chain, ResourceBindings bindings)
     {
-        TextureSlot slot = chain.Texture(entry.NameId);
+        Texture? written = table.Set == PixelSet ? RandomWriteTargets.Texture(entry.Register) : null;
+        TextureSlot slot = written is null ? chain.Texture(entry.NameId) : new TextureSlot(written);
         GpuTexture? texture = slot.Texture?.DeviceTexture(slot.Element);
         if (entry.Storage)
         {

@@ -1,3 +1,4 @@
+using System.Linq;
 using Headless.Vulkan;
 using UnityEngine;
 
@@ -46,6 +47,18 @@ internal static class TargetState
         if (clearDepths)
         {
             (clearDepth, depth) = (true, toDepth);
+        }
+    }
+
+    /// <summary>Content that nobody cares for is undefined: on a device that poisons, it is poisoned.</summary>
+    public static void Discard(bool colors, bool depths)
+    {
+        if (MemoryPoison.Enabled && (colors || depths) && target is not null)
+        {
+            bool fractions = target.Colors.Any(t => t.Description.Format is GpuFormat.R8Unorm or GpuFormat.R8G8Unorm
+                or GpuFormat.R8G8B8A8Unorm or GpuFormat.R8G8B8A8Srgb);
+            float poison = fractions ? 1f : float.NaN;
+            Clear(colors, depths, new Color(poison, poison, poison, poison), 1f);
         }
     }
 

@@ -33,12 +33,11 @@ internal static class LightSettings
         sheet.SetVector(BuiltinNames.LightColor, sun != null ? sun.FinalColor : Color.clear);
     }
 
-    /// <summary>The four brightest point and spot lights, as Unity hands them to vertex lighting.</summary>
+    /// <summary>The four brightest point lights, as Unity hands them to vertex lighting.</summary>
     private static void ApplyPointLights()
     {
-        Light[] lights = [.. LightList.All
-            .Where(l => l.type is LightType.Point or LightType.Spot)
-            .OrderByDescending(l => l.intensity * l.range).Take(4)];
+        LightLimits.Report();
+        Light[] lights = [.. LightLimits.Points.Take(LightLimits.MaxPoints)];
         var positions = new Vector4[3];
         var attenuation = new Vector4();
         var colors = new Vector4[8];

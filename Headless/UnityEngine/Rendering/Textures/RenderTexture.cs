@@ -134,6 +134,16 @@ public partial class RenderTexture : Texture
 
     public void DiscardContents(bool discardColor, bool discardDepth)
     {
+        if (discardColor)
+        {
+            Poison(color);
+            Poison(multisampled);
+        }
+
+        if (discardDepth)
+        {
+            Poison(depthTexture);
+        }
     }
 
     public void GenerateMips()
@@ -161,6 +171,14 @@ public partial class RenderTexture : Texture
     internal override Object CloneNative() => new RenderTexture(description) { name = name };
 
     private bool Created() => Create();
+
+    private static void Poison(GpuTexture? texture)
+    {
+        if (texture is not null)
+        {
+            GraphicsDevice.Device.Poison(texture);
+        }
+    }
 
     private GpuTexture Make(GpuFormat format, int samples, int mips, bool storage, string label)
     {

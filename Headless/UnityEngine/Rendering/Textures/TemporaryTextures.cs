@@ -19,6 +19,7 @@ internal static class TemporaryTextures
         {
             texture = Free[index].Texture;
             Free.RemoveAt(index);
+            texture.DiscardContents();
         }
         else
         {

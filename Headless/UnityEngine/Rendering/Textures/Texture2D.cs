@@ -31,6 +31,7 @@ public sealed partial class Texture2D : Texture
     public Texture2D(int width, int height, TextureFormat textureFormat, bool mipChain, bool linear, bool createUninitialized)
         : this(width, height, textureFormat, mipChain, linear)
     {
+        Uninitialize(createUninitialized);
     }
 
     public Texture2D(int width, int height, TextureFormat textureFormat, int mipCount, bool linear)
@@ -41,11 +42,13 @@ public sealed partial class Texture2D : Texture
     public Texture2D(int width, int height, GraphicsFormat format, TextureCreationFlags flags)
         : this(width, height, format, TextureFormats.ToTextureFormat(format), (flags & TextureCreationFlags.MipChain) != 0 ? -1 : 1)
     {
+        Uninitialize((flags & TextureCreationFlags.DontInitializePixels) != 0);
     }
 
     public Texture2D(int width, int height, GraphicsFormat format, int mipCount, TextureCreationFlags flags)
         : this(width, height, format, TextureFormats.ToTextureFormat(format), mipCount)
     {
+        Uninitialize((flags & TextureCreationFlags.DontInitializePixels) != 0);
     }
 
     public Texture2D(int width, int height, DefaultFormat format, TextureCreationFlags flags)
@@ -172,6 +175,15 @@ public sealed partial class Texture2D : Texture
         var store = new PixelStore(width, height, 1, format, layout, mipCount <= 0 ? chain : Math.Min(mipCount, chain));
         store.Fill(new Color(0.804f, 0.804f, 0.804f, 0.804f));
         return store;
+    }
+
+    /// <summary>On a device that poisons, pixels that were not asked for hold set bits.</summary>
+    private void Uninitialize(bool requested)
+    {
+        if (requested && MemoryPoison.Enabled)
+        {
+            store.Data.AsSpan().Fill(0xFF);
+        }
     }
 
     private void RequireReadable()

@@ -24,7 +24,7 @@ CubePoint PassThrough(uint vertexId : SV_VertexID)
 // A corner of a cube as the end of a line. It is lit like the liquid's surface; where the density is even, deep inside, it is turned from the light.
 SurfaceVertex CubeCorner(int3 v)
 {
-    float3 outwards = MCInGrid(v) ? -MCGradient(v) : (float3)0.0;
+    float3 outwards = MCInGrid(v) ? -MCGradient(clamp(v, 0, MCCells())) : (float3)0.0;
     float squared = dot(outwards, outwards);
 
     SurfaceVertex surface;

@@ -45,7 +45,7 @@ namespace SphFluid
             kernel.SetBuffer(cmd, MeshIndices, indices);
             kernel.SetMatrix(cmd, SurfaceToMesh, toMesh);
             kernel.SetMatrix(cmd, NormalToMesh, toMesh.inverse.transpose);
-            kernel.SetInt(cmd, MeshVertexCount, vertices.count);
+            kernel.SetInt(cmd, MeshVertexCount, Mathf.Min(vertices.count, surface.Vertices.count));
             kernel.SetInt(cmd, MeshTriangleCount, triangles);
             kernel.SetBool(cmd, MeshMirrored, toMesh.determinant < 0f);
             kernel.DispatchThreads(cmd, Mathf.Max(vertices.count, triangles));

@@ -27,7 +27,7 @@ uint FieldIndex(int3 local)
 uint BlockEntry(int3 block)
 {
     const bool exists = all(block >= 0) && all(block < _BlockCounts);
-    return exists ? _BlockTable[BlockNumber(block)] : BLOCK_NONE;
+    return exists ? _BlockTable[exists ? BlockNumber(block) : 0u] : BLOCK_NONE; // both sides of a ?: are evaluated
 }
 
 // Samples 0 and 8 lie in the next block too: whichever blocks are active, all that need a sample find it or none does, so that they make the same
