@@ -49,7 +49,7 @@ namespace SphFluid.Tests
                     FluidState state = rig.Solver.State;
                     rig.Setup();
 
-                    // From a hair to a third of the scale, a turn of up to 40 degrees, up to 5 dx.
+                    // By up to a sixth of the scale, a turn of up to 40 degrees, up to 4 dx.
                     float reach = Mathf.Pow(10f, -3f + 2.5f * (float)random.NextDouble());
                     parent.transform.localScale = Vector3.Scale(parent.transform.localScale, Scale(random, reach));
                     body.localRotation *= Quaternion.AngleAxis(40f * (float)random.NextDouble(), ParticleSets.RandomVector(random));
