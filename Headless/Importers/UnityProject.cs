@@ -1,5 +1,6 @@
 using System.Reflection;
 using Headless.Engine;
+using Headless.Files;
 using Headless.Importers.Assets;
 using Headless.Importers.Project;
 using Headless.Importers.Scenes;
@@ -34,6 +35,8 @@ public sealed class UnityProject
         EngineHooks.LoadResource = database.LoadResource;
         EngineHooks.LoadAllResources = (path, type) => [.. database.LoadAllResources(path, type, exact: false)];
         ShaderLibrary.Resolver = assets.FindShader;
+        foreach (string name in index.MissingPackages)
+            report($"Packages/manifest.json asks for the package '{OneLine.Value(name)}', which is neither in Packages nor in Library/PackageCache; its assets and scripts are missing. Copy its folder to Packages/{OneLine.Value(name)}, or open the project once in the Editor.");
         if (index.MissingMetas is [var first, ..])
             report($"{index.MissingMetas.Count} asset(s) have no .meta file, so nothing can refer to them (first: '{first}'). Open the project in the Editor once, so that they get one.");
         return new UnityProject(index, assets);

@@ -1,8 +1,10 @@
+using Headless.Files;
+
 namespace Headless.Shaders;
 
 /// <summary>A shader source that cannot be imported or compiled, in the form of Unity's console.</summary>
 public sealed class ShaderCompileException(string file, int line, string message)
-    : Exception(Format(file, line, message))
+    : BadFileException(Format(file, line, message))
 {
     public string File { get; } = file;
 

@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using Headless.Files;
 
 namespace Headless.Shaders;
 
@@ -35,6 +36,9 @@ public sealed class ShaderCompiler
 
     /// <summary>Entry points compiled by this object, not counting those from memory or disk.</summary>
     public int Compilations => _compilations;
+
+    /// <summary>What is compiled now, for a line of progress; null between compilations.</summary>
+    public string? Activity { get; private set; }
 
     /// <summary>Why the cache could not be written; null when it could.</summary>
     public string? CacheProblem => _cache.WriteProblem;
@@ -128,7 +132,22 @@ public sealed class ShaderCompiler
         object source, string kernel, IReadOnlyList<string> keywords, Func<IReadOnlyList<StageJob>> jobs) =>
         _made.GetOrAdd(
             (source, kernel, string.Join(' ', keywords)),
-            _ => new Lazy<IReadOnlyList<ShaderBinary>>(() => Make(jobs()))).Value;
+            _ => new Lazy<IReadOnlyList<ShaderBinary>>(() => Guarded(source, jobs))).Value;
+
+    /// <summary>Code that the compiler takes and nobody has thought of here is a fault of the file too.</summary>
+    private IReadOnlyList<ShaderBinary> Guarded(object source, Func<IReadOnlyList<StageJob>> jobs)
+    {
+        try
+        {
+            return Make(jobs());
+        }
+        catch (Exception e) when (e is FormatException or ArgumentException or KeyNotFoundException or IndexOutOfRangeException or InvalidOperationException
+            or InvalidCastException or OverflowException or NotSupportedException or TimeoutException)
+        {
+            string file = source is ComputeSource compute ? compute.Path : ((ShaderPass)source).Program.Path;
+            throw new ShaderCompileException(file, 0, $"cannot be translated for this device: {OneLine.Value(e.Message)}");
+        }
+    }
 
     private IReadOnlyList<ShaderBinary> Make(IReadOnlyList<StageJob> jobs) =>
         Direct3D is not null && jobs is [{ Stage: ShaderStage.Compute } kernel] && MakeByDirect3D(Direct3D, kernel) is { } binary
@@ -160,14 +179,22 @@ public sealed class ShaderCompiler
             throw new ShaderCompilerMissingException($"{jobs[0].Owner} of '{jobs[0].Source.Files[0]}'", _program, CacheDirectory);
         }
         List<(StageJob, byte[])> compiled = [];
-        foreach (StageJob job in jobs)
+        try
         {
-            byte[] spirV = _compiler.Compile(job);
-            compiled.Add((SourceNames.MayHaveRawBuffers(job.Text) ? job with { Declarations = _compiler.Preprocess(job) } : job, spirV));
-            Interlocked.Increment(ref _compilations);
+            foreach (StageJob job in jobs)
+            {
+                Activity = $"compiling {job.Owner} ({_compilations + 1})";
+                byte[] spirV = _compiler.Compile(job);
+                compiled.Add((SourceNames.MayHaveRawBuffers(job.Text) ? job with { Declarations = _compiler.Preprocess(job) } : job, spirV));
+                Interlocked.Increment(ref _compilations);
+            }
+            IReadOnlyList<ShaderBinary> binaries = BinaryBuilder.Build(compiled);
+            _cache.Write(key, version, binaries);
+            return binaries;
         }
-        IReadOnlyList<ShaderBinary> binaries = BinaryBuilder.Build(compiled);
-        _cache.Write(key, version, binaries);
-        return binaries;
+        finally
+        {
+            Activity = null;
+        }
     }
 }

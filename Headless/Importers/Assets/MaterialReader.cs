@@ -23,19 +23,21 @@ internal static class MaterialReader
         material.doubleSidedGI = f.Bool("m_DoubleSidedGI");
         int queue = f.Int("m_CustomRenderQueue", -1);
         if (queue >= 0) material.renderQueue = queue;
-        foreach (YamlNode keyword in f.Map.List("m_ValidKeywords").Concat(f.Map.List("m_InvalidKeywords"))) material.EnableKeyword(keyword.ToString()!);
+        foreach (string keyword in f.Map.Texts("m_ValidKeywords").Concat(f.Map.Texts("m_InvalidKeywords"))) material.EnableKeyword(keyword);
         // Before 2021.2 the keywords were one string.
         foreach (string keyword in f.Text("m_ShaderKeywords").Split(' ', StringSplitOptions.RemoveEmptyEntries)) material.EnableKeyword(keyword);
-        foreach (var (tag, value) in f.Map.Map("stringTagMap")?.Entries ?? []) material.SetOverrideTag(tag, value.ToString()!);
-        foreach (YamlNode pass in f.Map.List("disabledShaderPasses")) material.SetShaderPassEnabled(pass.ToString()!, false);
+        if (f.Map.Map("stringTagMap") is { } tags)
+            foreach (var (tag, _) in tags.Entries) material.SetOverrideTag(tag, tags.Text(tag));
+        foreach (string pass in f.Map.Texts("disabledShaderPasses")) material.SetShaderPassEnabled(pass, false);
 
         NativeFields saved = f.Nested("m_SavedProperties");
-        foreach (var (name, value) in Pairs(saved, "m_Floats")) material.SetFloat(name, YamlValue.Float(value.ToString()!, name));
-        foreach (var (name, value) in Pairs(saved, "m_Ints")) material.SetInteger(name, (int)YamlValue.Long(value.ToString()!, name));
-        foreach (var (name, value) in Pairs(saved, "m_Colors")) SetColor(material, name, (YamlMap)value);
-        foreach (var (name, value) in Pairs(saved, "m_TexEnvs"))
+        foreach (var (name, pair) in Pairs(saved, "m_Floats")) material.SetFloat(name, pair.Float(name));
+        foreach (var (name, pair) in Pairs(saved, "m_Ints")) material.SetInteger(name, pair.Int(name));
+        foreach (var (name, pair) in Pairs(saved, "m_Colors"))
+            if (pair.Map(name) is { } colour) SetColor(material, name, colour);
+        foreach (var (name, pair) in Pairs(saved, "m_TexEnvs"))
         {
-            NativeFields texture = saved with { Map = (YamlMap)value };
+            NativeFields texture = saved with { Map = pair.Map(name) ?? new YamlMap(pair.Place) };
             if (texture.Reference<Texture>("m_Texture") is { } found) material.SetTexture(name, found);
             if (material.HasProperty(name))
             {
@@ -55,6 +57,6 @@ internal static class MaterialReader
         else material.SetColor(name, colour);
     }
 
-    private static IEnumerable<KeyValuePair<string, YamlNode>> Pairs(NativeFields saved, string key) =>
-        saved.Map.List(key).OfType<YamlMap>().SelectMany(m => m.Entries);
+    private static IEnumerable<(string Name, YamlMap Pair)> Pairs(NativeFields saved, string key) =>
+        saved.Map.Maps(key).SelectMany(pair => pair.Entries.Select(e => (e.Key, pair)));
 }

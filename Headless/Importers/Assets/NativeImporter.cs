@@ -10,7 +10,6 @@ internal sealed class NativeImporter : IAssetImporter
     public void Import(AssetFile file)
     {
         List<UnityDocument> documents = UnityYaml.ReadDocuments(file.File);
-        if (documents.Count == 0) throw new ImportException($"{file.AssetPath}: the file holds no object.");
         long mainId = file.Meta.Settings.Long("mainObjectFileID");
         if (documents.TrueForAll(d => d.FileId != mainId)) mainId = documents[0].FileId;
 

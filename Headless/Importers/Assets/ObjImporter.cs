@@ -12,8 +12,20 @@ internal sealed class ObjImporter : IAssetImporter
         ObjFile model = ObjFile.Read(file.File);
         ModelSettings settings = ModelSettings.From(file.Meta);
         foreach (ObjGroup group in model.Groups)
-            file.Result.Add(ModelPrefab.MeshId(group.Name), CreateMesh(group.Name, ObjGeometryBuilder.Build(model, group, settings), settings));
+            file.Result.Add(ModelPrefab.MeshId(group.Name), CreateMesh(group.Name, Geometry(file, model, group, settings), settings));
         file.Result.AddLater(() => PrefabImporter.Build(file, ModelPrefab.Documents(file.Name, file.Result.Guid, model.Groups.Select(g => g.Name)), ModelPrefab.RootTransform));
+    }
+
+    private static MeshGeometry Geometry(AssetFile file, ObjFile model, ObjGroup group, ModelSettings settings)
+    {
+        try
+        {
+            return ObjGeometryBuilder.Build(model, group, settings);
+        }
+        catch (FormatException e)
+        {
+            throw new ImportException($"{file.AssetPath}: {e.Message}", e);
+        }
     }
 
     private static Mesh CreateMesh(string name, MeshGeometry geometry, ModelSettings settings)

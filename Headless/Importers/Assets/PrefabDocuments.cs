@@ -11,7 +11,7 @@ internal sealed class PrefabDocuments(ProjectIndex index)
 
     public (string AssetPath, IReadOnlyList<UnityDocument> Documents) Read(string guid, string where)
     {
-        if (index.PathOf(guid) is not { } path) throw new ImportException($"{where}: the prefab with GUID {guid} is missing from the project.");
+        if (index.PathOf(guid) is not { } path) throw new ImportException($"{where}: the prefab with GUID {guid} is missing from the project. Restore the prefab with its .meta, or delete the instance in the Editor.");
         if (!known.TryGetValue(guid, out IReadOnlyList<UnityDocument>? documents)) known[guid] = documents = Load(path, guid, where);
         return (path, [.. documents.Select(d => d with { Body = (YamlMap)d.Body.Clone() })]);
     }

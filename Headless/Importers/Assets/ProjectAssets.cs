@@ -1,3 +1,4 @@
+using Headless.Files;
 using Headless.Importers.Project;
 using Headless.Importers.Scenes;
 using Headless.Importers.Serialization;
@@ -37,6 +38,9 @@ public sealed class ProjectAssets : IReferenceResolver
         };
     }
 
+    /// <summary>The asset that is imported now, for a line of progress; null between imports.</summary>
+    public static string? Importing { get; private set; }
+
     public ProjectIndex Index { get; }
     internal ScriptCatalog Scripts { get; }
     internal ScriptReader ScriptReader { get; }
@@ -54,7 +58,7 @@ public sealed class ProjectAssets : IReferenceResolver
     {
         foreach (string path in Index.AssetPaths)
             if (path.EndsWith(".shader", StringComparison.OrdinalIgnoreCase)
-                && File.ReadAllText(Index.FileOf(path)).Contains($"\"{name}\"", StringComparison.Ordinal)
+                && BoundedText.ReadAll(Index.FileOf(path)).Contains($"\"{name}\"", StringComparison.Ordinal)
                 && LoadMain(path) is UnityEngine.Shader shader && shader.name == name) return shader;
         return null;
     }
@@ -95,14 +99,21 @@ public sealed class ProjectAssets : IReferenceResolver
         string file = Index.FileOf(assetPath);
         var result = new ImportedAsset(assetPath, guid);
         imported[guid] = result;
+        string? outer = Importing;
+        Importing = assetPath;
         try
         {
             importer.Import(new AssetFile(this, assetPath, file, MetaFile.Read(file + ".meta"), result));
         }
-        catch
+        catch (Exception e)
         {
             imported.Remove(guid);
-            throw;
+            if (e is BadFileException or ShaderCompileException) throw;
+            throw new ImportException($"{assetPath}: cannot be imported: {e.Message} Restore the file from version control, or save it again in the program that made it.", e);
+        }
+        finally
+        {
+            Importing = outer;
         }
         return result;
     }

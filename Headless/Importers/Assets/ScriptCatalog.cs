@@ -21,14 +21,14 @@ internal sealed class ScriptCatalog(ProjectIndex index, Func<string, Assembly?> 
     {
         if (index.PathOf(guid) is not { } path)
         {
-            report($"{where}: the script with GUID {guid} is missing from the project; the component is left out.");
+            report($"{where}: the script with GUID {guid} is missing from the project; the component is left out. Install the package that has it, or restore the script with its .meta.");
             return null;
         }
         definitions ??= new AssemblyDefinitions(index);
         string assemblyName = definitions.AssemblyOf(path), className = Path.GetFileNameWithoutExtension(path);
         if (assemblies(assemblyName) is not { } assembly)
         {
-            report($"{where}: '{path}' belongs to the assembly '{assemblyName}', which is not among the script assemblies; the component is left out.");
+            report($"{where}: '{path}' belongs to the assembly '{assemblyName}', which is not among the script assemblies; the component is left out. Build the assembly and name its folder with --assemblies.");
             return null;
         }
         Type[] found = [.. TypeLookup.Types(assembly).Where(t => t.Name == className && baseType.IsAssignableFrom(t) && !t.IsAbstract)];

@@ -1,3 +1,4 @@
+using Headless.Files;
 using UnityEngine;
 
 namespace Headless.Importers.Assets;
@@ -6,5 +7,5 @@ internal sealed class TextImporter : IAssetImporter
 {
     private const long MainId = 4900000;
 
-    public void Import(AssetFile file) => file.Result.AddMain(MainId, new TextAsset(File.ReadAllBytes(file.File)) { name = file.Name });
+    public void Import(AssetFile file) => file.Result.AddMain(MainId, new TextAsset(BoundedText.ReadBytes(file.File)) { name = file.Name });
 }

@@ -13,16 +13,11 @@ public static class ObjGeometryBuilder
     public static MeshGeometry Build(ObjFile file, ObjGroup group, ModelSettings settings)
     {
         var corners = new List<(ObjCorner Corner, int SubMesh)>();
-        var materials = new List<string>();
+        var materials = new Dictionary<string, int>(StringComparer.Ordinal);
         foreach (ObjFace face in group.Faces)
         {
-            int subMesh = materials.IndexOf(face.Material);
-            if (subMesh < 0)
-            {
-                subMesh = materials.Count;
-                materials.Add(face.Material);
-            }
-            List<int> triangles = PolygonTriangulator.Triangulate(Array.ConvertAll(face.Corners, c => file.Positions[c.Position]));
+            if (!materials.TryGetValue(face.Material, out int subMesh)) materials[face.Material] = subMesh = materials.Count;
+            List<int> triangles = PolygonTriangulator.Triangulate(Array.ConvertAll(face.Corners, c => file.Positions[c.Position]), ref file.TriangulationWork);
             for (int i = 0; i < triangles.Count; i += 3)
                 foreach (int at in (ReadOnlySpan<int>)[triangles[i], triangles[i + 2], triangles[i + 1]])
                     corners.Add((face.Corners[at], subMesh));
@@ -33,7 +28,7 @@ public static class ObjGeometryBuilder
         bool hasCoordinates = corners.Exists(c => c.Corner.TextureCoordinate >= 0);
 
         var geometry = new MeshGeometry();
-        foreach (string _ in materials) geometry.SubMeshes.Add([]);
+        for (int i = 0; i < materials.Count; i++) geometry.SubMeshes.Add([]);
         var known = new Dictionary<Vertex, int>();
         for (int i = 0; i < corners.Count; i++)
         {

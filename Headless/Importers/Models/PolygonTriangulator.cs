@@ -2,11 +2,24 @@ using System.Numerics;
 
 namespace Headless.Importers.Models;
 
-/// <summary>Splits a planar polygon into triangles of the same winding: a fan when it is convex, ear clipping otherwise.</summary>
+/// <summary>
+/// Splits a planar polygon into triangles of the same winding: a fan when it is convex, ear clipping otherwise, whose work grows
+/// as the corners times those that turn inwards.
+/// </summary>
 public static class PolygonTriangulator
 {
+    private const long MostWork = 100_000_000;
+
     /// <returns>Triples of indices into <paramref name="corners"/>, 3 (n - 2) of them.</returns>
     public static List<int> Triangulate(IReadOnlyList<Vector3> corners)
+    {
+        long work = 0;
+        return Triangulate(corners, ref work);
+    }
+
+    /// <param name="work">Comparisons so far; those of this polygon are added before they are made.</param>
+    /// <exception cref="FormatException">They come to more than a second's worth.</exception>
+    public static List<int> Triangulate(IReadOnlyList<Vector3> corners, ref long work)
     {
         int count = corners.Count;
         var triangles = new List<int>(3 * (count - 2));
@@ -16,34 +29,49 @@ public static class PolygonTriangulator
             for (int i = 1; i + 1 < count; i++) triangles.AddRange([0, i, i + 1]);
             return triangles;
         }
-        List<int> left = [.. Enumerable.Range(0, count)];
+        work += (long)count * count;
+        if (work > MostWork)
+            throw new FormatException("its concave faces have too many corners to be divided into triangles here. Triangulate them in the modelling program.");
+        var left = new List<int>(Enumerable.Range(0, count));
+        List<int> reflex = [.. left.Where(i => Turn(corners[(i + count - 1) % count], corners[i], corners[(i + 1) % count], normal) <= 0)];
+        var ears = new HashSet<int>(left.Where((_, at) => IsEar(corners, left, at, reflex, normal)));
         while (left.Count > 3)
         {
-            int ear = FindEar(corners, left, normal);
             int n = left.Count;
+            // Every simple polygon has an ear; of one that crosses itself any corner will do.
+            int ear = Math.Max(0, left.FindIndex(ears.Contains));
             triangles.AddRange([left[(ear + n - 1) % n], left[ear], left[(ear + 1) % n]]);
+            ears.Remove(left[ear]);
+            reflex.Remove(left[ear]);
             left.RemoveAt(ear);
+            Update((ear + n - 2) % (n - 1));
+            Update(ear % (n - 1));
         }
         triangles.AddRange(left);
         return triangles;
+
+        // Cutting off an ear changes its two neighbours only: what stood in a triangle is reflex, and an ear is not.
+        void Update(int at)
+        {
+            int n = left.Count;
+            if (Turn(corners[left[(at + n - 1) % n]], corners[left[at]], corners[left[(at + 1) % n]], normal) > 0) reflex.Remove(left[at]);
+            if (IsEar(corners, left, at, reflex, normal)) ears.Add(left[at]);
+            else ears.Remove(left[at]);
+        }
     }
 
-    private static int FindEar(IReadOnlyList<Vector3> corners, List<int> left, Vector3 normal)
+    private static bool IsEar(IReadOnlyList<Vector3> corners, List<int> left, int at, List<int> reflex, Vector3 normal)
     {
-        int n = left.Count;
-        for (int i = 0; i < n; i++)
+        int n = left.Count, before = left[(at + n - 1) % n], after = left[(at + 1) % n];
+        Vector3 a = corners[before], b = corners[left[at]], c = corners[after];
+        if (Turn(a, b, c, normal) <= 0) return false;
+        foreach (int other in reflex)
         {
-            Vector3 a = corners[left[(i + n - 1) % n]], b = corners[left[i]], c = corners[left[(i + 1) % n]];
-            if (Turn(a, b, c, normal) <= 0) continue;
-            bool empty = true;
-            for (int j = 2; j < n - 1 && empty; j++)
-            {
-                Vector3 p = corners[left[(i + j) % n]];
-                empty = Turn(a, b, p, normal) < 0 || Turn(b, c, p, normal) < 0 || Turn(c, a, p, normal) < 0;
-            }
-            if (empty) return i;
+            if (other == before || other == after || other == left[at]) continue;
+            Vector3 p = corners[other];
+            if (!(Turn(a, b, p, normal) < 0 || Turn(b, c, p, normal) < 0 || Turn(c, a, p, normal) < 0)) return false;
         }
-        return 0;
+        return true;
     }
 
     private static bool IsConvex(IReadOnlyList<Vector3> corners, Vector3 normal)

@@ -8,6 +8,8 @@ namespace Headless.Importers.Models;
 /// </summary>
 public static class SmoothNormals
 {
+    private const double MostComparisons = 1e9;
+
     /// <param name="corners">Positions, three a triangle.</param>
     /// <returns>One unit normal a corner; for triangles without area the zero vector.</returns>
     public static Vector3[] Compute(IReadOnlyList<Vector3> corners, float smoothingAngleDegrees)
@@ -26,6 +28,14 @@ public static class SmoothNormals
             weights[corner] = area * Angle(b - a, c - a);
             if (!meeting.TryGetValue(a, out List<int>? list)) meeting[a] = list = [];
             list.Add(corner);
+        }
+
+        double comparisons = meeting.Values.Sum(m => (double)m.Count * m.Count);
+        if (comparisons > MostComparisons)
+        {
+            var (at, most) = meeting.MaxBy(m => m.Value.Count);
+            throw new FormatException(FormattableString.Invariant(
+                $"{most.Count} corners of triangles meet at ({at.X}, {at.Y}, {at.Z}), too many to smooth normals over. Export the model with normals, or set Normals to None in its import settings."));
         }
 
         float limit = MathF.Cos(Math.Clamp(smoothingAngleDegrees, 0, 180) * MathF.PI / 180) - 1e-5f;

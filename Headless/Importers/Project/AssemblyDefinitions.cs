@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Headless.Files;
 
 namespace Headless.Importers.Project;
 
@@ -16,7 +17,7 @@ public sealed class AssemblyDefinitions
             bool isDefinition = path.EndsWith(".asmdef", StringComparison.Ordinal);
             if (!isDefinition && !path.EndsWith(".asmref", StringComparison.Ordinal)) continue;
             string folder = path[..path.LastIndexOf('/')];
-            using JsonDocument json = Parse(index.FileOf(path));
+            using JsonDocument json = JsonFile.Read(index.FileOf(path));
             string name = Text(json, isDefinition ? "name" : "reference", path);
             if (!isDefinition)
             {
@@ -50,22 +51,11 @@ public sealed class AssemblyDefinitions
 
     private static bool IsEditorOnly(JsonDocument json) =>
         json.RootElement.TryGetProperty("includePlatforms", out JsonElement platforms)
-        && platforms.GetArrayLength() == 1 && platforms[0].GetString() == "Editor";
+        && platforms.ValueKind == JsonValueKind.Array && platforms.GetArrayLength() == 1
+        && platforms[0].ValueKind == JsonValueKind.String && platforms[0].GetString() == "Editor";
 
     private static string Text(JsonDocument json, string key, string path) =>
-        json.RootElement.TryGetProperty(key, out JsonElement value) && value.GetString() is { Length: > 0 } text
+        JsonFile.Text(json, key, path) is { Length: > 0 } text
             ? text
-            : throw new ImportException($"{path}: \"{key}\" is missing.");
-
-    private static JsonDocument Parse(string file)
-    {
-        try
-        {
-            return JsonDocument.Parse(File.ReadAllText(file));
-        }
-        catch (JsonException e)
-        {
-            throw new ImportException($"{file}: not valid JSON: {e.Message}", e);
-        }
-    }
+            : throw new ImportException($"{path}: \"{key}\" is missing. Add it: it names the assembly.");
 }

@@ -1,4 +1,6 @@
 using System.Text.Json;
+using Headless.Files;
+using Headless.Shaders;
 
 namespace Headless.Importers.Project;
 
@@ -22,13 +24,14 @@ public sealed class ProjectIndex
         if (!Directory.Exists(Path.Combine(Root, "Assets")) && !Directory.Exists(Path.Combine(Root, "Packages")))
             throw new ImportException($"'{root}' is not a Unity project: it has neither an Assets nor a Packages folder.");
         FindPackages();
+        FindPackagesElsewhere();
         IndexFolder(Path.Combine(Root, "Assets"), "Assets");
         foreach (var (name, folder) in packageFolders) IndexFolder(folder, "Packages/" + name);
     }
 
     public string Root { get; }
 
-    /// <summary>Embedded packages: name to folder.</summary>
+    /// <summary>Packages by name: the project's own, those that its manifest names by folder, and those that the Editor fetched.</summary>
     public IReadOnlyDictionary<string, string> Packages => packageFolders;
 
     /// <summary>All asset paths, in ordinal order.</summary>
@@ -36,6 +39,9 @@ public sealed class ProjectIndex
 
     /// <summary>Assets without a .meta: no reference can point at them.</summary>
     public IReadOnlyList<string> MissingMetas => missingMetas;
+
+    /// <summary>Packages that manifest.json asks for and that are nowhere.</summary>
+    public IReadOnlyList<string> MissingPackages { get; private set; } = [];
 
     public string? PathOf(string guid) => pathByGuid.GetValueOrDefault(guid);
 
@@ -81,19 +87,21 @@ public sealed class ProjectIndex
         {
             string manifest = Path.Combine(folder, "package.json");
             if (!File.Exists(manifest)) continue;
-            string name;
-            try
-            {
-                using JsonDocument json = JsonDocument.Parse(File.ReadAllText(manifest));
-                name = json.RootElement.GetProperty("name").GetString() ?? "";
-            }
-            catch (Exception e) when (e is JsonException or KeyNotFoundException or InvalidOperationException)
-            {
-                throw new ImportException($"{manifest}: not a package manifest with a \"name\": {e.Message}", e);
-            }
+            using JsonDocument json = JsonFile.Read(manifest);
+            string name = JsonFile.Text(json, "name", manifest)
+                ?? throw new ImportException($"{manifest}: not a package manifest: \"name\" is missing. Add it, as \"com.company.package\".");
             if (!packageFolders.TryAdd(name, folder))
                 throw new ImportException($"Packages '{packageFolders[name]}' and '{folder}' have the same name '{name}'. Remove or rename one.");
         }
+    }
+
+    /// <summary>"file:" entries of manifest.json, and what the Editor has put into Library/PackageCache.</summary>
+    private void FindPackagesElsewhere()
+    {
+        var folders = new PackageFolders(Root);
+        MissingPackages = folders.Missing;
+        foreach (PackageFolders.Package package in folders.All)
+            if (!package.Name.StartsWith(PackageFolders.UnitysOwn, StringComparison.Ordinal)) packageFolders.TryAdd(package.Name, package.Folder);
     }
 
     private void IndexFolder(string folder, string assetPath)

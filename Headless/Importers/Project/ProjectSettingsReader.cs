@@ -1,3 +1,4 @@
+using System.Globalization;
 using Headless.Engine;
 using Headless.Importers.Yaml;
 using UnityEngine;
@@ -20,26 +21,43 @@ internal static class ProjectSettingsReader
         }
         if (Read(folder, "TimeManager.asset") is { } time)
         {
-            Time.fixedDeltaTime = time.Float("Fixed Timestep", 0.02f);
-            Time.maximumDeltaTime = time.Float("Maximum Allowed Timestep", 1f / 3);
-            Time.timeScale = time.Float("m_TimeScale", 1);
+            Time.fixedDeltaTime = Within(FixedTimestep(time), "Fixed Timestep", 0.02f, 0.0001f, 10);
+            Time.maximumDeltaTime = Within(time, "Maximum Allowed Timestep", 1f / 3, 0.0001f, 1000);
+            Time.timeScale = Within(time, "m_TimeScale", 1, 0, 100);
         }
         if (Read(folder, "TagManager.asset") is { } tags)
         {
-            foreach (YamlNode tag in tags.List("tags")) TagManager.AddTag(tag.ToString()!);
-            IReadOnlyList<YamlNode> layers = tags.List("layers");
-            for (int i = 0; i < Math.Min(32, layers.Count); i++) TagManager.SetLayer(i, layers[i].ToString()!);
+            foreach (string tag in tags.Texts("tags")) TagManager.AddTag(tag);
+            foreach (var (layer, i) in tags.Texts("layers").Take(32).Select((layer, i) => (layer, i))) TagManager.SetLayer(i, layer);
         }
     }
 
     /// <summary>Enabled scenes of the build list, in order.</summary>
     public static IReadOnlyList<string> ScenesInBuild(string projectRoot) =>
-        Read(Path.Combine(projectRoot, "ProjectSettings"), "EditorBuildSettings.asset")?.List("m_Scenes").OfType<YamlMap>()
+        Read(Path.Combine(projectRoot, "ProjectSettings"), "EditorBuildSettings.asset")?.Maps("m_Scenes")
             .Where(s => s.Bool("enabled")).Select(s => s.Text("path")).ToArray() ?? [];
 
     private static YamlMap? Read(string folder, string file)
     {
         string path = Path.Combine(folder, file);
         return File.Exists(path) ? UnityYaml.ReadDocuments(path).FirstOrDefault()?.Body : null;
+    }
+
+    /// <summary>Unity 6 writes a fraction: m_Count m_Denominator / m_Numerator, 2822399 · 1 / 141120000 for 0.02 s.</summary>
+    private static YamlMap FixedTimestep(YamlMap time)
+    {
+        if (time["Fixed Timestep"] is not YamlMap { Count: > 0 } fraction) return time;
+        YamlMap rate = fraction.Map("m_Rate") ?? new YamlMap(fraction.Place);
+        double seconds = (double)fraction.Long("m_Count") * rate.Long("m_Denominator", 1) / rate.Long("m_Numerator", 1);
+        var plain = new YamlMap(fraction.Place);
+        plain.Set("Fixed Timestep", new YamlScalar(((float)seconds).ToString("R", CultureInfo.InvariantCulture), fraction.Place));
+        return plain;
+    }
+
+    private static float Within(YamlMap map, string key, float absent, float least, float most)
+    {
+        float value = map.Float(key, absent);
+        if (value >= least && value <= most) return value;
+        throw ImportException.At((map[key] ?? map).Place.ToString(), FormattableString.Invariant($"'{key}' must be from {least} to {most}, found {value}."));
     }
 }

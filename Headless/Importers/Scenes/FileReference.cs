@@ -1,3 +1,4 @@
+using Headless.Files;
 using Headless.Importers.Yaml;
 
 namespace Headless.Importers.Scenes;
@@ -14,8 +15,13 @@ public readonly record struct FileReference(long FileId, string Guid, SourceScop
     public static FileReference Read(YamlNode? node, SourceScope scope)
     {
         if (node is ScopedReference scoped) (node, scope) = (scoped.Reference, scoped.Scope);
-        return node is YamlMap map ? new FileReference(map.Long("fileID"), map.Text("guid"), scope) : new FileReference(0, "", scope);
+        return node switch
+        {
+            YamlMap map => new FileReference(map.Long("fileID"), map.Text("guid"), scope),
+            null or YamlScalar { IsEmpty: true } or YamlList { Items.Count: 0 } => new FileReference(0, "", scope),
+            _ => throw ImportException.At(node.Place.ToString(), $"a reference {{fileID: ...}} was expected, found {node.Kind}."),
+        };
     }
 
-    public override string ToString() => Guid.Length > 0 ? $"{{fileID: {FileId}, guid: {Guid}}}" : $"{{fileID: {FileId}}}";
+    public override string ToString() => Guid.Length > 0 ? $"{{fileID: {FileId}, guid: {OneLine.Value(Guid)}}}" : $"{{fileID: {FileId}}}";
 }

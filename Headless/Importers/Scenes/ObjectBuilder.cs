@@ -1,4 +1,5 @@
 using Headless.Engine;
+using Headless.Files;
 using Headless.Importers.Assets;
 using Headless.Importers.Serialization;
 using UnityEngine;
@@ -15,14 +16,17 @@ internal sealed class ObjectBuilder(ProjectAssets project)
     /// <summary>GameObjects with their components and parents. <paramref name="scene"/> null makes a prefab asset.</summary>
     public void CreateHierarchy(SourceFile file, SceneData? scene)
     {
+        foreach (SourceObject item in file.Objects) CheckOwner(item);
         ILookup<SourceObject, SourceObject> components = file.Objects.Where(o => o.ClassId != ClassIds.GameObject && Owner(o) is not null).ToLookup(o => Owner(o)!);
         foreach (SourceObject item in RootsFirst(file))
         {
+            if (components[item].Where(IsTransform).Skip(1).FirstOrDefault() is { } second)
+                throw ImportException.At(Place(second), $"{Describe(item)} has more than one Transform.");
             var gameObject = new GameObject(item.Name, scene, false) { IsPersistent = scene is null };
             item.Instance = gameObject;
             foreach (SourceObject component in InComponentOrder(item, components[item]))
             {
-                component.Instance = CreateComponent(gameObject, component);
+                component.Instance = Guard(component, () => CreateComponent(gameObject, component));
                 if (component.Instance is { } created) created.IsPersistent = scene is null;
             }
         }
@@ -32,23 +36,22 @@ internal sealed class ObjectBuilder(ProjectAssets project)
     /// <summary>A single asset object: a material, a ScriptableObject; null when its class is not known, which is reported.</summary>
     public Object? CreateAsset(SourceObject item)
     {
-        NativeFields fields = Fields(item);
+        item.Instance = Guard(item, () => MakeAsset(item));
+        return item.Instance;
+    }
+
+    private Object? MakeAsset(SourceObject item)
+    {
         switch (item.ClassId)
         {
-            case ClassIds.Material:
-                item.Instance = MaterialReader.Create(fields);
-                break;
-            case ClassIds.RenderTexture:
-                item.Instance = RenderTextureReader.Create(fields);
-                break;
+            case ClassIds.Material: return MaterialReader.Create(Fields(item));
+            case ClassIds.RenderTexture: return RenderTextureReader.Create(Fields(item));
             case ClassIds.MonoBehaviour:
-                if (ScriptOf(item, typeof(ScriptableObject)) is { } script) item.Instance = ScriptableObject.CreateRaw(script);
-                break;
+                return ScriptOf(item, typeof(ScriptableObject)) is { } script ? ScriptableObject.CreateRaw(script) : null;
             default:
-                project.Report($"{item.Scope.AssetPath}: objects of the class {item.ClassName} ({item.ClassId}) are not read here; it is left out.");
-                break;
+                project.Report($"{item.Scope.AssetPath}: objects of the class {OneLine.Value(item.ClassName)} ({item.ClassId}) are not read here; it is left out.");
+                return null;
         }
-        return item.Instance;
     }
 
     public void FillAll(SourceFile file)
@@ -58,14 +61,11 @@ internal sealed class ObjectBuilder(ProjectAssets project)
 
     public void Fill(SourceObject item)
     {
-        try
+        Guard<Component?>(item, () =>
         {
             FillObject(item);
-        }
-        catch (FormatException e)
-        {
-            throw new ImportException($"{Describe(item)}: {e.Message}", e);
-        }
+            return null;
+        });
     }
 
     private void FillObject(SourceObject item)
@@ -76,7 +76,9 @@ internal sealed class ObjectBuilder(ProjectAssets project)
             case null:
                 break;
             case GameObject gameObject:
-                gameObject.layer = f.Int("m_Layer");
+                gameObject.layer = f.Int("m_Layer") is >= 0 and < 32 and var layer
+                    ? layer
+                    : throw new ArgumentException($"layer {f.Int("m_Layer")} is not from 0 to 31.");
                 gameObject.SetTagRaw(f.Text("m_TagString", "Untagged"));
                 gameObject.isStatic = f.Long("m_StaticEditorFlags") != 0;
                 gameObject.hideFlags = (HideFlags)f.Int("m_ObjectHideFlags");
@@ -113,7 +115,7 @@ internal sealed class ObjectBuilder(ProjectAssets project)
         }
         if (ComponentReaders.Find(item.ClassId) is { } reader) return gameObject.AddComponentRaw(reader.Type);
         if (!ComponentReaders.IsSilent(item.ClassId))
-            project.Report($"{item.Scope.AssetPath}: components of the class {item.ClassName} ({item.ClassId}) have no stand-in; they are left out.");
+            project.Report($"{item.Scope.AssetPath}: components of the class {OneLine.Value(item.ClassName)} ({item.ClassId}) have no stand-in; they are left out.");
         return null;
     }
 
@@ -127,6 +129,7 @@ internal sealed class ObjectBuilder(ProjectAssets project)
 
     private void LinkParents(SourceFile file)
     {
+        HierarchyCheck.Require(file, Father, Place, item => Describe(Owner(item) ?? item));
         foreach (SourceObject item in file.Objects)
         {
             if (item.Instance is not Transform transform) continue;
@@ -164,7 +167,7 @@ internal sealed class ObjectBuilder(ProjectAssets project)
         foreach (Yaml.YamlNode node in gameObject.Body.List("m_Component"))
         {
             // Files of Unity 5.4 and older wrote "- 4: {fileID: N}".
-            FileReference reference = FileReference.Read((node as Yaml.YamlMap)?.Entries[0].Value, gameObject.Scope);
+            FileReference reference = FileReference.Read(node is Yaml.YamlMap { Count: > 0 } map ? map.Entries[0].Value : null, gameObject.Scope);
             if (reference.Scope.Find(reference.FileId) is { } component) listed.TryAdd(component, listed.Count);
         }
         return components.OrderBy(c => listed.GetValueOrDefault(c, int.MaxValue));
@@ -182,10 +185,34 @@ internal sealed class ObjectBuilder(ProjectAssets project)
 
     public NativeFields Fields(SourceObject item) => new(item.Body, item.Scope, project, Describe(item));
 
+    /// <summary>Values of the right kind that an engine object refuses are faults of the file: a texture of 10^9 pixels, an enum without such a number.</summary>
+    private static T Guard<T>(SourceObject item, Func<T> action)
+    {
+        try
+        {
+            return action();
+        }
+        catch (Exception e) when (e is not BadFileException)
+        {
+            throw ImportException.At(Place(item), $"{Describe(item)}: {e.Message}", inner: e);
+        }
+    }
+
+    private void CheckOwner(SourceObject item)
+    {
+        if (item.ClassId == ClassIds.GameObject || !item.Body.Has("m_GameObject") || Owner(item) is { ClassId: ClassIds.GameObject }) return;
+        if (!FileReference.Read(item.Body["m_GameObject"], item.Scope).IsNull)
+            project.Report($"{Place(item)}: this {OneLine.Value(item.ClassName)} belongs to no GameObject of the file; it is left out.");
+    }
+
+    private static bool IsTransform(SourceObject item) => item.ClassId is ClassIds.Transform or ClassIds.RectTransform;
+
+    private static string Place(SourceObject item) => item.Body.Place.Line > 0 ? item.Body.Place.ToString() : item.Scope.AssetPath;
+
     private static string Describe(SourceObject item)
     {
         string name = item.ClassId == ClassIds.GameObject || item.Name.Length > 0 ? item.Name : Owner(item)?.Name ?? "";
-        string kind = item.Instance is { } instance ? instance.GetType().Name : item.ClassName;
-        return name.Length > 0 ? $"{item.Scope.AssetPath}: {kind} of '{name}'" : $"{item.Scope.AssetPath}: {kind} {item.FileId}";
+        string kind = item.Instance is { } instance ? instance.GetType().Name : OneLine.Value(item.ClassName);
+        return name.Length > 0 ? $"{item.Scope.AssetPath}: {kind} of '{OneLine.Value(name)}'" : $"{item.Scope.AssetPath}: {kind} {item.FileId}";
     }
 }

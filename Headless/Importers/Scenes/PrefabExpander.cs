@@ -7,11 +7,15 @@ namespace Headless.Importers.Scenes;
 /// <param name="report">Takes a line for each override that cannot be applied.</param>
 public sealed class PrefabExpander(Func<string, string, (string AssetPath, IReadOnlyList<UnityDocument> Documents)> readPrefab, Action<string> report)
 {
+    private const int DeepestNesting = 64;
     private readonly Stack<string> open = new();
+    private ValueBudget budget = new("");
 
     public SourceFile Expand(string assetPath, IReadOnlyList<UnityDocument> documents)
     {
-        if (open.Contains(assetPath)) throw new ImportException($"Prefab '{assetPath}' contains itself ({string.Join(" > ", open.Reverse())} > {assetPath}).");
+        if (open.Contains(assetPath)) throw new ImportException($"Prefab '{assetPath}' contains itself ({string.Join(" > ", open.Reverse())} > {assetPath}). Remove the inner instance.");
+        if (open.Count >= DeepestNesting) throw new ImportException($"{open.Last()}: prefabs are nested more than {DeepestNesting} deep, down to '{assetPath}'. Unpack some of them.");
+        if (open.Count == 0) budget = new ValueBudget(assetPath);
         open.Push(assetPath);
         try
         {
@@ -29,7 +33,7 @@ public sealed class PrefabExpander(Func<string, string, (string AssetPath, IRead
         foreach (UnityDocument d in documents)
         {
             if (d.Stripped || d.ClassId == ClassIds.PrefabInstance) continue;
-            var added = new SourceObject(d.ClassId, d.ClassName, d.FileId, d.Body, file.Scope);
+            var added = new SourceObject(d.ClassId, d.ClassName, d.FileId, d.Body, file.Scope, d.Line);
             file.Objects.Add(added);
             file.Scope.Add(d.FileId, added);
         }
@@ -44,10 +48,10 @@ public sealed class PrefabExpander(Func<string, string, (string AssetPath, IRead
     {
         FileReference source = FileReference.Read(instance.Body["m_SourcePrefab"], file.Scope);
         var (path, documents) = readPrefab(source.Guid, $"{file.Scope.AssetPath}: PrefabInstance {instance.FileId}");
+        budget.Take(documents.Sum(d => d.Body.Weight));
         SourceFile inner = Expand(path, documents);
         YamlMap modification = instance.Body.Map("m_Modification") ?? new YamlMap();
-        foreach (YamlNode item in modification.List("m_Modifications"))
-            if (item is YamlMap change) Apply(change, inner, file.Scope);
+        foreach (YamlMap change in modification.Maps("m_Modifications")) Apply(change, inner, file.Scope);
         Remove(inner, modification, file.Scope);
 
         SourceObject? root = inner.RootTransform;
@@ -73,15 +77,16 @@ public sealed class PrefabExpander(Func<string, string, (string AssetPath, IRead
         SourceObject? target = inner.Scope.Find(FileReference.Read(change["target"], outer).FileId);
         // Overrides of objects since removed from the prefab stay in files; the Editor ignores them too.
         if (target is null || path.Length == 0) return;
-        bool isReference = change["objectReference"] is YamlMap r && (r.Long("fileID") != 0 || change.Text("value").Length == 0 && IsReferenceAt(target, path));
-        YamlNode value = isReference ? new ScopedReference((YamlMap)change["objectReference"]!, outer) : new YamlScalar(change.Text("value"));
+        YamlMap? reference = change.Map("objectReference");
+        bool isReference = reference is not null && (reference.Long("fileID") != 0 || change.Text("value").Length == 0 && IsReferenceAt(target, path));
+        YamlNode value = isReference ? new ScopedReference(reference!, outer) : new YamlScalar(change.Text("value"), (change["value"] ?? change).Place);
         try
         {
-            PropertyPath.Set(target.Body, path, value);
+            PropertyPath.Set(target.Body, path, value, budget);
         }
         catch (FormatException e)
         {
-            report($"{outer.AssetPath}: {e.Message}");
+            report($"{change.Place}: {e.Message}");
         }
     }
 
@@ -91,8 +96,8 @@ public sealed class PrefabExpander(Func<string, string, (string AssetPath, IRead
         YamlNode? node = target.Body;
         foreach (string part in path.Split('.'))
         {
-            if (node is YamlList list && part.StartsWith("data[", StringComparison.Ordinal))
-                node = int.TryParse(part[5..^1], out int i) && i < list.Items.Count ? list.Items[i] : null;
+            if (node is YamlList list && PropertyPath.IndexOf(part) is { } index)
+                node = index < list.Items.Count ? list.Items[index] : null;
             else if (part != "Array") node = (node as YamlMap)?[part];
         }
         return FileReference.Is(node);
@@ -100,25 +105,34 @@ public sealed class PrefabExpander(Func<string, string, (string AssetPath, IRead
 
     private static void Remove(SourceFile inner, YamlMap modification, SourceScope outer)
     {
-        var removed = new HashSet<SourceObject>();
+        var waiting = new Stack<SourceObject>();
         foreach (YamlNode item in modification.List("m_RemovedComponents").Concat(modification.List("m_RemovedGameObjects")))
-            if (inner.Scope.Find(FileReference.Read(item, outer).FileId) is { } target) RemoveTree(target, inner, removed);
+            if (inner.Scope.Find(FileReference.Read(item, outer).FileId) is { } target) waiting.Push(target);
+        if (waiting.Count == 0) return;
+
+        ILookup<SourceObject, SourceObject> dependents = inner.Objects.SelectMany(Dependences).ToLookup(d => d.On, d => d.Dependent);
+        var removed = new HashSet<SourceObject>();
+        while (waiting.TryPop(out SourceObject? next))
+        {
+            if (!removed.Add(next)) continue;
+            foreach (SourceObject dependent in dependents[next]) waiting.Push(dependent);
+        }
         inner.Objects.RemoveAll(removed.Contains);
     }
 
-    private static void RemoveTree(SourceObject target, SourceFile inner, HashSet<SourceObject> removed)
+    /// <summary>A component goes with its GameObject, a child's GameObject with its parent's transform.</summary>
+    private static IEnumerable<(SourceObject On, SourceObject Dependent)> Dependences(SourceObject item)
     {
-        if (!removed.Add(target)) return;
-        string owner = target.ClassId == ClassIds.GameObject ? "m_GameObject" : target.ClassId is ClassIds.Transform or ClassIds.RectTransform ? "m_Father" : "";
-        if (owner.Length == 0) return;
-        foreach (SourceObject other in inner.Objects)
-        {
-            FileReference reference = FileReference.Read(other.Body[owner], other.Scope);
-            if (reference.IsNull || reference.Scope.Find(reference.FileId) != target) continue;
-            RemoveTree(other, inner, removed);
-            if (owner != "m_Father") continue;
-            FileReference body = FileReference.Read(other.Body["m_GameObject"], other.Scope);
-            if (body.Scope.Find(body.FileId) is { } gameObject) RemoveTree(gameObject, inner, removed);
-        }
+        SourceObject? owner = Linked(item, "m_GameObject");
+        if (owner is not null) yield return (owner, item);
+        if (item.ClassId is not (ClassIds.Transform or ClassIds.RectTransform) || Linked(item, "m_Father") is not { } father) yield break;
+        yield return (father, item);
+        if (owner is not null) yield return (father, owner);
+    }
+
+    private static SourceObject? Linked(SourceObject item, string key)
+    {
+        FileReference reference = FileReference.Read(item.Body[key], item.Scope);
+        return reference.IsNull ? null : reference.Scope.Find(reference.FileId);
     }
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
+using Headless.Files;
 using Headless.Importers.Yaml;
 
 namespace Headless.Importers.Scenes;
@@ -7,12 +8,17 @@ namespace Headless.Importers.Scenes;
 /// <summary>Sets one value of an object by the <c>propertyPath</c> of a prefab override: <c>m_LocalPosition.x</c>, <c>regions.Array.data[2].size</c>, <c>regions.Array.size</c>.</summary>
 public static partial class PropertyPath
 {
+    private const int DeepestPath = 128;
+
     [GeneratedRegex(@"^data\[(\d+)\]$")]
     private static partial Regex Element();
 
-    public static void Set(YamlMap body, string path, YamlNode value)
+    /// <exception cref="FormatException">The path does not fit the object.</exception>
+    public static void Set(YamlMap body, string path, YamlNode value, ValueBudget budget)
     {
         string[] parts = path.Split('.');
+        if (parts.Length > DeepestPath) throw new FormatException($"the property path '{OneLine.Value(path)}' has more than {DeepestPath} parts; the override is left out.");
+        budget.Take(parts.Length);
         YamlMap map = body;
         for (int i = 0; i < parts.Length; i++)
         {
@@ -23,11 +29,11 @@ public static partial class PropertyPath
                 i += 2;
                 if (access == "size")
                 {
-                    Resize(list, (int)YamlValue.Long(((YamlScalar)value).Text, path));
+                    Resize(list, Size(value, path), budget);
                     return;
                 }
                 int index = Index(access, path);
-                if (index >= list.Items.Count) Resize(list, index + 1);
+                if (index >= list.Items.Count) Resize(list, index + 1L, budget);
                 if (i == parts.Length - 1)
                 {
                     list.Items[index] = value;
@@ -42,7 +48,7 @@ public static partial class PropertyPath
                 map.Set(parts[i], value);
                 return;
             }
-            if (map.Map(parts[i]) is not { } next) map.Set(parts[i], next = new YamlMap());
+            if (map[parts[i]] is not YamlMap next) map.Set(parts[i], next = new YamlMap());
             map = next;
         }
     }
@@ -51,22 +57,32 @@ public static partial class PropertyPath
     {
         if (map[key] is YamlList list) return list;
         if (map[key] is YamlScalar { Text.Length: > 0 } packed)
-            throw new FormatException($"the override '{path}' changes one element of an array that the prefab stores packed ('{packed.Text}'); override the prefab itself instead.");
+            throw new FormatException($"the override '{OneLine.Value(path)}' changes one element of an array that the prefab stores packed ('{OneLine.Value(packed.Text)}'); override the prefab itself instead.");
         list = new YamlList();
         map.Set(key, list);
         return list;
     }
 
-    private static int Index(string access, string path)
+    /// <summary>The index in <c>data[3]</c>; null when it is something else.</summary>
+    public static int? IndexOf(string access) =>
+        Element().Match(access) is { Success: true } match && int.TryParse(match.Groups[1].ValueSpan, NumberStyles.None, CultureInfo.InvariantCulture, out int index)
+            ? index
+            : null;
+
+    private static int Index(string access, string path) =>
+        IndexOf(access) ?? throw new FormatException($"the property path '{OneLine.Value(path)}' is not understood; the override is left out.");
+
+    private static long Size(YamlNode value, string path)
     {
-        Match match = Element().Match(access);
-        return match.Success ? int.Parse(match.Groups[1].Value, CultureInfo.InvariantCulture) : throw new FormatException($"the property path '{path}' is not understood.");
+        if (value is YamlScalar text && YamlValue.Long(text, path) is >= 0 and var size) return size;
+        throw new FormatException($"the override '{OneLine.Value(path)}' is no size of an array; it is left out.");
     }
 
     /// <summary>As the Inspector does, new elements copy the last one.</summary>
-    private static void Resize(YamlList list, int size)
+    private static void Resize(YamlList list, long size, ValueBudget budget)
     {
-        if (size < list.Items.Count) list.Items.RemoveRange(size, list.Items.Count - size);
+        if (size < list.Items.Count) list.Items.RemoveRange((int)size, list.Items.Count - (int)size);
+        budget.Take((size - list.Items.Count) * (list.Items.Count > 0 ? list.Items[^1].Weight : 1));
         while (list.Items.Count < size) list.Items.Add(list.Items.Count > 0 ? list.Items[^1].Clone() : new YamlScalar(""));
     }
 }

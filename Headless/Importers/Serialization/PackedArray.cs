@@ -1,18 +1,21 @@
 using System.Globalization;
 using System.Runtime.InteropServices;
+using Headless.Importers.Yaml;
 
 namespace Headless.Importers.Serialization;
 
 /// <summary>Arrays of integers, booleans and enums are one little-endian hexadecimal string: int[] {1, 7} is <c>0100000007000000</c>.</summary>
 public static class PackedArray
 {
-    public static Array Read(string hex, Type element, string where)
+    /// <param name="name">Name of the field, for messages.</param>
+    /// <exception cref="ImportException">The text is no packed array.</exception>
+    public static Array Read(YamlScalar packed, Type element, string name)
     {
         Type stored = element.IsEnum ? Enum.GetUnderlyingType(element) : element;
         int size = stored == typeof(bool) ? 1 : stored == typeof(char) ? 2 : Marshal.SizeOf(stored);
-        hex = hex.Trim();
+        string hex = packed.Text.Trim();
         if (hex.Length % (2 * size) != 0 || !hex.All(char.IsAsciiHexDigit))
-            throw new FormatException($"{where}: '{hex}' is not a packed array of {element.Name} ({2 * size} hexadecimal digits each).");
+            throw YamlValue.Wrong(packed, name, $"a packed array of {element.Name} ({2 * size} hexadecimal digits each)");
         byte[] bytes = Convert.FromHexString(hex);
         int count = bytes.Length / size;
         Array result = Array.CreateInstance(element, count);

@@ -11,6 +11,7 @@ public sealed class ScriptReader(IReferenceResolver references, Func<string, Ass
 {
     /// <summary>Unity's limit for nested serialised classes.</summary>
     private const int MaximumDepth = 10;
+    private const string FieldWord = ", field '";
 
     private readonly record struct Place(SourceScope Scope, ManagedReferences Managed, string Owner);
 
@@ -20,7 +21,20 @@ public sealed class ScriptReader(IReferenceResolver references, Func<string, Ass
         var place = new Place(scope, managed, owner);
         foreach (var (instance, data) in managed.Filled) FillFields(instance, data, place, 1);
         FillFields(target, body, place, 0);
-        if (target is ISerializationCallbackReceiver receiver) receiver.OnAfterDeserialize();
+        AfterDeserialize(target);
+    }
+
+    /// <summary>An exception there is the script's, not the file's: Unity logs it and goes on.</summary>
+    private static void AfterDeserialize(object target)
+    {
+        try
+        {
+            (target as ISerializationCallbackReceiver)?.OnAfterDeserialize();
+        }
+        catch (Exception e)
+        {
+            Debug.LogException(e);
+        }
     }
 
     private void FillFields(object target, YamlMap body, Place place, int depth)
@@ -31,7 +45,7 @@ public sealed class ScriptReader(IReferenceResolver references, Func<string, Ass
             object? current = info.GetValue(target);
             YamlNode? node = null;
             foreach (string name in field.Names)
-                if ((node = body[name]) is not null) break;
+                if ((node = name == ManagedReferences.Key && ManagedReferences.IsTable(body[name]) ? null : body[name]) is not null) break;
             string where = $"{place.Owner}, field '{info.Name}'";
             try
             {
@@ -40,9 +54,9 @@ public sealed class ScriptReader(IReferenceResolver references, Func<string, Ass
                     : Read(node, info.FieldType, current, place, where, depth);
                 info.SetValue(target, value);
             }
-            catch (FormatException e)
+            catch (Exception e) when (e is ArgumentException or InvalidCastException or OverflowException)
             {
-                throw new ImportException($"{where}: {e.Message}", e);
+                throw ImportException.At((node ?? body).Place.ToString(), $"{where}: {e.Message}", inner: e);
             }
         }
     }
@@ -58,21 +72,23 @@ public sealed class ScriptReader(IReferenceResolver references, Func<string, Ass
 
     private object? Read(YamlNode node, Type type, object? current, Place place, string where, int depth)
     {
-        if (typeof(UnityEngine.Object).IsAssignableFrom(type)) return references.Resolve(FileReference.Read(node, place.Scope), type, where);
+        if (typeof(UnityEngine.Object).IsAssignableFrom(type))
+        {
+            if (FileReference.Is(node) || IsNothing(node)) return references.Resolve(FileReference.Read(node, place.Scope), type, where);
+            return OtherKind(node, "a reference", null, where);
+        }
         if (SerializationRules.ElementType(type) is { } element) return ToList(type, ReadElements(node, element, place, where, depth));
         if (ValueReaders.Knows(type))
         {
             if (node is YamlMap map) return ValueReaders.Read(type, map);
-            if (type == typeof(LayerMask) && node is YamlScalar bits) return (LayerMask)(int)YamlValue.Long(bits.Text, where);
-            return current;
+            if (type == typeof(LayerMask) && node is YamlScalar { IsEmpty: false } bits) return (LayerMask)YamlValue.Int(bits, NameIn(where));
+            return OtherKind(node, $"a {type.Name}", current, where);
         }
-        if (node is YamlScalar scalar && (type.IsPrimitive || type.IsEnum || type == typeof(string))) return Scalars.Read(scalar.Text, type, where);
+        if (node is YamlScalar scalar && (type.IsPrimitive || type.IsEnum || type == typeof(string))) return Scalars.Read(scalar, type, NameIn(where));
         if (type.IsPrimitive || type.IsEnum || type == typeof(string))
-        {
-            report($"{where}: a {type.Name} was expected, the file has {(node is YamlMap ? "a mapping" : "a list")}; the default stays.");
-            return current;
-        }
-        return node is YamlMap nested ? ReadNested(nested, type, current, place, depth + 1) : Absent(type, current, false, depth);
+            return OtherKind(node, $"a {type.Name}", current, where);
+        if (node is YamlMap nested) return ReadNested(nested, type, current, place, depth + 1);
+        return OtherKind(node, $"a {type.Name}", Absent(type, current, false, depth), where);
     }
 
     private object? ReadNested(YamlMap map, Type type, object? current, Place place, int depth)
@@ -80,16 +96,33 @@ public sealed class ScriptReader(IReferenceResolver references, Func<string, Ass
         if (depth > MaximumDepth) return null;
         object target = current ?? ManagedReferences.Create(type);
         FillFields(target, map, place, depth);
-        if (target is ISerializationCallbackReceiver receiver) receiver.OnAfterDeserialize();
+        AfterDeserialize(target);
         return target;
+    }
+
+    private static bool IsNothing(YamlNode node) => node is YamlScalar { IsEmpty: true } or YamlMap { Count: 0 } or YamlList { Items.Count: 0 };
+
+    /// <summary>A field whose type has changed since the file was written keeps its default, as in Unity; here it is reported.</summary>
+    private object? OtherKind(YamlNode node, string expected, object? stays, string where)
+    {
+        if (!IsNothing(node)) report($"{node.Place}: {where}: {expected} was expected, the file has {node.Kind}; the default stays.");
+        return stays;
+    }
+
+    /// <summary>The part of a description that a YAML key would be: <c>A.unity: Tank of 'Tank', field 'size'</c> gives <c>size</c>.</summary>
+    private static string NameIn(string where)
+    {
+        int at = where.LastIndexOf(FieldWord, StringComparison.Ordinal);
+        return at < 0 ? where : where[(at + FieldWord.Length)..].Replace("'", "");
     }
 
     private Array ReadElements(YamlNode node, Type element, Place place, string where, int depth)
     {
         if (node is YamlScalar packed)
-            return packed.Text.Length == 0 ? Array.CreateInstance(element, 0)
-                : element.IsPrimitive || element.IsEnum ? PackedArray.Read(packed.Text, element, where)
-                : throw new FormatException($"a list was expected, found '{packed.Text}'.");
+            return packed.IsEmpty ? Array.CreateInstance(element, 0)
+                : element.IsPrimitive || element.IsEnum ? PackedArray.Read(packed, element, NameIn(where))
+                : throw YamlValue.Wrong(packed, NameIn(where), "a list");
+        if (node is not YamlList) OtherKind(node, "a list", null, where);
         IReadOnlyList<YamlNode> items = node is YamlList list ? list.Items : [];
         Array result = Array.CreateInstance(element, items.Count);
         for (int i = 0; i < items.Count; i++)

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Headless.Files;
 using YamlDotNet.Core;
 using YamlDotNet.Core.Events;
 
@@ -13,9 +14,15 @@ public static class UnityYaml
 {
     private const string Header = "--- !u!";
 
+    /// <summary>Unity nests serialised classes ten deep at most; each adds a mapping, in lists two levels.</summary>
+    private const int DeepestNesting = 64;
+
+    /// <summary>Values in a file: some 400 MB in memory.</summary>
+    public const int MostValues = 2_000_000;
+
     public static List<UnityDocument> ReadDocuments(string path)
     {
-        string text = File.ReadAllText(path);
+        string text = BoundedText.ReadAll(path);
         if (!text.StartsWith("%YAML", StringComparison.Ordinal))
             throw new ImportException($"{path}: not a Unity text file (no %YAML line). In the Editor set Project Settings > Editor > Asset Serialization to Force Text and save it again.");
         return ParseDocuments(text, path);
@@ -25,6 +32,7 @@ public static class UnityYaml
     {
         var documents = new List<UnityDocument>();
         var seen = new HashSet<long>();
+        var reader = new NodeReader(path);
         int line = 1, start = 0;
         (int ClassId, long FileId, bool Stripped, int Line)? current = null;
         int bodyStart = 0, bodyLine = 1;
@@ -37,14 +45,14 @@ public static class UnityYaml
             if (current is { } open && (isHeader || last))
             {
                 int stop = last && !isHeader ? text.Length : start;
-                documents.Add(ParseBody(text[bodyStart..stop], open, path, bodyLine));
+                documents.Add(ParseBody(text[bodyStart..stop], open, path, bodyLine, reader));
                 current = null;
             }
             if (isHeader)
             {
                 current = ParseHeader(text[start..end].TrimEnd('\r'), path, line);
                 if (!seen.Add(current.Value.FileId))
-                    throw new ImportException($"{path}:{line}: fileID {current.Value.FileId} is used twice in this file.");
+                    throw new ImportException($"{path}:{line}: fileID {current.Value.FileId} is used twice in this file. Give one of the objects another id, or restore the file from version control.");
                 bodyStart = last ? end : end + 1;
                 bodyLine = line + 1;
             }
@@ -52,28 +60,28 @@ public static class UnityYaml
             start = end + 1;
             line++;
         }
+        if (current is { } unread) throw NoBody(path, unread.Line);
+        if (documents.Count == 0)
+            throw ImportException.At(path, "the file holds no object (no line that begins with --- !u!).", "Restore it from version control, or save it again in the Editor.");
         return documents;
     }
 
-    public static YamlMap ParseMap(string text, string path, int firstLine = 1)
+    public static YamlMap ParseMap(string text, string path, int firstLine = 1) => ParseMap(text, new NodeReader(path), firstLine);
+
+    private static YamlMap ParseMap(string text, NodeReader reader, int firstLine)
     {
         try
         {
-            var parser = new Parser(new StringReader(text));
-            parser.Consume<StreamStart>();
-            if (parser.Accept<StreamEnd>(out _)) return new YamlMap();
-            parser.Consume<DocumentStart>();
-            return ReadNode(parser, path, firstLine) as YamlMap
-                ?? throw new ImportException($"{path}:{firstLine}: a mapping was expected.");
+            return reader.Read(text, firstLine);
         }
         catch (YamlException e)
         {
-            throw new ImportException($"{path}:{firstLine + e.Start.Line - 1}: not readable as YAML: {e.Message}", e);
+            throw ImportException.At(reader.At(e.Start.Line), $"not readable as YAML: {OneLine.Value(e.Message)}.", inner: e);
         }
-        catch (InvalidOperationException e)
+        catch (Exception e) when (e is not ImportException)
         {
-            // YamlDotNet's scanner on a flow mapping that is not closed.
-            throw new ImportException($"{path}: the object at line {firstLine - 1} is not readable as YAML.", e);
+            // YamlDotNet's scanner has faults of its own, as on a flow mapping that is not closed.
+            throw ImportException.At(reader.At(reader.Line), "not readable as YAML from here on.", inner: e);
         }
     }
 
@@ -84,34 +92,86 @@ public static class UnityYaml
             && int.TryParse(words[0], NumberStyles.None, CultureInfo.InvariantCulture, out int classId)
             && long.TryParse(words[1].AsSpan(1), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out long fileId))
             return (classId, fileId, words.Length > 2 && words[2] == "stripped", line);
-        throw new ImportException($"{path}:{line}: '{header}' is not an object header (--- !u!<class id> &<file id>).");
+        throw new ImportException($"{path}:{line}: '{OneLine.Value(header)}' is not an object header (--- !u!<class id> &<file id>). Restore the file from version control.");
     }
 
-    private static UnityDocument ParseBody(string body, (int ClassId, long FileId, bool Stripped, int Line) header, string path, int bodyLine)
+    private static UnityDocument ParseBody(string body, (int ClassId, long FileId, bool Stripped, int Line) header, string path, int bodyLine,
+        NodeReader reader)
     {
-        YamlMap outer = ParseMap(body, path, bodyLine);
-        if (outer.Count == 0) throw new ImportException($"{path}:{header.Line}: the object has no body.");
+        YamlMap outer = ParseMap(body, reader, bodyLine);
+        if (outer.Count == 0) throw NoBody(path, header.Line);
+        if (outer.Count > 1)
+            throw ImportException.At(outer.Entries[1].Value.Place.ToString(), $"'{OneLine.Value(outer.Entries[1].Key)}' stands outside of the object.");
         var (name, value) = outer.Entries[0];
-        return new UnityDocument(header.ClassId, header.FileId, header.Stripped, name, value as YamlMap ?? new YamlMap(), header.Line);
+        return new UnityDocument(header.ClassId, header.FileId, header.Stripped, name, BodyOf(name, value), header.Line);
     }
 
-    private static YamlNode ReadNode(IParser parser, string path, int firstLine)
+    private static ImportException NoBody(string path, int line) =>
+        ImportException.At(new YamlPlace(path, line).ToString(), "the object has no body.", "Remove its header, or restore the file from version control.");
+
+    private static YamlMap BodyOf(string name, YamlNode value) => value switch
     {
-        if (parser.TryConsume<Scalar>(out var scalar)) return new YamlScalar(scalar.Value);
-        if (parser.TryConsume<SequenceStart>(out _))
+        YamlMap map => map,
+        YamlScalar { IsEmpty: true } => new YamlMap(value.Place),
+        _ => throw ImportException.At(value.Place.ToString(), $"the fields of '{OneLine.Value(name)}' must be a mapping, found {value.Kind}."),
+    };
+
+    /// <summary>Turns the parser's events into nodes, with bounds on depth and number.</summary>
+    private sealed class NodeReader(string path)
+    {
+        private readonly Dictionary<string, string> keys = [];
+        private int firstLine, values;
+
+        public long Line { get; private set; } = 1;
+
+        public string At(long line) => new YamlPlace(path, (int)(firstLine + line - 1)).ToString();
+
+        public YamlMap Read(string text, int startsAt)
         {
-            var list = new YamlList();
-            while (!parser.TryConsume<SequenceEnd>(out _)) list.Items.Add(ReadNode(parser, path, firstLine));
-            return list;
+            (firstLine, Line) = (startsAt, 1);
+            var parser = new Parser(new StringReader(text));
+            parser.Consume<StreamStart>();
+            if (parser.Accept<StreamEnd>(out _)) return new YamlMap(new YamlPlace(path, firstLine));
+            parser.Consume<DocumentStart>();
+            YamlNode root = ReadNode(parser, 1);
+            parser.Consume<DocumentEnd>();
+            if (!parser.Accept<StreamEnd>(out _))
+                throw ImportException.At(At(parser.Current?.Start.Line ?? Line), "a line --- that is no object header (--- !u!<class id> &<file id>).");
+            return root as YamlMap ?? throw ImportException.At(root.Place.ToString(), $"a mapping was expected, found {root.Kind}.");
         }
-        if (parser.TryConsume<MappingStart>(out _))
+
+        private YamlNode ReadNode(Parser parser, int depth)
         {
-            var map = new YamlMap();
-            while (!parser.TryConsume<MappingEnd>(out _))
-                map.Set(parser.Consume<Scalar>().Value, ReadNode(parser, path, firstLine));
-            return map;
+            Line = parser.Current?.Start.Line ?? Line;
+            var place = new YamlPlace(path, (int)(firstLine + Line - 1));
+            if (++values > MostValues)
+                throw ImportException.At(place.ToString(), $"more than {MostValues} values in one file.", "Move large data into assets of their own.");
+            if (parser.TryConsume<Scalar>(out var scalar)) return new YamlScalar(scalar.Value, place);
+            if (depth > DeepestNesting)
+                throw ImportException.At(place.ToString(), $"values are nested more than {DeepestNesting} deep, which Unity never writes.");
+            if (parser.TryConsume<SequenceStart>(out _))
+            {
+                var list = new YamlList(place);
+                while (!parser.TryConsume<SequenceEnd>(out _)) list.Items.Add(ReadNode(parser, depth + 1));
+                return list;
+            }
+            if (parser.TryConsume<MappingStart>(out _))
+            {
+                var map = new YamlMap(place);
+                while (!parser.TryConsume<MappingEnd>(out _)) map.Set(Key(parser), ReadNode(parser, depth + 1));
+                return map;
+            }
+            throw ImportException.At(place.ToString(),
+                $"unexpected YAML ({parser.Current?.GetType().Name}); Unity reads scalars, mappings and sequences only.");
         }
-        ParsingEvent? unexpected = parser.Current;
-        throw new ImportException($"{path}:{firstLine + (unexpected?.Start.Line ?? 1) - 1}: unexpected YAML ({unexpected?.GetType().Name}); Unity reads scalars, mappings and sequences only.");
+
+        /// <summary>Field names repeat from object to object: one string each.</summary>
+        private string Key(Parser parser)
+        {
+            string key = parser.Consume<Scalar>().Value;
+            if (keys.TryGetValue(key, out string? known)) return known;
+            keys[key] = key;
+            return key;
+        }
     }
 }

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Text.RegularExpressions;
+using Headless.Files;
 
 namespace Headless.Shaders;
 
@@ -7,6 +8,11 @@ namespace Headless.Shaders;
 internal sealed partial class GlslangProcess(string program)
 {
     private static readonly TimeSpan Limit = TimeSpan.FromMinutes(5);
+
+    // Macros that grow without end take all memory of a machine, and time. The largest kernel needs a second and 200 MB.
+    private const string Prlimit = "/usr/bin/prlimit";
+    private const long MostBytes = 4L << 30;
+    private const int MostSeconds = 60;
 
     // glslang prints it and ends well, with SPIR-V that is not valid.
     private const string MissingMark = "Missing functionality:";
@@ -26,13 +32,13 @@ internal sealed partial class GlslangProcess(string program)
             [
                 "--stdin", "-V", "--target-env", "vulkan1.1", "-D", "--hlsl-offsets", "-fhlsl_functionality1", "--nan-clamp",
                 "--hlsl-dx-position-w", "-S", StageName(job.Stage), "-e", job.SourceEntryPoint, "-o", output,
-            ]);
+            ], output);
             if (exit is > 2 or < 0)
             {
                 throw new ShaderCompileException(
                     job.Source.Files[0], 0,
                     $"glslangValidator stopped with exit code {exit} on {job.Owner}; a static const in [numthreads] is known to "
-                    + "do this, use #define");
+                    + $"do this, use #define, and so are macros that need more than {MostSeconds} s or {MostBytes >> 30} GiB");
             }
             if (exit != 0 || !File.Exists(output) || text.Contains("Entry point not found", StringComparison.Ordinal))
             {
@@ -67,19 +73,21 @@ internal sealed partial class GlslangProcess(string program)
         _ => "frag",
     };
 
-    private (int Exit, string Text) Run(StageJob job, string[] arguments)
+    private (int Exit, string Text) Run(StageJob job, string[] arguments, string? output = null)
     {
-        ProcessStartInfo start = new(program)
+        bool bounded = File.Exists(Prlimit);
+        ProcessStartInfo start = new(bounded ? Prlimit : program)
         {
             RedirectStandardInput = true,
             RedirectStandardOutput = true,
             RedirectStandardError = true,
         };
-        foreach (string argument in arguments)
+        foreach (string argument in bounded ? [$"--as={MostBytes}", $"--cpu={MostSeconds}", program, .. arguments] : arguments)
         {
             start.ArgumentList.Add(argument);
         }
         using Process process = Process.Start(start)!;
+        using IDisposable listed = ChildProcesses.Add(process, output);
         Task<string> standard = process.StandardOutput.ReadToEndAsync();
         Task<string> error = process.StandardError.ReadToEndAsync();
         try

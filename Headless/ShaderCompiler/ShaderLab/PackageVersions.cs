@@ -26,6 +26,10 @@ internal static class PackageVersions
         {
             return Compare(version, text) >= 0;
         }
+        if (text.Length < 3 || text[^1] is not (']' or ')'))
+        {
+            return false;
+        }
         string[] ends = text[1..^1].Split(',');
         if (ends.Length == 1)
         {
@@ -53,5 +57,5 @@ internal static class PackageVersions
     }
 
     private static int[] Numbers(string version) =>
-        [.. version.Trim().Split('-')[0].Split('.').Select(p => int.TryParse(string.Concat(p.TakeWhile(char.IsAsciiDigit)), out int n) ? n : 0)];
+        [.. version.Trim().Split('-')[0].Split('.').Take(8).Select(p => int.TryParse(string.Concat(p.TakeWhile(char.IsAsciiDigit)), out int n) ? n : 0)];
 }

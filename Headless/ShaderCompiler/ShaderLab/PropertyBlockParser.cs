@@ -23,12 +23,13 @@ internal static class PropertyBlockParser
     public static List<ShaderProperty> Read(ShaderLabReader reader)
     {
         List<ShaderProperty> properties = [];
+        HashSet<string> names = [];
         reader.Expect("{");
         while (!reader.TryTake("}"))
         {
             int line = reader.Peek.Line;
             ShaderProperty property = Property(reader);
-            if (properties.Any(p => p.Name == property.Name))
+            if (!names.Add(property.Name))
             {
                 throw reader.Error(line, $"property '{property.Name}' is declared twice");
             }

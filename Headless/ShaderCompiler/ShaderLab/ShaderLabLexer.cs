@@ -13,6 +13,8 @@ internal sealed class ShaderLabLexer(string file, string text)
         ["GLSLINCLUDE"] = "ENDGLSL",
     };
 
+    private const int MostTokens = 1_000_000;
+
     private int _at;
     private int _line = 1;
 
@@ -21,6 +23,10 @@ internal sealed class ShaderLabLexer(string file, string text)
         List<ShaderLabToken> tokens = [];
         do
         {
+            if (tokens.Count >= MostTokens)
+            {
+                throw new ShaderCompileException(file, _line, $"more than {MostTokens} words and symbols; divide the shader");
+            }
             tokens.Add(Next());
         }
         while (tokens[^1].Kind != ShaderLabTokenKind.End);
@@ -48,7 +54,7 @@ internal sealed class ShaderLabLexer(string file, string text)
             _at++;
             return new ShaderLabToken(ShaderLabTokenKind.Symbol, c.ToString(), _line);
         }
-        throw new ShaderCompileException(file, _line, $"unexpected character '{c}'");
+        throw new ShaderCompileException(file, _line, $"unexpected character '{c}'; correct the line");
     }
 
     private ShaderLabToken Quoted()

@@ -3,11 +3,14 @@ namespace Headless.Shaders;
 /// <summary>Reads a .shader file from its tokens.</summary>
 internal sealed class ShaderLabParser(string path, ShaderLabReader reader, IncludeResolver includes)
 {
+    private const long MostExpanded = 64L << 20;
+
     private readonly List<ShaderLabToken> _shaderIncludes = [];
     private readonly List<SubShader> _subShaders = [];
     private IReadOnlyList<ShaderProperty> _properties = [];
     private string _name = "";
     private string _fallback = "";
+    private long _expanded;
 
     public ShaderLabSource Read()
     {
@@ -139,7 +142,7 @@ internal sealed class ShaderLabParser(string path, ShaderLabReader reader, Inclu
     {
         UnsupportedFeature? unsupported = null;
         ShaderLabToken token = reader.Next();
-        ShaderProgram program = ProgramReader.Read(path, token, includeBlocks, includes, ref unsupported);
+        ShaderProgram program = Program(token, includeBlocks, ref unsupported);
         unsupported ??= new UnsupportedFeature(token.Line, "a program outside of a pass is no surface shader");
         return new ShaderPass(_name, "", new Dictionary<string, string>(), state, program) { Unsupported = unsupported };
     }
@@ -197,8 +200,17 @@ internal sealed class ShaderLabParser(string path, ShaderLabReader reader, Inclu
         {
             throw reader.Error(line, "a pass without HLSLPROGRAM or CGPROGRAM (fixed function) is not supported");
         }
-        ShaderProgram read = ProgramReader.Read(path, program, includeBlocks, includes, ref unsupported);
+        ShaderProgram read = Program(program, includeBlocks, ref unsupported);
         return new ShaderPass(_name, name, tags, state, read) { Unsupported = unsupported };
+    }
+
+    private ShaderProgram Program(ShaderLabToken token, List<ShaderLabToken> includeBlocks, ref UnsupportedFeature? unsupported)
+    {
+        ShaderProgram program = ProgramReader.Read(path, token, includeBlocks, includes, ref unsupported);
+        _expanded += program.Source.Length;
+        return _expanded <= MostExpanded
+            ? program
+            : throw reader.Error(token.Line, $"the passes come to more than {MostExpanded >> 20} million characters with their includes; divide the shader");
     }
 
     private bool TakeIncludeBlock(List<ShaderLabToken> blocks)

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Headless.Files;
 
 namespace Headless.Shaders;
 
@@ -62,7 +63,7 @@ internal sealed class ShaderLabReader(string file, List<ShaderLabToken> tokens)
     }
 
     public ShaderCompileException Unexpected(string wanted) =>
-        Error(Peek.Line, $"unexpected '{Describe(Peek)}', expected {wanted}");
+        Error(Peek.Line, $"unexpected '{OneLine.Value(Describe(Peek))}', expected {wanted}");
 
     public ShaderCompileException Error(int line, string message) => new(File, line, message);
 

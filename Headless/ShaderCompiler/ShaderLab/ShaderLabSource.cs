@@ -16,7 +16,7 @@ public sealed class ShaderLabSource
 
     /// <exception cref="ShaderCompileException">The file is not ShaderLab, or uses what is not supported.</exception>
     public static ShaderLabSource Parse(string path, IncludeResolver includes) =>
-        ParseText(System.IO.Path.GetFullPath(path), File.ReadAllText(path), includes);
+        ParseText(System.IO.Path.GetFullPath(path), includes.Read(path), includes);
 
     /// <summary>Parses text that is not on disk; <paramref name="path"/> places it for relative includes and messages.</summary>
     public static ShaderLabSource ParseText(string path, string text, IncludeResolver includes)

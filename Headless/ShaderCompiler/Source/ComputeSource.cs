@@ -46,7 +46,7 @@ public sealed class ComputeSource
 
     /// <exception cref="ShaderCompileException">No kernel, or a pragma that cannot be read.</exception>
     public static ComputeSource Parse(string path, IncludeResolver includes) =>
-        ParseText(System.IO.Path.GetFullPath(path), File.ReadAllText(path), includes);
+        ParseText(System.IO.Path.GetFullPath(path), includes.Read(path), includes);
 
     /// <summary>Parses text that is not on disk; <paramref name="path"/> places it for relative includes and messages.</summary>
     public static ComputeSource ParseText(string path, string text, IncludeResolver includes)

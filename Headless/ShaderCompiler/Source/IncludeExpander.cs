@@ -11,6 +11,12 @@ internal sealed class IncludeExpander(IncludeResolver includes)
 {
     private const int MaxDepth = 64;
 
+    /// <summary>Characters with all includes in place; UnityCG.cginc and a package's files come to 300,000.</summary>
+    private const int MaxLength = 16 << 20;
+    private const int MaxIncludes = 10_000;
+
+    private int _includes;
+
     private readonly StringBuilder _text = new();
     private readonly List<string> _files = [];
     private readonly List<string> _messages = [];
@@ -121,6 +127,11 @@ internal sealed class IncludeExpander(IncludeResolver includes)
         if (_open.Count >= MaxDepth)
         {
             throw new ShaderCompileException(includes.Shown(path), number, $"includes are nested more than {MaxDepth} deep");
+        }
+        if (++_includes > MaxIncludes || _text.Length > MaxLength)
+        {
+            throw new ShaderCompileException(
+                includes.Shown(path), number, $"its includes come to more than {MaxIncludes} files or {MaxLength >> 20} million characters; guard them with #pragma once");
         }
         Add(new SourceBlock(found, includes.Read(found), 1), withPragmas);
         _text.Append($"#line {number + 1} {file}\n");

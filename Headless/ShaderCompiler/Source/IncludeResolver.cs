@@ -1,5 +1,6 @@
 using System.Collections.Concurrent;
 using System.Reflection;
+using Headless.Files;
 
 namespace Headless.Shaders;
 
@@ -12,6 +13,8 @@ public sealed class IncludeResolver
 {
     /// <summary>Prefix of the names under which built-in files appear in messages.</summary>
     public const string BuiltinFolder = "CGIncludes/";
+
+    private const int LargestFile = 8 << 20;
 
     private readonly ConcurrentDictionary<string, Lazy<string>> _texts = new();
 
@@ -38,14 +41,15 @@ public sealed class IncludeResolver
         return Beside(path, includingFile) ?? InPackage(path) ?? InAssets(path) ?? BuiltIn(path);
     }
 
-    /// <summary>Text of a file that <see cref="Resolve"/> found.</summary>
+    /// <summary>Text of a source, or of an include file that <see cref="Resolve"/> found.</summary>
+    /// <exception cref="BadFileException">It cannot be read, or is too large.</exception>
     public string Read(string path)
     {
         if (path.StartsWith(BuiltinFolder, StringComparison.Ordinal))
         {
             return _texts.GetOrAdd(path, p => new Lazy<string>(() => ReadBuiltIn(p))).Value;
         }
-        return File.ReadAllText(path);
+        return BoundedText.ReadAll(path, LargestFile);
     }
 
     /// <summary>A path as Unity shows it: relative to the project where it lies in it.</summary>

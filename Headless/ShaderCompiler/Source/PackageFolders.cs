@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Headless.Files;
 
 namespace Headless.Shaders;
 
@@ -8,7 +9,11 @@ public sealed class PackageFolders
 {
     public sealed record Package(string Name, string Version, string Folder);
 
+    /// <summary>How the names of Unity's own packages begin.</summary>
+    public const string UnitysOwn = "com.unity.";
+
     private readonly Dictionary<string, Package> _packages = [];
+    private readonly List<string> _asked = [];
 
     public PackageFolders(string projectRoot)
     {
@@ -17,6 +22,11 @@ public sealed class PackageFolders
         AddLocal(packages);
         AddAll(Path.Combine(projectRoot, "Library", "PackageCache"));
     }
+
+    public IEnumerable<Package> All => _packages.Values;
+
+    /// <summary>Packages that manifest.json asks for and that are nowhere; Unity's own, which the player has stand-ins for, are left out.</summary>
+    public IReadOnlyList<string> Missing => [.. _asked.Where(a => !_packages.ContainsKey(a) && !a.StartsWith(UnitysOwn, StringComparison.Ordinal))];
 
     public Package? Find(string name) => _packages.GetValueOrDefault(name);
 
@@ -39,16 +49,21 @@ public sealed class PackageFolders
         {
             return;
         }
-        using JsonDocument document = Parse(manifest);
+        using JsonDocument document = JsonFile.Read(manifest);
         if (!document.RootElement.TryGetProperty("dependencies", out JsonElement dependencies))
         {
             return;
         }
+        if (dependencies.ValueKind != JsonValueKind.Object)
+        {
+            throw new BadFileException($"{manifest}: \"dependencies\" must be an object of package names and versions. Correct it.");
+        }
         foreach (JsonProperty entry in dependencies.EnumerateObject())
         {
-            if (entry.Value.GetString() is { } value && value.StartsWith("file:", StringComparison.Ordinal))
+            _asked.Add(entry.Name);
+            if (entry.Value.ValueKind == JsonValueKind.String && entry.Value.GetString() is { } value && value.StartsWith("file:", StringComparison.Ordinal))
             {
-                Add(Path.GetFullPath(Path.Combine(packages, value["file:".Length..])));
+                Add(LocalFolder(packages, value["file:".Length..], manifest));
             }
         }
     }
@@ -60,26 +75,23 @@ public sealed class PackageFolders
         {
             return;
         }
-        using JsonDocument document = Parse(file);
-        string? name = Text(document, "name");
+        using JsonDocument document = JsonFile.Read(file);
+        string? name = JsonFile.Text(document, "name", file);
         if (name is not null)
         {
-            _packages.TryAdd(name, new Package(name, Text(document, "version") ?? "0.0.0", folder));
+            _packages.TryAdd(name, new Package(name, JsonFile.Text(document, "version", file) ?? "0.0.0", folder));
         }
     }
 
-    private static string? Text(JsonDocument document, string property) =>
-        document.RootElement.TryGetProperty(property, out JsonElement value) ? value.GetString() : null;
-
-    private static JsonDocument Parse(string file)
+    private static string LocalFolder(string packages, string path, string manifest)
     {
         try
         {
-            return JsonDocument.Parse(File.ReadAllText(file));
+            return Path.GetFullPath(Path.Combine(packages, path));
         }
-        catch (JsonException e)
+        catch (ArgumentException e)
         {
-            throw new InvalidDataException($"{file} is not valid JSON: {e.Message}", e);
+            throw new BadFileException($"{manifest}: 'file:{OneLine.Value(path)}' is no path. Correct it.", e);
         }
     }
 }

@@ -153,10 +153,10 @@ public sealed class ScriptReaderTests
     public void TheCallbackIsCalledOnce() => Assert.That(Read("number: 1").Callbacks, Is.EqualTo(1));
 
     [Test]
-    public void AWrongValueNamesObjectAndField()
+    public void AWrongValueNamesLineAndField()
     {
         var error = Assert.Throws<ImportException>(() => Read("number: many"));
-        Assert.That(error!.Message, Does.StartWith("t: Sample, field 'number': ").And.Contain("found 'many'"));
+        Assert.That(error!.Message, Does.StartWith("t:1: 'number' must be a whole number").And.Contain("found 'many'"));
     }
 
     [Test]

@@ -87,7 +87,7 @@ public sealed class UnityYamlTests
         var error = Assert.Throws<ImportException>(() => UnityYaml.ParseDocuments(Start + "--- !u!1 &5\nGameObject:\n  a: 1\n  b: 'x' y\n", "t.unity"));
         Assert.That(error!.Message, Does.Match("^t\\.unity:[67]: not readable as YAML"));
         error = Assert.Throws<ImportException>(() => UnityYaml.ParseDocuments(Start + "--- !u!1 &5\nGameObject:\n  b: {x: 1\n  c: 2\n", "t.unity"));
-        Assert.That(error!.Message, Is.EqualTo("t.unity: the object at line 3 is not readable as YAML."));
+        Assert.That(error!.Message, Does.Match("^t\\.unity:[4-7]: not readable as YAML"));
     }
 
     [Test]

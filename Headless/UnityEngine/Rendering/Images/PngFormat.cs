@@ -5,11 +5,21 @@ namespace Headless.Engine;
 /// <summary>A PNG header that this reader can read.</summary>
 internal readonly record struct PngFormat
 {
+    /// <summary>Largest texture of Direct3D 11.</summary>
+    private const int LargestSide = 16384;
+
+    private const int MostPixels = 1 << 26;
+
     public PngFormat(int width, int height, int depth, int colorType, int interlace)
     {
         if (width <= 0 || height <= 0)
         {
             throw new InvalidDataException($"The PNG file says {width}x{height} pixels.");
+        }
+
+        if (width > LargestSide || height > LargestSide || (long)width * height > MostPixels)
+        {
+            throw new InvalidDataException($"The PNG file says {width}x{height} pixels; textures have at most {LargestSide} a side and {MostPixels} in all.");
         }
 
         if (interlace != 0)

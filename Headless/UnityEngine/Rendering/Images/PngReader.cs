@@ -68,6 +68,8 @@ internal static class PngReader
     private static byte[] Unfilter(MemoryStream packed, PngFormat format)
     {
         int stride = format.Stride;
+        // Deflate packs at most 1032 bytes into one.
+        if ((long)stride * format.Height > 1032L * packed.Length) throw new InvalidDataException("The PNG file has too little data for its size.");
         var rows = new byte[stride * format.Height];
         using var zlib = new ZLibStream(packed, CompressionMode.Decompress);
         var previous = new byte[stride];
