@@ -1,4 +1,4 @@
-using Headless.Importers;
+using Headless.Files;
 using Headless.Player.Commands;
 using Headless.Shaders;
 using Headless.Vulkan;
@@ -37,23 +37,23 @@ public static class Program
                 default: throw new UsageException($"'{words[0]}' is not a command: play, test, exec and devices are.");
             }
         }
-        catch (Exception e) when (e is UsageException or UnknownAdapterException)
+        catch (Exception e) when (e is UsageException or UnknownAdapterException or BadFileException)
         {
             return Fail(e.Message, WrongUsage);
         }
-        catch (Exception e) when (e is ImportException or ShaderCompilerMissingException or GpuException or IOException or UnauthorizedAccessException)
+        catch (Exception e) when (e is ShaderCompilerMissingException or GpuException or IOException or UnauthorizedAccessException)
         {
             return Fail(e.Message, Failed);
         }
         catch (Exception e)
         {
-            return Fail($"this is a fault of the player itself: {e}", Failed);
+            return Fail(FaultLog.Write(e, words), Failed);
         }
     }
 
     private static int Fail(string message, int code)
     {
-        Console.Error.WriteLine("sphplayer: " + message);
+        Console.Error.WriteLine("sphplayer: " + OneLine.Message(message));
         return code;
     }
 }

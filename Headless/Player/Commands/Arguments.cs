@@ -1,4 +1,5 @@
 using System.Globalization;
+using Headless.Files;
 
 namespace Headless.Player.Commands;
 
@@ -26,13 +27,14 @@ public sealed class Arguments
             if (values.ContainsKey(word)) throw new UsageException($"{word} is given twice.");
             if (switches.Contains(word))
             {
-                if (inline is not null) throw new UsageException($"{word} takes no value, found '{inline}'.");
+                if (inline is not null) throw new UsageException($"{word} takes no value, found '{OneLine.Value(inline)}'.");
                 values[word] = null;
                 continue;
             }
             if (!withValue.Contains(word)) throw new UsageException(Unknown(command, word, [.. withValue, .. switches]));
             if (inline is null && (i + 1 >= words.Count || words[i + 1].StartsWith("--", StringComparison.Ordinal))) throw new UsageException($"{word} needs a value.");
             values[word] = inline ?? words[++i];
+            if (string.IsNullOrWhiteSpace(values[word])) throw new UsageException($"{word} must not be empty.");
         }
     }
 
@@ -47,27 +49,27 @@ public sealed class Arguments
 
     public string Required(string flag) => Text(flag) ?? throw new UsageException($"{flag} is missing.");
 
-    public double Number(string flag, double absent, double above, double atMost, string unit)
+    public double Number(string flag, double absent, double least, double most, string unit)
     {
         if (Text(flag) is not { } text) return absent;
-        if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value) && value > above && value <= atMost) return value;
-        throw new UsageException(string.Create(CultureInfo.InvariantCulture, $"{flag} must be a number of {unit} above {above} and at most {atMost}, found '{text}'."));
+        if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value) && value >= least && value <= most) return value;
+        throw new UsageException(string.Create(CultureInfo.InvariantCulture, $"{flag} must be a number of {unit} from {least} to {most}, found '{OneLine.Value(text)}'."));
     }
 
     public T OneOf<T>(string flag, T absent, IReadOnlyDictionary<string, T> allowed)
     {
         if (Text(flag) is not { } text) return absent;
-        return allowed.TryGetValue(text, out T? value) ? value : throw new UsageException($"{flag} must be one of {string.Join(", ", allowed.Keys)}, found '{text}'.");
+        return allowed.TryGetValue(text, out T? value) ? value : throw new UsageException($"{flag} must be one of {string.Join(", ", allowed.Keys)}, found '{OneLine.Value(text)}'.");
     }
 
     public string Folder(string flag)
     {
         string folder = Required(flag);
-        return Directory.Exists(folder) ? folder : throw new UsageException($"{flag}: the folder '{folder}' does not exist.");
+        return Directory.Exists(folder) ? folder : throw new UsageException($"{flag}: the folder '{OneLine.Value(folder)}' does not exist.");
     }
 
     private static string Unknown(string command, string word, IReadOnlyList<string> flags) =>
         word.StartsWith('-')
-            ? $"{word} is not a flag of {command}. Its flags are {string.Join(", ", flags.Order(StringComparer.Ordinal))}."
-            : $"'{word}' is not understood by {command}: flags begin with --.";
+            ? $"{OneLine.Value(word)} is not a flag of {command}. Its flags are {string.Join(", ", flags.Order(StringComparer.Ordinal))}."
+            : $"'{OneLine.Value(word)}' is not understood by {command}: flags begin with --.";
 }

@@ -10,13 +10,17 @@ internal static class ExecCommand
     public static int Run(ExecOptions options)
     {
         var console = new ConsoleLines();
-        using var interruption = new Interruption();
+        using var interruption = new Interruption { EndFiles = () => Console.Error.WriteLine("sphplayer: interrupted; what was finished before is in the files.") };
         using EngineSession session = EngineSession.Start(options.Project, options.Assemblies, options.Device, options.Validate, console.Write);
         PlaySession.Begin(null, session.Assemblies);
         int code = MethodRunner.Run(session.Scripts.FindMethod("--executeMethod", options.ExecuteMethod)) ?? RunLoop(interruption);
+        interruption.Acknowledge();
+        interruption.EndHere();
         PlaySession.End();
         bool valid = EngineSession.ReportValidation();
-        return code != 0 ? code : valid ? 0 : 1;
+        if (code != 0) return code;
+        if (interruption.Requested) return Interruption.ExitCode;
+        return valid && console.Errors == 0 ? 0 : 1;
     }
 
     /// <summary>Frames go on while the method left anything that could still work; without objects there is nothing to wait for.</summary>

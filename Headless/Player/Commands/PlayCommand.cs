@@ -1,29 +1,69 @@
 using System.Diagnostics;
+using System.Runtime.ExceptionServices;
 using Headless.Engine;
+using Headless.Files;
+using Headless.Importers.Assets;
 using Headless.Player.Output;
 using Headless.Player.Scripts;
+using Headless.Shaders;
 using UnityEngine;
 
 namespace Headless.Player.Commands;
 
 /// <summary>
 /// Plays a scene: frames, film, timings.csv, summary.json. The files are whole before Application.quitting is raised, so
-/// that the project's own code can add to them there.
+/// that the project's own code can add to them there. Errors in the console: the frames stay, but no film pretends that
+/// all is well, and the exit code is 1.
 /// </summary>
-internal sealed class PlayCommand(PlayOptions options)
+internal sealed class PlayCommand : IDisposable
 {
-    private readonly ConsoleLines console = new();
+    private const int Failed = 1;
+    /// <summary>A few frames at most are waiting, a tenth of a second each; a busy machine gets more time.</summary>
+    private static readonly TimeSpan LastFrames = TimeSpan.FromSeconds(5);
 
-    public static int Run(PlayOptions options) => new PlayCommand(options).Run();
+    private static readonly TimeSpan EnvironmentPatience = TimeSpan.FromSeconds(0.2);
+
+    // Asking the system for its packages takes a moment that an interrupted run does not have.
+    private readonly Task<IReadOnlyList<(string Key, string Version)>> environment = Task.Run(EnvironmentVersions.Read);
+    private readonly PlayOptions options;
+    private readonly ConsoleLines console = new();
+    private readonly Interruption interruption = new();
+    private readonly Stopwatch clock = new();
+    private OutputFolder folder = null!;
+    private TimingsFile timings = null!;
+    private FrameWriter? writer;
+    private Film? film;
+    private string scene = "";
+    private int frames;
+
+    private PlayCommand(PlayOptions options) => this.options = options;
+
+    public static int Run(PlayOptions options)
+    {
+        using var command = new PlayCommand(options);
+        return command.Run();
+    }
+
+    public void Dispose()
+    {
+        film?.Dispose();
+        interruption.Dispose();
+    }
+
+    private string SummaryPath => Path.Combine(folder.Path, SummaryFile.FileName);
 
     private int Run()
     {
-        string folder = PrepareFolder();
-        using var interruption = new Interruption();
+        using var activity = new ActivityLine(Console.Out, !Console.IsOutputRedirected);
+        console.Activity = activity;
+        activity.Begin("opening the project");
         using EngineSession session = EngineSession.Start(options.Project, options.Assemblies, options.Device, options.Validate, console.Write);
-        string scene = session.Project.Index.AssetPathOf(options.Scene) is { } path && File.Exists(session.Project.Index.FileOf(path))
+        ShaderCompiler compiler = GraphicsDevice.Compiler;
+        activity.Detail = () => compiler.Activity ?? (ProjectAssets.Importing is { } asset ? "importing " + asset : null);
+        scene = session.Project.Index.AssetPathOf(options.Scene) is { } path && File.Exists(session.Project.Index.FileOf(path))
             ? path
             : throw new UsageException($"--scene: '{options.Scene}' is not a file of the project '{options.Project}'.");
+        folder = OutputFolder.Open(options.Out, options.Images ? options.Frames : 0, options.Images);
         ScreenTarget.Resize(options.Width, options.Height);
         Time.captureDeltaTime = (float)(1 / options.Fps);
         if (options.ExecuteMethod is { } method)
@@ -32,98 +72,123 @@ internal sealed class PlayCommand(PlayOptions options)
             EngineState.IsPlaying = true;
             if (MethodRunner.Run(session.Scripts.FindMethod("--executeMethod", method)) is { } code) return code;
         }
+        timings = new TimingsFile(Path.Combine(folder.Path, TimingsFile.FileName));
+        if (options.Images) film = new Film(folder.Path, options.Fps);
+        using (writer = new FrameWriter(folder.Path, film)) return Play(session, activity);
+    }
 
-        var timings = new TimingsFile(Path.Combine(folder, "timings.csv"));
-        timings.Save();
-        int frames;
-        double wall;
-        var clock = Stopwatch.StartNew();
-        using (var writer = new FrameWriter(folder))
+    private int Play(EngineSession session, ActivityLine activity)
+    {
+        clock.Start();
+        ExceptionDispatchInfo? stopped = null;
+        interruption.EndFiles = EndFilesElsewhere;
+        try
         {
+            activity.Begin("loading the scene");
             PlaySession.Begin(scene, session.Assemblies);
-            frames = PlayFrames(writer, timings, interruption);
-            writer.Finish();
-            wall = clock.Elapsed.TotalSeconds;
+            if (Refused) return EngineState.ExitCode;
+            PlayFrames(activity);
         }
+        catch (Exception e) when (e is BadFileException or Vulkan.GpuException)
+        {
+            // What there is so far is kept.
+            if (frames == 0) throw;
+            stopped = ExceptionDispatchInfo.Capture(e);
+        }
+        if (Refused) return EngineState.ExitCode;
+        interruption.EndHere();
+        writer!.Finish();
+        activity.End();
         timings.Save();
-        WriteSummary(folder, scene, frames, wall);
+        WriteSummary();
         int exitCode = EngineState.ExitCode;
         PlaySession.End();
         bool valid = EngineSession.ReportValidation();
-        Report(folder, frames, wall, interruption.Requested);
-        return exitCode != 0 ? exitCode : valid ? 0 : 1;
+        SummaryFile.Change(SummaryPath, "errors", console.Errors);
+        Report(stopped is not null);
+        stopped?.Throw();
+        if (exitCode != 0) return exitCode;
+        if (interruption.Requested) return Interruption.ExitCode;
+        return valid && console.Errors == 0 ? 0 : Failed;
     }
 
-    private int PlayFrames(FrameWriter writer, TimingsFile timings, Interruption interruption)
+    /// <summary>The project's code has said why it cannot go on, as for a wrong flag: there is nothing to show.</summary>
+    private bool Refused => frames <= 1 && EngineState.QuitRequested && EngineState.ExitCode != 0;
+
+    private void PlayFrames(ActivityLine activity)
     {
-        var progress = new ProgressLine(Console.Out, !Console.IsOutputRedirected, options.Frames);
-        console.Progress = progress;
+        var progress = new ProgressLine(activity, options.Frames);
         using var timer = new FrameTimer(timings.AddGpu);
         var readback = new ScreenReadback();
         var frameClock = new Stopwatch();
-        int frame = 0;
-        for (; frame < options.Frames && !interruption.Requested && !EngineState.QuitRequested; frame++)
+        for (int frame = 0; frame < options.Frames && !interruption.Requested && !EngineState.QuitRequested; frame++)
         {
             frameClock.Restart();
+            progress.Begin(frame);
             PlayerLoop.RunFrame();
             double cpu = frameClock.Elapsed.TotalMilliseconds;
             timings.AddFrame(frame, Time.timeAsDouble, cpu);
+            frames = frame + 1;
+            if (frame == 0 && options.Images) SceneNotices.Write(console.Write);
             if (options.Images)
             {
                 readback.Capture(frame);
-                TakeFrames(readback, writer, finish: false);
+                TakeFrames(readback, finish: false);
             }
             progress.Show(frame + 1, Time.timeAsDouble, frameClock.Elapsed.TotalMilliseconds);
         }
-        TakeFrames(readback, writer, finish: true);
+        interruption.Acknowledge();
+        TakeFrames(readback, finish: true);
         timer.Finish();
-        progress.End();
-        console.Progress = null;
-        return frame;
     }
 
-    private static void TakeFrames(ScreenReadback readback, FrameWriter writer, bool finish)
+    private void TakeFrames(ScreenReadback readback, bool finish)
     {
-        while (readback.TryTake(finish, out CapturedFrame captured)) writer.Add(captured.Frame, captured.Width, captured.Height, captured.Pixels);
+        while (readback.TryTake(finish, out CapturedFrame captured)) writer!.Add(captured.Frame, captured.Width, captured.Height, captured.Pixels);
     }
 
-    private string PrepareFolder()
+    /// <summary>On the interrupting thread, while the main thread is somewhere in a frame.</summary>
+    private void EndFilesElsewhere()
     {
-        string folder = Path.GetFullPath(options.Out);
-        try
-        {
-            Directory.CreateDirectory(folder);
-            // Frames of a longer run before would end up in this run's film.
-            foreach (string old in Directory.EnumerateFiles(folder, "frame_*.png").Append(Path.Combine(folder, Film.FileName))) File.Delete(old);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            throw new UsageException($"--out: the folder '{options.Out}' cannot be written: {e.Message}");
-        }
-        return folder;
+        bool whole = writer!.Stop(LastFrames);
+        timings.Save();
+        frames = Math.Min(frames, options.Images ? writer.Written : frames);
+        WriteSummary();
+        console.Activity?.End();
+        if (whole) Report(false);
+        else Console.Error.WriteLine($"sphplayer: interrupted; no film: the last frame was still being written. {writer.Written} frames are in {folder.Path}.");
     }
 
-    private void WriteSummary(string folder, string scene, int frames, double wall)
+    private void WriteSummary()
     {
         Vulkan.GpuDevice device = GraphicsDevice.Device;
-        SummaryFile.Write(Path.Combine(folder, "summary.json"),
+        SummaryFile.Write(SummaryPath,
         [
             ("device", device.Adapter.Name), ("driver", device.Adapter.Driver), ("scene", scene),
-            ("simulated_s", frames > 0 ? Time.timeAsDouble : 0), ("wall_s", wall),
+            ("simulated_s", frames > 0 ? Time.timeAsDouble : 0), ("wall_s", clock.Elapsed.TotalSeconds),
             ("frames", frames), ("fps", options.Fps), ("width", options.Width), ("height", options.Height),
-            ("gpu_memory_bytes", device.AllocatedBytes), ("errors", console.Errors),
-            ("environment", EnvironmentVersions.Read()),
+            ("gpu_memory_bytes", device.AllocatedBytes), ("interrupted", interruption.Requested), ("errors", console.Errors),
+            ("environment", environment.Wait(EnvironmentPatience) ? environment.Result : null),
         ]);
     }
 
-    private void Report(string folder, int frames, double wall, bool interrupted)
+    private void Report(bool stopped)
     {
-        string shown = Path.GetRelativePath(Directory.GetCurrentDirectory(), folder);
-        if (shown.StartsWith("..", StringComparison.Ordinal)) shown = folder;
-        string? noFilm = options.Images ? Film.Make(folder, options.Fps, frames) : "no pictures were asked for.";
+        string shown = Path.GetRelativePath(Directory.GetCurrentDirectory(), folder.Path);
+        if (shown.StartsWith("..", StringComparison.Ordinal)) shown = folder.Path;
+        string? noFilm = FinishFilm(stopped);
+        folder.Close(writer!.Written, options.Images && noFilm is null);
         if (options.Images && noFilm is not null) Console.Error.WriteLine("sphplayer: " + noFilm);
-        Console.WriteLine(FormattableString.Invariant($"{(interrupted ? "interrupted: " : "")}{frames} frames in {wall:0.0} s on {GraphicsDevice.Device.Adapter.Name}"));
-        Console.WriteLine($"{Path.Combine(shown, noFilm is null ? Film.FileName : "summary.json")}");
-        if (console.Errors > 0) Console.Error.WriteLine($"sphplayer: {console.Errors} error(s) in the console, see above.");
+        Console.WriteLine(FormattableString.Invariant($"{(interruption.Requested ? "interrupted: " : "")}{frames} frames in {clock.Elapsed.TotalSeconds:0.0} s on {GraphicsDevice.Device.Adapter.Name}"));
+        Console.WriteLine($"{Path.Combine(shown, noFilm is null ? Film.FileName : SummaryFile.FileName)}");
+    }
+
+    private string? FinishFilm(bool stopped)
+    {
+        if (film is null) return "no pictures were asked for.";
+        if (console.Errors == 0 && !stopped) return film.Finish();
+        film.Discard();
+        string why = stopped ? "the play stopped early" : $"there {(console.Errors == 1 ? "was 1 error" : $"were {console.Errors} errors")} in the console, see above";
+        return $"no film: {why}. {writer!.Written} frames, {TimingsFile.FileName} and {SummaryFile.FileName} are in {folder.Path}.";
     }
 }

@@ -8,7 +8,7 @@ internal sealed class ConsoleLines
     private const int Repeats = 5;
     private readonly Dictionary<string, int> seen = [];
 
-    public ProgressLine? Progress { get; set; }
+    public ActivityLine? Activity { get; set; }
     public int Errors { get; private set; }
 
     public void Write(LogType type, string line)
@@ -16,7 +16,7 @@ internal sealed class ConsoleLines
         if (type is not (LogType.Log or LogType.Warning)) Errors++;
         int count = seen[line] = seen.GetValueOrDefault(line) + 1;
         if (count > Repeats && type != LogType.Log) return;
-        Progress?.End();
+        Activity?.Break();
         (type == LogType.Log ? Console.Out : Console.Error).WriteLine(count == Repeats && type != LogType.Log ? line + " (not shown again)" : line);
     }
 }

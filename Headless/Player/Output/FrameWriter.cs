@@ -10,12 +10,15 @@ public sealed class FrameWriter : IDisposable
 
     private readonly Channel<Frame> queue = Channel.CreateBounded<Frame>(4);
     private readonly string folder;
+    private readonly Film? film;
     private readonly Task worker;
-    private int written;
+    private volatile int written;
 
-    public FrameWriter(string folder)
+    /// <param name="film">Gets each frame when its file is there; null for no film.</param>
+    public FrameWriter(string folder, Film? film = null)
     {
         this.folder = folder;
+        this.film = film;
         worker = Task.Run(Work);
     }
 
@@ -29,6 +32,14 @@ public sealed class FrameWriter : IDisposable
         if (worker.IsFaulted) worker.GetAwaiter().GetResult();
         ValueTask added = queue.Writer.WriteAsync(new Frame(number, width, height, rgba));
         if (!added.IsCompletedSuccessfully) added.AsTask().GetAwaiter().GetResult();
+    }
+
+    /// <summary>Takes no more frames and waits for those that there are; for the thread that ends an interrupted run.</summary>
+    /// <returns>Whether the last one is done.</returns>
+    public bool Stop(TimeSpan patience)
+    {
+        queue.Writer.TryComplete();
+        return Task.WhenAny(worker, Task.Delay(patience)).Result == worker;
     }
 
     /// <summary>Waits until every frame is on the disk.</summary>
@@ -62,6 +73,7 @@ public sealed class FrameWriter : IDisposable
                 await using (FileStream stream = File.Create(partial)) Png.Write(stream, frame.Width, frame.Height, frame.Rgba);
                 File.Move(partial, path, overwrite: true);
                 written++;
+                film?.Add(frame.Width, frame.Height, frame.Rgba);
             }
         }
         catch (Exception e)

@@ -1,10 +1,25 @@
 using System.Text.Json;
+using System.Text.Json.Nodes;
 
 namespace Headless.Player.Output;
 
 /// <summary><c>summary.json</c>: keys in the order given; a list of texts by key becomes an object.</summary>
 public static class SummaryFile
 {
+    public const string FileName = "summary.json";
+
+    /// <summary>Changes one number of a file that others have added to since; a file that is gone stays gone.</summary>
+    public static void Change(string path, string key, int value)
+    {
+        if (!File.Exists(path) || JsonNode.Parse(File.ReadAllText(path)) is not JsonObject all) return;
+        all[key] = value;
+        string partial = path + ".part";
+        File.WriteAllText(partial, all.ToJsonString(Indented) + "\n");
+        File.Move(partial, path, overwrite: true);
+    }
+
+    private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true };
+
     public static void Write(string path, IReadOnlyList<(string Key, object? Value)> entries)
     {
         string partial = path + ".part";

@@ -9,8 +9,11 @@ namespace Headless.Player.Output;
 /// </summary>
 public sealed class TimingsFile(string path)
 {
+    public const string FileName = "timings.csv";
+
     private static readonly TimeSpan Interval = TimeSpan.FromSeconds(2);
 
+    private readonly Lock gate = new();
     private readonly List<Row> rows = [];
     private readonly List<string> passes = [];
     private DateTime last = DateTime.MinValue;
@@ -25,12 +28,17 @@ public sealed class TimingsFile(string path)
 
     public void AddFrame(int frame, double time, double cpuMilliseconds)
     {
-        rows.Add(new Row(frame, time, cpuMilliseconds));
+        lock (gate) rows.Add(new Row(frame, time, cpuMilliseconds));
         if (DateTime.UtcNow - last > Interval) Save();
     }
 
     /// <summary>Adds GPU time of a frame already added; a pass that ran several times sums up.</summary>
     public void AddGpu(int frame, double totalMilliseconds, IEnumerable<(string Pass, double Milliseconds)> times)
+    {
+        lock (gate) Add(frame, totalMilliseconds, times);
+    }
+
+    private void Add(int frame, double totalMilliseconds, IEnumerable<(string Pass, double Milliseconds)> times)
     {
         if (rows.Find(r => r.Frame == frame) is not { } row) return;
         row.Gpu = (row.Gpu ?? 0) + totalMilliseconds;
@@ -41,7 +49,13 @@ public sealed class TimingsFile(string path)
         }
     }
 
+    /// <summary>Safe for the thread that ends an interrupted run.</summary>
     public void Save()
+    {
+        lock (gate) Write();
+    }
+
+    private void Write()
     {
         last = DateTime.UtcNow;
         var text = new StringBuilder("frame,time_s,cpu_ms,gpu_ms");

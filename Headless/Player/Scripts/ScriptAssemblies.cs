@@ -25,6 +25,8 @@ public sealed class ScriptAssemblies
     public Assembly? Find(string name)
     {
         if (known.TryGetValue(name, out Assembly? assembly)) return assembly;
+        // Names come from files of the project.
+        if (name.Length == 0 || !name.All(c => char.IsLetterOrDigit(c) || c is '.' or '_' or '-' or ' ' or '+')) return null;
         string file = Path.Combine(folder, name + ".dll");
         return known[name] = Loader.OfThePlayer(new AssemblyName(name)) ?? (File.Exists(file) ? loader.LoadFromAssemblyPath(file) : null);
     }
@@ -54,7 +56,7 @@ public sealed class ScriptAssemblies
             {
                 return Default.LoadFromAssemblyName(new AssemblyName(name.Name!));
             }
-            catch (FileNotFoundException)
+            catch (Exception e) when (e is FileNotFoundException or FileLoadException)
             {
                 return null;
             }

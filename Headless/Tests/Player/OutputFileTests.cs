@@ -66,7 +66,8 @@ public sealed class OutputFileTests
     public void TheProgressLineTellsShareTimeAndRest()
     {
         var output = new StringWriter();
-        var progress = new ProgressLine(output, terminal: false, frames: 90);
+        using var activity = new ActivityLine(output, terminal: false);
+        var progress = new ProgressLine(activity, frames: 90);
         progress.Show(45, 1.5, 100);
         Assert.That(output.ToString().TrimEnd(), Is.EqualTo("50 %  frame 45/90  1.50 s simulated  100 ms/frame  0:04 left").Or.EqualTo(" 50%  frame 45/90  1.50 s simulated  100 ms/frame  0:04 left"));
     }

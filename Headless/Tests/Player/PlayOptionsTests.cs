@@ -28,10 +28,18 @@ public sealed class PlayOptionsTests
     public void WhatFollowsTheDashesIsLeftToTheProject() =>
         Assert.That(Parse("--fps", "10", "--", "--method", "thesis", "--fps").Fps, Is.EqualTo(10));
 
-    [TestCase("--seconds must be a number of seconds above 0 and at most 86400, found '-1'.", "--seconds", "-1")]
-    [TestCase("--fps must be a number of frames a second above 0 and at most 1000, found 'fast'.", "--fps", "fast")]
-    [TestCase("--size must be WxH in pixels, each 1 to 16384, as 1280x720; found '1280'.", "--size", "1280")]
-    [TestCase("--size must be WxH in pixels, each 1 to 16384, as 1280x720; found '0x720'.", "--size", "0x720")]
+    [TestCase("--seconds must be a number of seconds from 0.001 to 86400, found '-1'.", "--seconds", "-1")]
+    [TestCase("--fps must be a number of frames a second from 0.01 to 1000, found 'fast'.", "--fps", "fast")]
+    [TestCase("--size must be WxH in pixels, each 1 to 16384 and 33177600 in all, as 1280x720; found '1280'.", "--size", "1280")]
+    [TestCase("--size must be WxH in pixels, each 1 to 16384 and 33177600 in all, as 1280x720; found '0x720'.", "--size", "0x720")]
+    [TestCase("--fps must be a number of frames a second from 0.01 to 1000, found '1e-30'.", "--fps", "1e-30")]
+    [TestCase("--fps must be a number of frames a second from 0.01 to 1000, found 'NaN'.", "--fps", "NaN")]
+    [TestCase("--seconds must be a number of seconds from 0.001 to 86400, found '1e400'.", "--seconds", "1e400")]
+    [TestCase("--seconds 86400 at --fps 1000 are more than 1000000 frames; play less time or fewer frames a second.", "--seconds", "86400", "--fps", "1000")]
+    [TestCase("--size must be WxH in pixels, each 1 to 16384 and 33177600 in all, as 1280x720; found '16384x16384'.", "--size", "16384x16384")]
+    [TestCase("--out must not be empty.", "--out", "")]
+    [TestCase("--out must not be empty.", "--out=")]
+    [TestCase("--device must not be empty.", "--device", " ")]
     [TestCase("--seconds needs a value.", "--seconds")]
     [TestCase("--seconds needs a value.", "--seconds", "--fps", "3")]
     [TestCase("--fps is given twice.", "--fps", "3", "--fps", "4")]

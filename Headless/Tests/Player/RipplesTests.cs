@@ -108,7 +108,7 @@ public sealed class RipplesTests
         for (int i = 0; i < 600 && !File.Exists(frame) && !process.HasExited; i++) Thread.Sleep(100);
         Assert.That(Kill(process.Id, Interrupt), Is.Zero);
         PlayerProcess ended = PlayerProcess.Finish(process);
-        Assert.That(ended.ExitCode, Is.Zero, ended.Errors);
+        Assert.That(ended.ExitCode, Is.EqualTo(130), ended.Errors);
         Assert.That(ended.Output, Does.Contain("interrupted: "));
         int frames = Directory.GetFiles(output, "frame_*.png").Length;
         using JsonDocument summary = JsonDocument.Parse(File.ReadAllText(Path.Combine(output, "summary.json")));

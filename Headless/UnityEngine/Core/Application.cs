@@ -79,6 +79,9 @@ public partial class Application
     internal static void SendBeforeRender() => onBeforeRender?.Invoke();
     internal static void SendFocus(bool focus) => focusChanged?.Invoke(focus);
 
+    /// <summary>The run is going to end: what looks at <see cref="exitCancellationToken"/> ends sooner.</summary>
+    internal static void RequestExit() => s_Exit.Cancel();
+
     internal static void SendQuitting()
     {
         foreach (Action handler in quitting?.GetInvocationList() ?? Array.Empty<Delegate>())
