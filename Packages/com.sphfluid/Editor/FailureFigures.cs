@@ -23,8 +23,8 @@ namespace SphFluid.Editor
         /// </summary>
         public static void Write()
         {
-            string[] words = Environment.GetCommandLineArgs();
-            string only = Flag(words, "--only"), folder = Flag(words, "--out");
+            if (!FigureCommandLine.TryRead("figures", FailureExperiments.All().Select(e => e.Name).ToArray(), out string only, out string folder))
+                return;
             var audit = AssetDatabase.LoadAssetAtPath<ComputeShader>(AuditShader);
             if (folder != null)
                 Directory.CreateDirectory(folder);
@@ -62,12 +62,6 @@ namespace SphFluid.Editor
                 picture.Draw(panel++, particles, value, box, false, 0.4f * result.Settings.Spacing);
             }
             return picture.ToPng();
-        }
-
-        static string Flag(string[] words, string flag)
-        {
-            int index = Array.IndexOf(words, flag);
-            return index >= 0 && index + 1 < words.Length ? words[index + 1] : null;
         }
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using SphFluid.Validation;
 using UnityEngine;
 
@@ -22,9 +23,9 @@ namespace SphFluid.Editor
         /// </summary>
         public static void Write()
         {
-            string[] words = Environment.GetCommandLineArgs();
-            string folder = Flag(words, "--out") ?? DefaultFolder;
-            string only = Flag(words, "--only");
+            if (!FigureCommandLine.TryRead("figures", SwitchExperiments.All().Select(e => e.Name).ToArray(), out string only, out string folder))
+                return;
+            folder = folder ?? DefaultFolder;
             Directory.CreateDirectory(folder);
             Console.WriteLine(SystemInfo.graphicsDeviceName);
             foreach (SwitchExperiment experiment in SwitchExperiments.All())
@@ -74,11 +75,5 @@ namespace SphFluid.Editor
             "height {0:0.0000} m, speed {1:0.000} m/s, extent {2:0.0000} m, nearer than dx/2 {3:0.000}, slope {4:0.000}, limit hits {5}, not finite {6}",
             result.MeanHeight, result.MeanSpeed, result.Extent, result.Clumped(0.5f), result.PressureSlope,
             result.Counters.AccelerationLimitHits, result.Counters.NonFinite);
-
-        static string Flag(string[] words, string flag)
-        {
-            int index = Array.IndexOf(words, flag);
-            return index >= 0 && index + 1 < words.Length ? words[index + 1] : null;
-        }
     }
 }

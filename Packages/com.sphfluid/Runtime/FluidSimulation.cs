@@ -89,6 +89,9 @@ namespace SphFluid
         /// <summary>Raised for each new message, after it was written to the console.</summary>
         public event Action<FluidMessage> Reported;
 
+        /// <summary>Watches starts that take long, and may end them; null: nobody does.</summary>
+        public static IFluidStartWatcher StartWatcher { get; set; }
+
         /// <summary>Enabled simulations of all loaded scenes, running or not.</summary>
         public static IReadOnlyList<FluidSimulation> Active => ActiveList;
 

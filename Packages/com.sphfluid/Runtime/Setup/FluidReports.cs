@@ -29,6 +29,12 @@ namespace SphFluid
                 {
                     report(Failure(simulation, exception));
                 }
+                catch (OperationCanceledException)
+                {
+                    report(new FluidMessage(FluidSeverity.Warning, FluidIssue.StartRelaxation, simulation,
+                        "The start was ended before the liquid came to rest, so it does not run.",
+                        "Start it again, or set Start Relaxation to None."));
+                }
             }
             collision.Dispose();
             return null;

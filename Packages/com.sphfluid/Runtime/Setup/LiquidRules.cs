@@ -66,18 +66,29 @@ namespace SphFluid
             return new FluidStart(spawn.Particles, spawn.Needed, LiquidExtent.Of(shapes, simulation.DomainSize), spawn.Fastest);
         }
 
+        /// <summary>Most particles that a simulation may have.</summary>
+        /// <param name="simulation">The simulation.</param>
+        /// <param name="owner">Whose limit it is, for messages.</param>
+        internal static long MostParticles(FluidSimulation simulation, out string owner)
+        {
+            int profile = simulation.Profile != null ? simulation.Profile.MaxParticles : int.MaxValue;
+            long device = DeviceLimit;
+            owner = device < profile || simulation.Profile == null ? $"this device's buffers hold {device} particles"
+                : $"the profile '{simulation.Profile.name}' allows {profile} particles, and this device's buffers hold {device}";
+            return Math.Min(profile, device);
+        }
+
+        static long DeviceLimit => SystemInfo.maxGraphicsBufferSize / FluidParticle.Stride;
+
         static bool CheckCount(FluidSimulation simulation, SpawnResult spawn, List<FluidMessage> messages)
         {
-            int most = simulation.Profile != null ? simulation.Profile.MaxParticles : int.MaxValue;
-            long device = SystemInfo.maxGraphicsBufferSize / FluidParticle.Stride;
-            long limit = Math.Min(most, device);
+            long limit = MostParticles(simulation, out string owner);
             if (spawn.Needed <= limit) return true;
             double spacing = simulation.Spacing * Math.Pow(spawn.Needed / (double)limit, 1.0 / 3.0) * 1.01;
-            string owner = device < most ? $"this device's buffers hold {device}" : $"the profile '{simulation.Profile.name}' allows {most}";
             messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.TooManyParticles, simulation,
                 FormattableString.Invariant($"The liquid needs {spawn.Needed} particles at a spacing of {simulation.Spacing} m, but {owner}."),
                 FormattableString.Invariant($"Use a Particle Spacing of {spacing:G3} m or more, less liquid") +
-                (device < most ? "." : ", or raise Max Particles in the profile.")));
+                (limit == DeviceLimit ? "." : ", or raise Max Particles in the profile.")));
             return false;
         }
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
+using System.Threading;
 using UnityEngine;
 
 namespace SphFluid
@@ -36,10 +37,25 @@ namespace SphFluid
                 bodies.Update(collision.Solids);
                 using (var relaxer = new StartRelaxer(settings, simulation.Profile.Shaders, start.Particles, bodies, Height(settings, start.Particles)))
                 {
-                    bool settled = relaxer.Run(Acceleration(settings));
+                    bool settled = Watched(simulation, goesOn => relaxer.Run(Acceleration(settings), goesOn));
                     ReportResult(simulation, relaxer, settled, watch.Elapsed.TotalSeconds);
                     return WithVelocities(relaxer.Read(), start.Particles);
                 }
+            }
+        }
+
+        // Play mode or the player may end while the liquid settles.
+        static bool Watched(FluidSimulation simulation, Func<Func<FluidStartProgress, bool>, bool> run)
+        {
+            IFluidStartWatcher watcher = FluidSimulation.StartWatcher;
+            CancellationToken exit = Application.exitCancellationToken;
+            try
+            {
+                return run(progress => !exit.IsCancellationRequested && (watcher == null || watcher.Continue(simulation, progress)));
+            }
+            finally
+            {
+                watcher?.Ended(simulation);
             }
         }
 

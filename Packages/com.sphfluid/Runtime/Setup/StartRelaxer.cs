@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -15,6 +16,9 @@ namespace SphFluid
         // Particle-steps of a command buffer: a tenth of a second on a slow card, where a driver gives up after two.
         const int WorkPerBuffer = 1 << 22;
         const int MostStepsPerBuffer = 16;
+
+        // Longest time without asking whether to go on; a single step may take longer.
+        const double SubmissionSeconds = 0.2;
 
         // Times that sound crosses the liquid while it settles.
         const double Crossings = 8.0;
@@ -32,6 +36,10 @@ namespace SphFluid
         readonly DampVelocitiesPass damping;
         readonly CounterReadback counters;
         readonly double step, crossing, fall;
+        readonly RestEstimate estimate;
+        readonly Stopwatch watch = new Stopwatch();
+        Func<FluidStartProgress, bool> watcher;
+        double timeLeft, secondsPerStep;
 
         /// <summary>Takes particles at rest.</summary>
         /// <param name="settings">The physics; its gravity acts.</param>
@@ -47,6 +55,8 @@ namespace SphFluid
             double depth = Math.Max(height, settings.SupportRadius);
             crossing = depth / settings.SoundSpeed;
             fall = settings.Gravity.sqrMagnitude > 0f ? Math.Sqrt(depth / settings.Gravity.magnitude) : 0.0;
+            timeLeft = 0.5 * Crossings * crossing;
+            estimate = new RestEstimate(crossing, Crossings * crossing, FlowTime * fall);
             var start = new FluidParticle[particles.Count];
             for (int i = 0; i < start.Length; i++) start[i] = new FluidParticle(particles[i].Position, Vector3.zero, particles[i].Id);
             state = new FluidState(settings, start.Length) { Bodies = bodies };
@@ -68,9 +78,13 @@ namespace SphFluid
 
         /// <summary>Settles the liquid, lets it flow and settles it again until no particle is accelerated by more than what is asked for, or eight times.</summary>
         /// <param name="acceleration">Largest acceleration to be left [m/s²].</param>
+        /// <param name="goesOn">Asked after each part of bounded work; false ends the relaxation. Null: nobody is asked.</param>
         /// <returns>Whether it came to that.</returns>
-        public bool Run(double acceleration)
+        /// <exception cref="OperationCanceledException">It was ended.</exception>
+        public bool Run(double acceleration, Func<FluidStartProgress, bool> goesOn = null)
         {
+            watcher = goesOn;
+            watch.Restart();
             using (var cmd = new CommandBuffer { name = "SPH Fluid Relaxation" })
             {
                 method.RecordLoad(cmd, state);
@@ -110,13 +124,15 @@ namespace SphFluid
             do
             {
                 time = Advance(cmd, time, Crossings * crossing, t => Rate + (local - Rate) * Math.Exp(-t / crossing));
+                timeLeft = estimate.Settling(time, Acceleration / acceleration);
             }
             while (time < Crossings * crossing && !(Acceleration <= acceleration && time > crossing));
         }
 
         void Flow(CommandBuffer cmd)
         {
-            for (double time = 0.0; time < FlowTime * fall;) time = Advance(cmd, time, FlowTime * fall, _ => FlowRate / fall);
+            for (double time = 0.0; time < FlowTime * fall; timeLeft = estimate.Flowing(time))
+                time = Advance(cmd, time, FlowTime * fall, _ => FlowRate / fall);
         }
 
         // A command buffer of steps: the time after them.
@@ -124,19 +140,38 @@ namespace SphFluid
         {
             int batch = Mathf.Clamp(WorkPerBuffer / state.ParticleCount, 1, MostStepsPerBuffer);
             counters.RecordReset(cmd);
+            int recorded = 0;
             for (int i = 0; i < batch && time < end; i++)
             {
+                if (recorded >= StepsPerSubmission) Submit(cmd, ref recorded);
                 state.BeginBodyStep(0, 1, (float)step);
                 method.RecordNeighbourSetup(cmd, state);
                 method.RecordMotion(cmd, state, new FluidStep((float)step, (float)step, Steps == 0));
                 damping.Record(cmd, state, (float)Math.Exp(-rate(time) * step));
                 Steps++;
+                recorded++;
                 time += step;
             }
+            Submit(cmd, ref recorded);
+            return time;
+        }
+
+        // How many steps are submitted at once does not change what they compute: only maxima of a whole batch are looked at.
+        int StepsPerSubmission => secondsPerStep > 0.0 ? Math.Max(1, (int)(SubmissionSeconds / secondsPerStep)) : 1;
+
+        // Executes, waits, and asks whether to go on.
+        void Submit(CommandBuffer cmd, ref int recorded)
+        {
+            double before = watch.Elapsed.TotalSeconds;
             Graphics.ExecuteCommandBuffer(cmd);
             cmd.Clear();
             Speed = counters.ReadNow().MaxSpeed;
-            return time;
+            double now = watch.Elapsed.TotalSeconds;
+            secondsPerStep = (now - before) / Math.Max(1, recorded);
+            recorded = 0;
+            double left = timeLeft / step * (now / Math.Max(1, Steps));
+            if (watcher != null && !watcher(new FluidStartProgress(Steps, now, left)))
+                throw new OperationCanceledException("The relaxed start was ended.");
         }
     }
 }

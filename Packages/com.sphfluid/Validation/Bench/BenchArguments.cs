@@ -58,7 +58,13 @@ namespace SphFluid.Validation
             CommandLineFlag.Read(commandLine, "bench", flags, flag =>
             {
                 if (flag.Name == "--sweep" || flag.Name == "--no-sweep")
+                {
+                    if (result.Sweep.HasValue)
+                        throw new CommandLineException("--sweep and --no-sweep exclude each other; give one.");
                     result.Sweep = flag.On() && flag.Name == "--sweep";
+                }
+                else if (flag.Name == "--out")
+                    result.OutputFolder = flag.Folder();
                 else
                     result.Read(flag.Name, flag.Value());
             });
@@ -86,9 +92,6 @@ namespace SphFluid.Validation
                 case "--repeat":
                     Samples = Number(flag, value, MinimumSamples, MaximumSamples);
                     break;
-                case "--out":
-                    OutputFolder = value;
-                    break;
             }
         }
 
@@ -111,7 +114,7 @@ namespace SphFluid.Validation
             if (int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out int number) && number >= minimum && number <= maximum)
                 return number;
             string what = flag == "--repeat" ? "a whole number" : "whole numbers divided by commas, each";
-            throw new CommandLineException($"{flag} must be {what} from {minimum} to {maximum}, found '{value}'.");
+            throw new CommandLineException($"{flag} must be {what} from {minimum} to {maximum}, found '{CommandLineWords.Shown(value)}'.");
         }
     }
 }

@@ -79,9 +79,18 @@ namespace SphFluid.Validation
         internal static void Prepare(PlayArguments arguments)
         {
             bool begun = false;
+            FluidSimulation.StartWatcher = new ConsoleStartWatcher(SessionProgress.OfConsole());
             SceneManager.sceneLoaded += (scene, mode) =>
             {
-                PlayOverrides.Apply(arguments, FluidSimulation.Active);
+                try
+                {
+                    PlayOverrides.Apply(arguments, FluidSimulation.Active);
+                }
+                catch (CommandLineException exception)
+                {
+                    Fail(exception.Message);
+                    return;
+                }
                 if (!begun)
                     PlayRecorder.Begin(arguments);
                 begun = true;

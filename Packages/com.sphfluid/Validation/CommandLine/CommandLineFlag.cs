@@ -8,11 +8,13 @@ namespace SphFluid.Validation
     {
         readonly IReadOnlyList<string> commandLine;
         readonly string given;
+        readonly HashSet<string> single; // flags of one value that have theirs
         int index;
 
-        CommandLineFlag(IReadOnlyList<string> commandLine, int index)
+        CommandLineFlag(IReadOnlyList<string> commandLine, int index, HashSet<string> single)
         {
             this.commandLine = commandLine;
+            this.single = single;
             this.index = index;
             string word = commandLine[index];
             int equals = word.StartsWith("--", StringComparison.Ordinal) ? word.IndexOf('=') : -1;
@@ -34,13 +36,14 @@ namespace SphFluid.Validation
         public static void Read(IReadOnlyList<string> commandLine, string verb, string[] known, Action<CommandLineFlag> read)
         {
             int separator = CommandLineWords.Separator(commandLine);
+            var single = new HashSet<string>();
             for (int i = separator + 1; i < commandLine.Count; i++)
             {
-                var flag = new CommandLineFlag(commandLine, i);
+                var flag = new CommandLineFlag(commandLine, i, single);
                 if (Array.IndexOf(known, flag.Name) >= 0)
                     read(flag);
                 else if (separator >= 0)
-                    throw new CommandLineException($"{commandLine[i]} is not a flag of {verb}. Its flags are {string.Join(", ", known)}.");
+                    throw new CommandLineException($"{CommandLineWords.Shown(commandLine[i])} is not a flag of {verb}. Its flags are {string.Join(", ", known)}.");
                 i = flag.index;
             }
         }
@@ -50,8 +53,35 @@ namespace SphFluid.Validation
         public bool On() => given == null ? true : throw new CommandLineException($"{Name} takes no value.");
 
         /// <summary>Its value.</summary>
-        /// <exception cref="CommandLineException">There is none.</exception>
-        public string Value() => given ?? CommandLineWords.Value(commandLine, ref index);
+        /// <exception cref="CommandLineException">There is none, it is empty, or the flag had one before.</exception>
+        public string Value()
+        {
+            if (!single.Add(Name))
+                throw new CommandLineException($"{Name} is given twice.");
+            string value = given ?? CommandLineWords.Value(commandLine, ref index);
+            return string.IsNullOrWhiteSpace(value) ? throw new CommandLineException($"{Name} must not be empty.") : value;
+        }
+
+        /// <summary>Its value, a whole number.</summary>
+        /// <exception cref="CommandLineException">It is none, or outside of the range.</exception>
+        public int Integer(int least, int most) => CommandLineWords.Integer(Name, Value(), least, most);
+
+        /// <summary>Its value, one of some words.</summary>
+        /// <exception cref="CommandLineException">It is another one.</exception>
+        public string OneOf(string[] allowed)
+        {
+            string value = Value();
+            CommandLineWords.RequireOneOf(Name, value, allowed);
+            return value;
+        }
+
+        /// <summary>Its value, a folder that is there or can be made.</summary>
+        /// <exception cref="CommandLineException">A file stands in its place.</exception>
+        public string Folder() => OutputPath.Folder(Name, Value());
+
+        /// <summary>Its value, a file with an ending that can be written.</summary>
+        /// <exception cref="CommandLineException">The ending is another one, or the file cannot be written.</exception>
+        public string File(string ending) => OutputPath.File(Name, Value(), ending);
 
         /// <summary>Its values: words up to the next flag, each divided at its commas.</summary>
         /// <exception cref="CommandLineException">There is none, or one is empty.</exception>

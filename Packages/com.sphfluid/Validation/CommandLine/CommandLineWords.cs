@@ -49,7 +49,7 @@ namespace SphFluid.Validation
             {
                 words[i] = words[i].Trim();
                 if (words[i].Length == 0)
-                    throw new CommandLineException($"{flag} has an empty name in '{value}'.");
+                    throw new CommandLineException($"{flag} has an empty name in '{Shown(value)}'.");
             }
             return words;
         }
@@ -58,7 +58,7 @@ namespace SphFluid.Validation
         public static void RequireOneOf(string flag, string value, string[] allowed)
         {
             if (Array.IndexOf(allowed, value) < 0)
-                throw new CommandLineException($"{flag} must be one of {string.Join(", ", allowed)} in this version, found '{value}'.");
+                throw new CommandLineException($"{flag} must be one of {string.Join(", ", allowed)} in this version, found '{Shown(value)}'.");
         }
 
         /// <summary>Adds what has a name to what is chosen.</summary>
@@ -72,13 +72,30 @@ namespace SphFluid.Validation
             chosen.Add(found);
         }
 
+        /// <summary>A whole number in a range.</summary>
+        /// <exception cref="CommandLineException">It is none.</exception>
+        public static int Integer(string flag, string value, int least, int most)
+        {
+            if (int.TryParse(value, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int number) && number >= least && number <= most)
+                return number;
+            throw new CommandLineException($"{flag} must be a whole number from {least} to {most}, found '{Shown(value)}'.");
+        }
+
         /// <summary>A number of minutes above zero.</summary>
         /// <exception cref="CommandLineException">It is none.</exception>
         public static TimeSpan Minutes(string flag, string value)
         {
-            if (!double.TryParse(value, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double minutes) || !(minutes > 0.0) || minutes > 1e6)
-                throw new CommandLineException($"{flag} must be a number of minutes above zero, found '{value}'.");
+            if (!double.TryParse(value, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double minutes) || !(minutes >= 1e-6) || minutes > 1e6)
+                throw new CommandLineException($"{flag} must be a number of minutes above zero and at most 1000000, found '{Shown(value)}'.");
             return TimeSpan.FromMinutes(minutes);
+        }
+
+        /// <summary>A word as a message may show it: on one line, not longer than is read.</summary>
+        public static string Shown(string word)
+        {
+            const int Longest = 60;
+            string line = new string(word.Select(c => char.IsControl(c) ? ' ' : c).ToArray());
+            return line.Length <= Longest ? line : line.Substring(0, Longest) + "...";
         }
     }
 }

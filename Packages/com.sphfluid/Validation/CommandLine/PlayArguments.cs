@@ -1,6 +1,6 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
+using System.IO;
 using System.Linq;
 
 namespace SphFluid.Validation
@@ -11,6 +11,7 @@ namespace SphFluid.Validation
     /// </summary>
     public sealed class PlayArguments
     {
+        const string OutFlag = "--out";
         static readonly string[] flags = { "--method", "--surface", "--particles", "--seed", "--state", "--mesh", "--record" };
         static readonly string[] surfaces = { "marching-cubes", "marching-cubes-gs", "cubes", "particles", "none" };
 
@@ -47,61 +48,53 @@ namespace SphFluid.Validation
         {
             var result = new PlayArguments();
             int separator = CommandLineWords.Separator(commandLine);
-            for (int i = 0; i < commandLine.Count; i++)
+            int end = separator < 0 ? commandLine.Count : separator;
+            for (int i = 0; i < end; i++)
             {
-                string flag = commandLine[i];
-                if (flag == "--out" && i < commandLine.Count - 1 && (separator < 0 || i < separator))
+                if (commandLine[i] == OutFlag && i + 1 < end)
                     result.OutputFolder = commandLine[++i];
-                else if (i > separator && Array.IndexOf(flags, flag) >= 0)
-                    result.Read(flag, CommandLineWords.Value(commandLine, ref i));
-                else if (separator >= 0 && i > separator)
-                    throw new CommandLineException($"{flag} is not a flag of play. The liquid's flags are {string.Join(", ", flags)}; --help tells the others.");
+                else if (commandLine[i].StartsWith(OutFlag + "=", StringComparison.Ordinal))
+                    result.OutputFolder = commandLine[i].Substring(OutFlag.Length + 1);
             }
+            CommandLineFlag.Read(commandLine, "play's liquid", flags, result.Read);
+            result.RequireDifferentFiles();
             return result;
         }
 
-        void Read(string flag, string value)
+        void Read(CommandLineFlag flag)
         {
-            switch (flag)
+            switch (flag.Name)
             {
                 case "--method":
-                    CommandLineWords.RequireOneOf(flag, value, CaseMethod.All.Select(m => m.Name).ToArray());
-                    Method = CaseMethod.Find(value).Kind;
+                    Method = CaseMethod.Find(flag.OneOf(CaseMethod.All.Select(m => m.Name).ToArray())).Kind;
                     break;
                 case "--surface":
-                    CommandLineWords.RequireOneOf(flag, value, surfaces);
-                    Surface = value;
+                    Surface = flag.OneOf(surfaces);
                     break;
                 case "--particles":
-                    Particles = Integer(flag, value, 1);
+                    Particles = flag.Integer(1, int.MaxValue);
                     break;
                 case "--seed":
-                    Seed = Integer(flag, value, 0);
+                    Seed = flag.Integer(0, int.MaxValue);
                     break;
                 case "--state":
-                    StateFile = FileWithEnding(flag, value, ".ply");
+                    StateFile = flag.File(".ply");
                     break;
                 case "--mesh":
-                    MeshFile = FileWithEnding(flag, value, ".ply");
+                    MeshFile = flag.File(".ply");
                     break;
                 case "--record":
-                    RecordFile = FileWithEnding(flag, value, ".csv");
+                    RecordFile = flag.File(".csv");
                     break;
             }
         }
 
-        static int Integer(string flag, string value, int minimum)
+        void RequireDifferentFiles()
         {
-            if (!int.TryParse(value, NumberStyles.Integer, CultureInfo.InvariantCulture, out int number) || number < minimum)
-                throw new CommandLineException($"{flag} must be a whole number of at least {minimum}, found '{value}'.");
-            return number;
-        }
-
-        static string FileWithEnding(string flag, string value, string ending)
-        {
-            if (!value.EndsWith(ending, StringComparison.OrdinalIgnoreCase))
-                throw new CommandLineException($"{flag} must be a file ending in {ending}, found '{value}'.");
-            return value;
+            if (StateFile != null && MeshFile != null && Path.GetFullPath(StateFile) == Path.GetFullPath(MeshFile))
+                throw new CommandLineException("--state and --mesh name the same file; give them two.");
+            if (RecordFile != null && OutputFolder != null && Path.GetFullPath(RecordFile) == Path.GetFullPath(Path.Combine(OutputFolder, "timings.csv")))
+                throw new CommandLineException("--record names timings.csv of the folder of --out; give it another name.");
         }
     }
 }

@@ -32,7 +32,7 @@ namespace SphFluid.Validation
         {
             if (flag.Name == "--out")
             {
-                OutputFolder = flag.Value();
+                OutputFolder = flag.Folder();
                 return;
             }
             foreach (string name in flag.Values())

@@ -29,11 +29,10 @@ namespace SphFluid.Validation
         /// <summary>Writes the table with the frame's number first.</summary>
         public void Write(string file)
         {
-            Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(file)));
             var lines = new List<string> { "frame," + string.Join(",", columns) };
             for (int i = 0; i < rows.Count; i++)
                 lines.Add(i.ToString(CultureInfo.InvariantCulture) + "," + string.Join(",", rows[i]));
-            File.WriteAllLines(file, lines);
+            CsvText.WriteWhole(file, lines);
         }
 
         /// <summary>
@@ -50,7 +49,7 @@ namespace SphFluid.Validation
             lines[0] = Insert(lines[0], place + 1, columns);
             for (int i = 1; i < lines.Length; i++)
                 lines[i] = Insert(lines[i], place + 1, i <= rows.Count ? rows[i - 1] : new string[columns.Length]);
-            File.WriteAllLines(file, lines);
+            CsvText.WriteWhole(file, lines);
         }
 
         static string Insert(string line, int place, IEnumerable<string> values)

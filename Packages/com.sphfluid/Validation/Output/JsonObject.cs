@@ -42,7 +42,7 @@ namespace SphFluid.Validation
         {
             if (!File.Exists(file))
             {
-                File.WriteAllText(file, ToString() + "\n");
+                CsvText.WriteWhole(file, new[] { ToString() });
                 return;
             }
             string text = File.ReadAllText(file).TrimEnd();
@@ -50,7 +50,7 @@ namespace SphFluid.Validation
                 throw new InvalidDataException($"'{file}' holds no JSON object to add to; delete it and play again.");
             string head = text.Substring(0, text.Length - 1).TrimEnd();
             string separator = head.Length == 1 ? "\n  " : ",\n  ";
-            File.WriteAllText(file, head + separator + string.Join(",\n  ", members) + "\n}\n");
+            CsvText.WriteWhole(file, new[] { head + separator + string.Join(",\n  ", members) + "\n}" });
         }
 
         JsonObject AddRaw(string key, string value)

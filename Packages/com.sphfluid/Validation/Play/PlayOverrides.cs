@@ -1,5 +1,7 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace SphFluid.Validation
 {
@@ -13,7 +15,7 @@ namespace SphFluid.Validation
                 if (arguments.Method is FluidMethodKind method)
                     simulation.Method = method;
                 if (arguments.Particles is int count)
-                    simulation.Spacing = simulation.SpacingForParticleCount(count);
+                    SetParticles(simulation, count);
                 if (arguments.Seed is int seed)
                     simulation.Seed = seed;
                 if (arguments.Surface != null)
@@ -45,6 +47,25 @@ namespace SphFluid.Validation
             {
                 if (view.Simulation == simulation)
                     yield return view;
+            }
+        }
+
+        // Before a lattice is made: one of far too many sites would take minutes.
+        static void SetParticles(FluidSimulation simulation, int count)
+        {
+            long most = LiquidRules.MostParticles(simulation, out string owner);
+            if (count > most)
+            {
+                throw new CommandLineException(FormattableString.Invariant(
+                    $"--particles {count} does not fit '{simulation.name}': {owner}. The largest count that fits is {most}."));
+            }
+            try
+            {
+                simulation.Spacing = simulation.SpacingForParticleCount(count);
+            }
+            catch (Exception exception) when (exception is InvalidOperationException || exception is ArgumentException)
+            {
+                throw new CommandLineException($"--particles: '{simulation.name}': {exception.Message}");
             }
         }
 

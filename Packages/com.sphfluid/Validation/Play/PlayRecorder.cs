@@ -17,6 +17,7 @@ namespace SphFluid.Validation
         readonly Dictionary<FluidSimulation, ColliderSides> sides = new Dictionary<FluidSimulation, ColliderSides>();
         PlayArguments arguments;
         long stepsBefore;
+        bool watched, seen;
 
         public static void Begin(PlayArguments arguments)
         {
@@ -33,6 +34,8 @@ namespace SphFluid.Validation
         {
             long steps = 0, particles = 0;
             IReadOnlyList<FluidSimulation> simulations = FluidSimulation.Active;
+            watched = true;
+            seen |= simulations.Count > 0;
             for (int i = 0; i < simulations.Count; i++)
             {
                 steps += simulations[i].StepCount;
@@ -59,6 +62,8 @@ namespace SphFluid.Validation
         void Finish()
         {
             Application.quitting -= Finish;
+            if (watched && !seen)
+                Debug.LogError($"{FluidMessage.Prefix} No liquid was played: no Fluid Simulation was enabled in the scene. Add one: GameObject > Fluid > Fluid Simulation (Surface).");
             try
             {
                 var running = new List<FluidSimulation>();

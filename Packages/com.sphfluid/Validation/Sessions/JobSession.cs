@@ -13,11 +13,16 @@ namespace SphFluid.Validation
     /// </summary>
     public abstract class JobSession : IValidationSession
     {
+        // A job that takes longer than expected is never quite done.
+        const double MostOfAJob = 0.95;
+
         readonly string folder, noun;
         readonly TimeSpan? slice;
         readonly SessionRate rate;
         readonly SessionWork work;
-        double left;
+        readonly Stopwatch jobClock = new Stopwatch();
+        SessionJob current;
+        double left, all;
         bool disposed;
 
         /// <param name="folder">Folder of the results; it is made.</param>
@@ -36,7 +41,13 @@ namespace SphFluid.Validation
         }
 
         /// <inheritdoc/>
-        public bool Step() => work.Step();
+        public bool Step()
+        {
+            bool more = work.Step();
+            if (more && current != null)
+                ShowProgress();
+            return more;
+        }
 
         /// <summary>Says how to go on when it is not done; the files are whole at any time.</summary>
         public void Dispose()
@@ -72,12 +83,21 @@ namespace SphFluid.Validation
             return time.HasValue && left > 0.0 ? before + SessionProgress.Duration(time.Value) + " left" : "";
         }
 
+        // Within a job by the time that has gone by of the time that it is expected to take; nothing is known of the first one's.
+        void ShowProgress()
+        {
+            TimeSpan? expected = rate.TimeFor(current.Cost);
+            double part = expected.HasValue && expected.Value > TimeSpan.Zero
+                ? current.Cost * Math.Min(MostOfAJob, jobClock.Elapsed.TotalSeconds / expected.Value.TotalSeconds) : 0.0;
+            Progress.Show(1.0 - (left - part) / all, rate.TimeFor(left - part), current.Name);
+        }
+
         IEnumerator Run()
         {
             Directory.CreateDirectory(folder);
             List<SessionJob> jobs = Jobs().ToList();
             List<SessionJob> pending = jobs.Where(j => !j.IsDone()).ToList();
-            double all = jobs.Sum(j => j.Cost);
+            all = jobs.Sum(j => j.Cost);
             left = pending.Sum(j => j.Cost);
             (Count, Done) = (jobs.Count, jobs.Count - pending.Count);
             Progress.Say($"{Count} {noun} on {Device}{(Done > 0 ? $", {Done} of them are there already" : "")}{TimeLeft(", about ")}.");
@@ -86,9 +106,11 @@ namespace SphFluid.Validation
             {
                 if (job != pending[0] && slice.HasValue && clock.Elapsed + (rate.TimeFor(job.Cost) ?? TimeSpan.Zero) > slice.Value)
                     break;
-                Progress.Show(1.0 - left / all, rate.TimeFor(left), job.Name);
-                var jobClock = Stopwatch.StartNew();
+                current = job;
+                jobClock.Restart();
+                ShowProgress();
                 yield return job.Work();
+                current = null;
                 rate.Add(job.Cost, jobClock.Elapsed);
                 left -= job.Cost;
                 Done++;

@@ -50,7 +50,7 @@ namespace SphFluid.Validation
                     Quick = flag.On();
                     break;
                 case "--out":
-                    OutputFolder = flag.Value();
+                    OutputFolder = flag.Folder();
                     break;
                 case "--slice":
                     Slice = CommandLineWords.Minutes(flag.Name, flag.Value());

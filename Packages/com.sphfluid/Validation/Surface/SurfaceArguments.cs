@@ -54,7 +54,7 @@ namespace SphFluid.Validation
                         CommandLineWords.Choose(variants, flag.Name, name, SurfaceVariants.All, v => v.Name);
                     break;
                 default:
-                    OutputFolder = flag.Value();
+                    OutputFolder = flag.Folder();
                     break;
             }
         }

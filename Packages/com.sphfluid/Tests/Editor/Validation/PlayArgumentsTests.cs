@@ -51,7 +51,7 @@ namespace SphFluid.Tests
         [TestCase("--sead", "1", "--sead")]
         [TestCase("--seed", "-1", "--seed")]
         [TestCase("--seed", "x", "'x'")]
-        [TestCase("--particles", "0", "at least 1")]
+        [TestCase("--particles", "0", "from 1 to 2147483647")]
         [TestCase("--particles", "1.5", "whole number")]
         [TestCase("--surface", "bubbles", "marching-cubes-gs")]
         [TestCase("--method", "magic", "thesis")]

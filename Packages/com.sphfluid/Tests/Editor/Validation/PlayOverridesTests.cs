@@ -51,6 +51,24 @@ namespace SphFluid.Tests
             Assert.AreEqual("particles", PlayOverrides.SurfaceOf(simulation));
         }
 
+        [Test]
+        public void MoreParticlesThanFitAreRefusedBeforeALatticeIsMade()
+        {
+            // A volume whose lattice of 10^9 sites would take minutes; the refusal looks at no site.
+            var exception = Assert.Throws<CommandLineException>(() =>
+                PlayOverrides.Apply(PlayArguments.Parse(new[] { "player", "--", "--particles", "2000000000" }), new[] { simulation }));
+            long most = SystemInfo.maxGraphicsBufferSize / FluidParticle.Stride;
+            Assert.That(exception.Message, Does.StartWith("--particles 2000000000 does not fit 'Fluid': this device's buffers hold " + most));
+            Assert.That(exception.Message, Does.Contain("The largest count that fits is " + most));
+        }
+
+        [Test]
+        public void ParticlesForASceneWithoutLiquidAreRefused()
+        {
+            Assert.That(() => PlayOverrides.Apply(PlayArguments.Parse(new[] { "player", "--", "--particles", "100" }), new[] { simulation }),
+                Throws.TypeOf<CommandLineException>().With.Message.Contains("There is no liquid"));
+        }
+
         void Apply(string surface) =>
             PlayOverrides.Apply(PlayArguments.Parse(new[] { "player", "--", "--surface", surface }), new[] { simulation });
     }

@@ -1,0 +1,33 @@
+using UnityEditor;
+using UnityEngine;
+
+namespace SphFluid.Editor
+{
+    /// <summary>A progress bar with a Cancel button for liquids that take long to come to rest.</summary>
+    sealed class StartProgressBar : IFluidStartWatcher
+    {
+        const double SilentSeconds = 1.0;
+
+        bool shown;
+
+        [InitializeOnLoadMethod]
+        static void Install()
+        {
+            if (!Application.isBatchMode && FluidSimulation.StartWatcher == null) FluidSimulation.StartWatcher = new StartProgressBar();
+        }
+
+        public bool Continue(FluidSimulation simulation, FluidStartProgress progress)
+        {
+            if (progress.Seconds < SilentSeconds) return true;
+            shown = true;
+            return !EditorUtility.DisplayCancelableProgressBar("Fluid Simulation",
+                $"'{simulation.name}' comes to rest: {progress.Steps} steps, about {Mathf.CeilToInt((float)progress.SecondsLeft)} s left", progress.Share);
+        }
+
+        public void Ended(FluidSimulation simulation)
+        {
+            if (shown) EditorUtility.ClearProgressBar();
+            shown = false;
+        }
+    }
+}

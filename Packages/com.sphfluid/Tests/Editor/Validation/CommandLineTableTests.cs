@@ -1,0 +1,109 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using NUnit.Framework;
+using SphFluid.Validation;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Every flag of every verb with every kind of wrong value: one line that names the flag.</summary>
+    public sealed class CommandLineTableTests
+    {
+        static readonly string[] NoNames = { "", " ", "-1", "NaN", "no such thing", "99999999999999999999", "\n" };
+        static readonly string[] NoCounts = { "", " ", "-1", "0", "NaN", "1.5", "1e30", "0x10", "1_000", "99999999999999999999", "many" };
+        static readonly string[] NoSeeds = { "", "-1", "NaN", "1.5", "1e30", "99999999999999999999", "many" };
+        static readonly string[] NoMinutes = { "", "-1", "0", "NaN", "Infinity", "1e30", "1e-30", "99999999999999999999", "soon" };
+        static readonly string[] NoFolders = { "", " " };
+        static readonly string[] NoFiles = { "", " ", "a", ".ply", ".csv", "a.txt" };
+
+        static readonly (string Verb, Action<string[]> Parse, (string Flag, string[] Wrong)[] Flags)[] Verbs =
+        {
+            ("play", w => PlayArguments.Parse(w), new[]
+            {
+                ("--method", NoNames), ("--surface", NoNames), ("--particles", NoCounts), ("--seed", NoSeeds), ("--state", NoFiles), ("--mesh", NoFiles), ("--record", NoFiles),
+            }),
+            ("bench", w => BenchArguments.Parse(w), new[]
+            {
+                ("--table", NoNames), ("--particles", NoCounts), ("--grids", NoCounts), ("--repeat", NoCounts), ("--out", NoFolders),
+            }),
+            ("chart", w => ChartArguments.Parse(w), new[] { ("--case", NoNames), ("--method", NoNames), ("--slice", NoMinutes), ("--out", NoFolders) }),
+            ("stability", w => StabilityArguments.Parse(w), new[] { ("--map", NoNames), ("--method", NoNames), ("--slice", NoMinutes), ("--out", NoFolders) }),
+            ("leaks", w => LeakArguments.Parse(w), new[] { ("--scene", NoNames), ("--out", NoFolders) }),
+            ("surfaces", w => SurfaceArguments.Parse(w), new[] { ("--state", NoNames), ("--variant", NoNames), ("--out", NoFolders) }),
+            ("figures", w => FigureArguments.Parse(w, "figures", new[] { "clumps" }), new[] { ("--only", NoNames), ("--out", NoFolders) }),
+        };
+
+        static IEnumerable<TestCaseData> Rows() =>
+            from verb in Verbs
+            from flag in verb.Flags
+            from wrong in flag.Wrong
+            from joined in new[] { false, true }
+            select new TestCaseData(verb.Parse, flag.Flag, wrong, joined)
+                .SetName($"AWrongValueIsOneLine({verb.Verb} {flag.Flag}{(joined ? "=" : " ")}'{wrong.Replace("\n", "newline")}')");
+
+        static IEnumerable<TestCaseData> Flags() =>
+            from verb in Verbs
+            from flag in verb.Flags
+            select new TestCaseData(verb.Parse, flag.Flag).SetName($"AFlagAlone({verb.Verb} {flag.Flag})");
+
+        static IEnumerable<TestCaseData> EveryVerb() =>
+            from verb in Verbs select new TestCaseData(verb.Verb, verb.Parse).SetName($"AnUnknownFlag({verb.Verb})");
+
+        static IEnumerable<TestCaseData> Folders() =>
+            from verb in Verbs
+            where verb.Flags.Any(f => f.Flag == "--out")
+            select new TestCaseData(verb.Parse).SetName($"AFileInPlaceOfAFolder({verb.Verb} --out)");
+
+        [TestCaseSource(nameof(Rows))]
+        public void IsRefused(Action<string[]> parse, string flag, string wrong, bool joined) =>
+            Expect(parse, flag, joined ? new[] { flag + "=" + wrong } : new[] { flag, wrong });
+
+        [TestCaseSource(nameof(Flags))]
+        public void NeedsAValue(Action<string[]> parse, string flag) => Expect(parse, flag, flag);
+
+        [TestCaseSource(nameof(EveryVerb))]
+        public void IsNamedWithThoseThatThereAre(string verb, Action<string[]> parse)
+        {
+            Assert.That(Expect(parse, "--sead", "--sead", "3"), Does.Contain("Its flags are --"));
+            Expect(parse, "stray", "stray");
+        }
+
+        [TestCaseSource(nameof(Folders))]
+        public void IsRefusedBeforeAnythingIsComputed(Action<string[]> parse)
+        {
+            string file = Path.GetTempFileName();
+            try
+            {
+                Assert.That(Expect(parse, "--out", "--out", file), Does.Contain("is a file; name a folder"));
+                Assert.That(Expect(parse, "--out", "--out", Path.Combine(file, "below")), Does.Contain("is a file"));
+            }
+            finally
+            {
+                File.Delete(file);
+            }
+        }
+
+        [Test]
+        public void AFlagGivenTwiceIsRefused()
+        {
+            Assert.That(Expect(w => PlayArguments.Parse(w), "--seed", "--seed", "1", "--seed=2"), Does.Contain("given twice"));
+            Assert.That(Expect(w => ChartArguments.Parse(w), "--out", "--out", "a", "--out", "b"), Does.Contain("given twice"));
+        }
+
+        [Test]
+        public void TwoResultsInOneFileAreRefused()
+        {
+            Expect(w => PlayArguments.Parse(w), "--mesh", "--state", "a.ply", "--mesh", "./a.ply");
+        }
+
+        static string Expect(Action<string[]> parse, string flag, params string[] words)
+        {
+            var exception = Assert.Throws<CommandLineException>(() => parse(new[] { "player", "--" }.Concat(words).ToArray()));
+            Assert.That(exception.Message, Does.Contain(flag));
+            Assert.That(exception.Message, Does.Not.Contain("\n"));
+            Assert.That(exception.Message.Length, Is.LessThan(1000));
+            return exception.Message;
+        }
+    }
+}
