@@ -13,8 +13,8 @@ public static class Program
     private const string Usage = """
         sphplayer play --project DIR --scene FILE.unity [--assemblies DIR] [--seconds S] [--fps F] [--size WxH] [--out DIR]
                        [--device NAME|INDEX] [--no-images] [--validate] [--executeMethod Class.Method] [-- words for the project]
-        sphplayer test --project DIR [--assemblies DIR] [--mode edit|play|all] [--filter TEXT]
-                       [--compiler glslang|fxc] [--device NAME|INDEX] [--validate]
+        sphplayer test --project DIR [--assemblies DIR] [--mode edit|play|all] [--filter TEXT | --tests FILE]
+                       [--stop-on-fail] [--again] [--coverage FILE] [--compiler glslang|fxc] [--device NAME|INDEX] [--validate]
         sphplayer exec --project DIR --executeMethod Class.Method [--assemblies DIR] [--device NAME|INDEX] [--validate] [-- words]
         sphplayer devices
         """;

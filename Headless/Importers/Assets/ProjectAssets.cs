@@ -14,6 +14,7 @@ public sealed class ProjectAssets : IReferenceResolver
     private readonly Dictionary<string, IAssetImporter> importers;
     private readonly HashSet<string> reported = [];
     private readonly Action<string> write;
+    private readonly IncludeResolver includes;
 
     /// <param name="scripts">Finds a loaded script assembly by its name, without extension.</param>
     /// <param name="report">Takes what is wrong with the project's files but does not end the run, each line once.</param>
@@ -21,6 +22,7 @@ public sealed class ProjectAssets : IReferenceResolver
     {
         Index = index;
         write = report;
+        this.includes = includes;
         Scripts = new ScriptCatalog(index, scripts, Report);
         ScriptReader = new ScriptReader(this, scripts, Report);
         Expander = new PrefabExpander(new PrefabDocuments(index).Read, Report);
@@ -81,6 +83,20 @@ public sealed class ProjectAssets : IReferenceResolver
         // A field of a component type may be given by its GameObject and the other way round: Unity shows a type mismatch.
         Report($"{where}: {reference} is a {found.GetType().Name}, not a {expected.Name}; the reference is null.");
         return null;
+    }
+
+    /// <summary>
+    /// Reads compute shaders again whose file or includes have changed, as the Editor does when it gets the focus back:
+    /// the objects stay, so that what refers to them has the new kernels.
+    /// </summary>
+    public void ReimportChangedComputeShaders()
+    {
+        foreach (ImportedAsset asset in imported.Values)
+        {
+            if (asset.AssetPath.EndsWith(".compute", StringComparison.OrdinalIgnoreCase) is false || asset.Main is not UnityEngine.ComputeShader shader) continue;
+            ComputeSource now = ComputeSource.Parse(Index.FileOf(asset.AssetPath), includes);
+            if (!now.HasSameText(shader.Program.Source)) shader.Reimport(now);
+        }
     }
 
     internal void Report(string line)

@@ -34,13 +34,29 @@ internal static class TestCommand
             .ToLookup(a => definitions.All.Any(d => d.Name == a.GetName().Name && d.EditorOnly));
         if (tests.Count == 0) throw new UsageException("--assemblies: none of the script assemblies holds a test.");
 
+        using TestCoverage? coverage = options.Coverage is { } file ? new TestCoverage(file) : null;
+        var selection = new TestSelection { Filter = options.Filter, Names = options.Tests, StopOnFail = options.StopOnFail };
+        bool succeeded = RunOnce(options, selection, tests, output, coverage, direct3D);
+        while (options.Again && Console.In.ReadLine() is { } names)
+        {
+            session.Project.Assets.ReimportChangedComputeShaders();
+            succeeded &= RunOnce(options, selection with { Names = TestOptions.ReadNames(names) }, tests, output, coverage, direct3D);
+        }
+        return succeeded ? 0 : 1;
+    }
+
+    private static bool RunOnce(
+        TestOptions options, TestSelection selection, ILookup<bool, Assembly> tests, TestRunOutput output, TestCoverage? coverage,
+        Direct3DFrontEnd? direct3D)
+    {
         int passed = 0, failed = 0, skipped = 0;
         foreach (TestPlatform mode in new[] { TestPlatform.EditMode, TestPlatform.PlayMode })
         {
             bool edit = mode == TestPlatform.EditMode;
+            if (failed > 0 && options.StopOnFail) break;
             if (!(edit ? options.Mode.Edit : options.Mode.Play) || !tests[edit].Any()) continue;
             Console.WriteLine($"{mode}:");
-            TestRunResult result = UnityTestRunner.Run([.. tests[edit]], mode, options.Filter, output);
+            TestRunResult result = UnityTestRunner.Run([.. tests[edit]], mode, selection, output, coverage is null ? null : coverage.Add);
             passed += result.Passed;
             failed += result.Failed + result.Inconclusive;
             skipped += result.Skipped;
@@ -49,7 +65,7 @@ internal static class TestCommand
         if (direct3D is not null) skipped += ReportCompiler(direct3D);
         Console.WriteLine($"{output.UsedGpu} tests used the GPU ({GraphicsDevice.Device.Adapter.Name})");
         Console.WriteLine($"{passed} passed, {failed} failed, {skipped} skipped");
-        return failed == 0 && passed > 0 ? 0 : 1;
+        return failed == 0 && passed > 0;
     }
 
     // A kernel that glslang had to make counts as skipped.

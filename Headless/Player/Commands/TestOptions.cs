@@ -17,6 +17,16 @@ public sealed record TestOptions
 
     /// <summary>Whether kernels run as Direct3D's compiler makes them.</summary>
     public bool Direct3D { get; init; }
+
+    /// <summary>Whole names of tests, in the order in which they run.</summary>
+    public IReadOnlyList<string>? Tests { get; init; }
+
+    /// <summary>File for what each test took and used.</summary>
+    public string? Coverage { get; init; }
+    public bool StopOnFail { get; init; }
+
+    /// <summary>After the run, each line of standard input names a file of tests to run next, with the shaders as they then are.</summary>
+    public bool Again { get; init; }
     public string? Device { get; init; }
     public bool Validate { get; init; }
     public MemoryChecks Checks { get; init; } = new(false, false);
@@ -24,8 +34,10 @@ public sealed record TestOptions
     public static TestOptions Parse(IReadOnlyList<string> words)
     {
         var arguments = new Arguments(
-            "test", words, ["--project", "--assemblies", "--mode", "--filter", "--compiler", "--device"],
-            ["--validate", "--poison", "--check-bounds"]);
+            "test", words, ["--project", "--assemblies", "--mode", "--filter", "--tests", "--coverage", "--compiler", "--device"],
+            ["--stop-on-fail", "--again", "--validate", "--poison", "--check-bounds"]);
+        if (arguments.Has("--filter") && arguments.Has("--tests"))
+            throw new UsageException("--filter and --tests both choose the tests: give one of them.");
         MemoryChecks environment = MemoryChecks.FromEnvironment();
         return new TestOptions
         {
@@ -34,10 +46,21 @@ public sealed record TestOptions
             Mode = arguments.OneOf("--mode", Modes["all"], Modes),
             Filter = arguments.Text("--filter", ""),
             Direct3D = arguments.OneOf("--compiler", Compilers["glslang"], Compilers),
+            Tests = arguments.Has("--tests") ? ReadNames(arguments.Required("--tests")) : null,
+            Coverage = arguments.Text("--coverage"),
+            Again = arguments.Has("--again"),
+            StopOnFail = arguments.Has("--stop-on-fail"),
             Device = arguments.Text("--device"),
             Validate = arguments.Has("--validate"),
             Checks = new MemoryChecks(
                 environment.Poison || arguments.Has("--poison"), environment.Bounds || arguments.Has("--check-bounds")),
         };
+    }
+
+    public static string[] ReadNames(string file)
+    {
+        if (!File.Exists(file)) throw new UsageException($"--tests: the file '{file}' does not exist.");
+        string[] names = [.. File.ReadLines(file).Select(l => l.Trim()).Where(l => l.Length > 0)];
+        return names.Length > 0 ? names : throw new UsageException($"--tests: '{file}' holds no name of a test (one a line).");
     }
 }

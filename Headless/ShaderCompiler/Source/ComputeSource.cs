@@ -44,6 +44,9 @@ public sealed class ComputeSource
         Requires = requires;
     }
 
+    /// <summary>Whether both are the same text with the same includes.</summary>
+    public bool HasSameText(ComputeSource other) => Expanded.Text == other.Expanded.Text;
+
     /// <exception cref="ShaderCompileException">No kernel, or a pragma that cannot be read.</exception>
     public static ComputeSource Parse(string path, IncludeResolver includes) =>
         ParseText(System.IO.Path.GetFullPath(path), includes.Read(path), includes);

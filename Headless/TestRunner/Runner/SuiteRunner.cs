@@ -7,13 +7,13 @@ using NUnit.Framework.Internal;
 namespace Headless.Engine;
 
 /// <summary>Walks the tree that NUnit builds and runs what the filter lets through.</summary>
-sealed class SuiteRunner(TestFilter filter, Action<TestOutcome> report)
+sealed class SuiteRunner(TestFilter filter, Action<TestOutcome> report, Func<bool>? stops = null)
 {
     readonly TestCaseRunner m_Cases = new();
 
     public void Run(Test test, object? fixture)
     {
-        if (!filter.Selects(test)) return;
+        if (stops?.Invoke() == true || !filter.Selects(test)) return;
         if (Reason(test) is { } reason)
         {
             Refuse(test, reason, test.RunState == RunState.NotRunnable ? TestStatus.Failed : TestStatus.Skipped);

@@ -11,6 +11,7 @@ sealed class TestFilter
 {
     const string CategoryPrefix = "category:";
 
+    readonly string? m_Exact;
     readonly List<string> m_Wanted = new();
     readonly List<string> m_Unwanted = new();
 
@@ -23,9 +24,15 @@ sealed class TestFilter
         }
     }
 
+    TestFilter(string fullName, bool _) => m_Exact = fullName;
+
+    /// <summary>One test by its whole name.</summary>
+    public static TestFilter Exactly(string fullName) => new(fullName, true);
+
     public bool Selects(Test test)
     {
         if (!(test is TestMethod || !test.HasChildren)) return ((TestSuite)test).Tests.Any(child => Selects((Test)child));
+        if (m_Exact is not null) return test.FullName == m_Exact;
         if (m_Unwanted.Any(term => Matches(test, term))) return false;
         if (m_Wanted.Count > 0) return m_Wanted.Any(term => Matches(test, term));
         return !IsExplicit(test);

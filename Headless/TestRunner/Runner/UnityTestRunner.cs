@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using System.Reflection;
 using NUnit.Framework.Api;
 using NUnit.Framework.Interfaces;
@@ -13,10 +14,19 @@ namespace Headless.Engine;
 /// <summary>Runs NUnit and Unity tests on the calling thread, frame by frame.</summary>
 static class UnityTestRunner
 {
+    static readonly Dictionary<Assembly, Test> s_Suites = new();
+
     /// <summary>EditMode: Application.isPlaying false, isEditor true. PlayMode: inside a play session with an empty scene.</summary>
     /// <param name="filter">See <see cref="TestFilter"/>; empty for everything.</param>
     /// <param name="output">A line a test; null for standard output.</param>
-    public static TestRunResult Run(IReadOnlyList<Assembly> assemblies, TestPlatform mode, string? filter = null, TextWriter? output = null)
+    public static TestRunResult Run(IReadOnlyList<Assembly> assemblies, TestPlatform mode, string? filter = null, TextWriter? output = null) =>
+        Run(assemblies, mode, new TestSelection { Filter = filter ?? "" }, output);
+
+    /// <inheritdoc cref="Run(IReadOnlyList{Assembly}, TestPlatform, string?, TextWriter?)"/>
+    /// <param name="finished">Called after each test.</param>
+    public static TestRunResult Run(
+        IReadOnlyList<Assembly> assemblies, TestPlatform mode, TestSelection selection, TextWriter? output = null,
+        Action<TestOutcome>? finished = null)
     {
         output ??= Console.Out;
         var outcomes = new List<TestOutcome>();
@@ -26,13 +36,20 @@ static class UnityTestRunner
         Enter(mode, assemblies);
         try
         {
-            var runner = new SuiteRunner(new TestFilter(filter), outcome =>
+            bool failed = false;
+            void Report(TestOutcome outcome)
             {
                 outcomes.Add(outcome);
+                failed |= outcome.Status == TestStatus.Failed;
                 Print(output, outcome);
-            });
-            foreach (Assembly assembly in assemblies)
-                runner.Run((Test)new DefaultTestAssemblyBuilder().Build(assembly, new Dictionary<string, object>()), null);
+                finished?.Invoke(outcome);
+            }
+            Test[] suites = [.. assemblies.Select(Suite)];
+            foreach (TestFilter filter in selection.Filters())
+            {
+                var runner = new SuiteRunner(filter, Report, () => failed && selection.StopOnFail);
+                foreach (Test suite in suites) runner.Run(suite, null);
+            }
         }
         finally
         {
@@ -41,6 +58,14 @@ static class UnityTestRunner
             outer?.EstablishExecutionEnvironment();
         }
         return new TestRunResult(outcomes, clock.Elapsed.TotalSeconds);
+    }
+
+    // Kept, as a player may run the tests of an assembly many times.
+    static Test Suite(Assembly assembly)
+    {
+        if (!s_Suites.TryGetValue(assembly, out Test? suite))
+            s_Suites.Add(assembly, suite = (Test)new DefaultTestAssemblyBuilder().Build(assembly, new Dictionary<string, object>()));
+        return suite;
     }
 
     static void Enter(TestPlatform mode, IReadOnlyList<Assembly> assemblies)

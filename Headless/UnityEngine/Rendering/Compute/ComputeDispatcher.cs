@@ -100,6 +100,7 @@ internal static class ComputeDispatcher
         }
 
         pipeline = variant.Pipeline(formats[..formatCount]);
+        KernelUse.Add(variant);
         return true;
     }
 

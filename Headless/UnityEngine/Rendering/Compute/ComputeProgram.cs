@@ -63,7 +63,7 @@ internal sealed class ComputeProgram
         try
         {
             ShaderBinary binary = GraphicsDevice.Compiler.CompileKernel(Source, kernel.Name, active);
-            variant = new ComputeVariant(binary, State);
+            variant = new ComputeVariant(binary, State, $"{Source.Path}|{kernel.Name}|{activeKey}");
         }
         catch (ShaderCompileException problem)
         {

@@ -39,7 +39,10 @@ public sealed partial class ComputeShader : Object
         set => Program.Keywords.Replace((value ?? []).Select(k => k.name));
     }
 
-    internal ComputeProgram Program { get; }
+    internal ComputeProgram Program { get; private set; }
+
+    /// <summary>The file has changed: the same object, its kernels made anew, nothing bound.</summary>
+    internal void Reimport(ComputeSource source) => Program = new ComputeProgram(source);
 
     public int FindKernel(string name)
     {

@@ -13,14 +13,17 @@ internal sealed class ComputeVariant
     private readonly ComputeBlock[] blocks;
     private GpuComputePipeline? pipeline;
 
-    public ComputeVariant(ShaderBinary binary, ComputeState state)
+    /// <param name="label">"path of the shader|kernel|keywords".</param>
+    public ComputeVariant(ShaderBinary binary, ComputeState state, string label)
     {
+        Label = label;
         Binary = binary;
         Table = new BindingTable(binary);
         blocks = [.. Table.Blocks.Select(b => new ComputeBlock(b, state))];
         Unsupported = DeviceRequirements.WhyUnsupported(binary);
     }
 
+    public string Label { get; }
     public ShaderBinary Binary { get; }
     public BindingTable Table { get; }
 

@@ -1,0 +1,82 @@
+using System;
+using System.Reflection;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Every constant that cannot be computed with is refused by its own name.</summary>
+    public sealed class WrongNumberTests
+    {
+        static readonly string[] PositiveSettings =
+        {
+            "Spacing", "SupportRadius", "RestDensity", "ParticleMass", "Stiffness", "TimeStep", "AccelerationLimit",
+        };
+
+        static readonly string[] OtherSettings = { "Viscosity", "WallStiffness", "WallDamping", "WallDistance" };
+
+        static readonly string[] PositiveInput =
+        {
+            "Spacing", "SupportRatio", "RestDensity", "SoundSpeedRatio", "MaxCompression", "TimeStepFraction", "WallDistanceRatio", "MinSpeed",
+        };
+
+        static readonly string[] OtherInput =
+        {
+            "LiquidHeight", "LiquidDepth", "InitialSpeed", "KinematicViscosity", "ViscosityRatio", "WallStiffnessRatio", "WallDampingRatio",
+        };
+
+        [Test]
+        public void SettingsThatMustBePositiveAre([ValueSource(nameof(PositiveSettings))] string name, [Values(0f, -1f, float.NaN, float.PositiveInfinity)] float bad) =>
+            Refuses(name, () => Changed(Settings(), name, bad).Validate());
+
+        [Test]
+        public void SettingsThatMayBeZeroAreNotNegative([ValueSource(nameof(OtherSettings))] string name, [Values(-1f, float.NaN, float.PositiveInfinity)] float bad)
+        {
+            Refuses(name, () => Changed(Settings(), name, bad).Validate());
+            Assert.That(() => Changed(Settings(), name, 0f).Validate(), Throws.Nothing);
+        }
+
+        [Test]
+        public void TheDomainHasASizeAlongEveryAxis([Values(0, 1, 2)] int axis, [Values(0f, -1f, float.NaN)] float bad)
+        {
+            FluidSolverSettings settings = Settings();
+            settings.DomainSize[axis] = bad;
+            Refuses("DomainSize", () => settings.Validate());
+        }
+
+        [Test]
+        public void RulesRefuseWhatMustBePositive([ValueSource(nameof(PositiveInput))] string name, [Values(0f, -1f, float.NaN)] float bad) =>
+            Refuses(name, () => FluidSolverSettings.FromRules(Changed(Input(), name, bad)));
+
+        [Test]
+        public void RulesRefuseWhatMayNotBeNegative([ValueSource(nameof(OtherInput))] string name, [Values(-1f, float.NaN)] float bad) =>
+            Refuses(name, () => FluidSolverSettings.FromRules(Changed(Input(), name, bad)));
+
+        static void Refuses(string name, TestDelegate act)
+        {
+            var error = Assert.Throws<ArgumentException>(act);
+            Assert.That(error.Message, Does.StartWith(name + " is "));
+        }
+
+        static T Changed<T>(T value, string field, float number) where T : struct
+        {
+            object boxed = value;
+            FieldInfo found = typeof(T).GetField(field);
+            Assert.IsNotNull(found, field);
+            found.SetValue(boxed, number);
+            return (T)boxed;
+        }
+
+        static FluidSolverSettings Settings() => TestSettings.ByRule(Vector3.one, 0.05f);
+
+        static FluidRuleInput Input()
+        {
+            FluidRuleInput input = FluidRuleInput.ThesisWater;
+            input.DomainSize = Vector3.one;
+            input.Spacing = 0.05f;
+            input.LiquidHeight = 1f;
+            input.LiquidDepth = 0.5f;
+            return input;
+        }
+    }
+}

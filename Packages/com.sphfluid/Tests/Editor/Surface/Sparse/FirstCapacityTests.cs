@@ -1,0 +1,32 @@
+using NUnit.Framework;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>The first buffers of a surface, before anything was measured.</summary>
+    public sealed class FirstCapacityTests
+    {
+        // A cube of n particles has 6 n^(2/3) dx² of surface; at one block for 64 dx² and as many again beside them.
+        [TestCase(64_000)]
+        [TestCase(512_000)]
+        public void TheFirstBuffersHoldTheSurfaceOfACubeOfAllParticles(int particles)
+        {
+            const float spacing = 0.01f;
+            float side = spacing * Mathf.Pow(particles, 1f / 3f);
+            Vector3 domain = 2f * side * Vector3.one;
+            FluidSolverSettings settings = TestSettings.ByRule(domain, spacing);
+            SurfaceFieldSettings field = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, settings);
+            SurfaceGrid grid = SurfaceGrid.OverDomain(domain, field.CellSize);
+            float block = SurfaceBlocks.CubesPerSide * field.CellSize;
+            int blocks = Mathf.CeilToInt(6f * side * side / (block * block));
+            using (var polygoniser = new BlockPolygoniser(SurfaceTestScene.LoadShaders()))
+            using (var made = new SurfaceBlocks())
+            {
+                new SurfaceRoom(0, 0).Reserve(made, polygoniser.Mesh, grid, field, particles, default);
+                Assert.That(made.Capacity, Is.GreaterThanOrEqualTo(blocks), "blocks");
+                float triangles = 2f * 6f * side * side / (field.CellSize * field.CellSize);
+                Assert.That(polygoniser.Mesh.IndexCapacity / 3f, Is.GreaterThanOrEqualTo(triangles), "two triangles a cube");
+            }
+        }
+    }
+}
