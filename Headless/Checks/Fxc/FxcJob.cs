@@ -6,7 +6,7 @@ namespace Headless.Checks.Fxc;
 /// <summary>One entry point with one choice of keywords, as Unity hands it to the D3D11 compiler.</summary>
 internal sealed record FxcJob(string Name, string Entry, string Profile, string Text)
 {
-    /// <summary>Path of the file that declares the entry point.</summary>
+    /// <summary>Path of the file that declares the entry point, below the package's folder as it was given.</summary>
     public string File { get; init; } = "";
 
     public bool IsKernel => Profile.StartsWith("cs", StringComparison.Ordinal);
@@ -16,7 +16,7 @@ internal sealed record FxcJob(string Name, string Entry, string Profile, string 
         foreach (var kernel in source.Kernels)
             foreach (var keywords in Variants(source.KeywordSets))
                 yield return new FxcJob(Label(source.Path, kernel.Name, keywords), kernel.Name, "cs_5_0",
-                    Build(source.Expanded, ShaderStage.Compute, 50, kernel.Defines, keywords)) { File = source.Path };
+                    Build(source.Expanded, ShaderStage.Compute, 50, kernel.Defines, keywords));
     }
 
     public static IEnumerable<FxcJob> FromShader(ShaderLabSource shader)
@@ -25,7 +25,7 @@ internal sealed record FxcJob(string Name, string Entry, string Profile, string 
             foreach (var keywords in Variants(pass.Program.KeywordSets))
                 foreach (var (stage, entry, profile) in Stages(pass.Program))
                     yield return new FxcJob(Label(shader.Path, $"{pass.Name} {entry}", keywords), entry, profile,
-                        Build(pass.Program.Expanded, stage, pass.Program.Target, pass.Defines, keywords)) { File = shader.Path };
+                        Build(pass.Program.Expanded, stage, pass.Program.Target, pass.Defines, keywords));
     }
 
     private static IEnumerable<(ShaderStage, string, string)> Stages(ShaderProgram program)

@@ -17,9 +17,10 @@ internal sealed record HlslJobs(IReadOnlyList<FxcJob> Jobs, int Files)
         {
             try
             {
-                jobs.AddRange(Path.GetExtension(file) == ".compute"
+                var made = Path.GetExtension(file) == ".compute"
                     ? FxcJob.FromCompute(ComputeSource.Parse(file, includes))
-                    : FxcJob.FromShader(ShaderLabSource.Parse(file, includes)));
+                    : FxcJob.FromShader(ShaderLabSource.Parse(file, includes));
+                jobs.AddRange(made.Select(job => job with { File = file }));
             }
             catch (ShaderCompileException e) { problems.Add(e.Message); }
         }

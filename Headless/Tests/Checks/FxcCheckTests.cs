@@ -51,7 +51,7 @@ public sealed class FxcCheckTests
     public void StatedNeedsAreHeldAgainstTheListings()
     {
         const string kernel = "RWStructuredBuffer<float> Out; RWByteAddressBuffer Words; StructuredBuffer<float> In; groupshared float s[64];"
-            + "[numthreads(64,1,1)] void K(uint3 id : SV_DispatchThreadID) { s[id.x] = In[id.x]; Out[id.x] = s[63u - id.x]; Words.Store(0, 1); }";
+            + "[numthreads(64,1,1)] void K(uint3 id : SV_DispatchThreadID) { s[id.x] = In[id.x]; Out[id.x] = s[63u - id.x]; Words.Store(4u * id.x, 1u); }";
 
         Assert.That(Run(kernel, Needs(64, 3, 2, 256)).Findings, Is.Empty);
         Assert.That(Run(kernel, Needs(64, 2, 2, 256)).Findings, Has.One.Contains("64 threads, 3 buffers, 2 written, 256 bytes shared"));
