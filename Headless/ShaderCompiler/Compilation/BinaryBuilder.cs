@@ -47,6 +47,7 @@ internal static class BinaryBuilder
         DescriptorNumbers.Assign(index, set);
         AtomicOperands.Repair(index.Module);
         WaveOperations.MakePrefixesExclusive(index.Module);
+        Remainders.Truncate(index.Module);
         EntryPointName.Set(index.Module, job.EntryPoint);
         Precision.MakeFull(index.Module);
         return new ShaderReflector(
