@@ -30,7 +30,7 @@ internal sealed class FxcCheck(string projectRoot, string packageRoot, string ca
             if (results.Count != jobs.Jobs.Count) report.Findings.Add($"{jobs.Jobs.Count} jobs went in, {results.Count} results came out");
             var slots = results.Count > 0 ? results.Max(r => r.Slots) : 0;
             report.Figures = $"{results.Count} entry points and variants of {jobs.Files} files compiled by d3dcompiler_47, at most {slots} instruction slots";
-            new FxcBudget(packageRoot).Check(results, report);
+            new FxcBudget(packageRoot, FxcBudget.Load()).Check(results, report);
             new KernelNeedsCheck(packageRoot).Check(results, report);
         }
         finally { folder.Delete(recursive: true); }

@@ -73,10 +73,21 @@ public sealed class FxcCheckTests
     {
         var job = new FxcJob("K.compute K", "K", "cs_5_0", "") { File = "/p/Shaders/K.compute" };
         var report = new Headless.Checks.CheckReport("FXC");
-        new FxcBudget("/p").Check([new FxcResult(job, true, 1, 0, 64, 10, "", 1, 2010), new FxcResult(job, true, 1, 0, 64, 10, "", 1, 1990)], report);
+        new FxcBudget("/p", load: 0.5).Check([new FxcResult(job, true, 1, 0, 64, 10, "", 1, 2010), new FxcResult(job, true, 1, 0, 64, 10, "", 1, 1990)], report);
 
         Assert.That(report.Findings, Has.Count.EqualTo(1).And.One.Contains("2.0 s of CPU time"));
         Assert.That(report.Figures, Does.Contain("2 compute variants"));
+    }
+
+    [Test]
+    public void ALongCompilationOnABusyMachineIsANote()
+    {
+        var job = new FxcJob("K.compute K", "K", "cs_5_0", "") { File = "/p/Shaders/K.compute" };
+        var report = new Headless.Checks.CheckReport("FXC");
+        new FxcBudget("/p", load: 8.25).Check([new FxcResult(job, true, 1, 0, 64, 10, "", 1, 2500)], report);
+
+        Assert.That(report.Findings, Is.Empty);
+        Assert.That(report.Notes, Has.One.Contains("2.5 s of CPU time").And.One.Contains("quiet"));
     }
 
     private static string Needs(int threads, int buffers, int writable, int memory) =>
