@@ -77,18 +77,18 @@ namespace SphFluid.Tests
             Assert.That(result.Drag, Is.LessThan(1e-4));
         }
 
-        [TestCase("cup", 5.0)]
-        [TestCase("open-cup", 5.0)]
-        [TestCase("coplanar", 5.0)]
-        [TestCase("pulse-50", 3.77)]
-        [TestCase("grow", 1.0)]
-        public void TheJudgesSeeWhatGoesThrough(string name, double speed)
+        [TestCase("cup", 5.0, 6, 0.1)]
+        [TestCase("open-cup", 5.0, 6, 0.1)]
+        [TestCase("coplanar", 5.0, 6, 0.1)]
+        [TestCase("pulse-50", 3.77, 30, 0.1)]
+        [TestCase("grow", 1.0, 14, 0.05)]
+        public void TheJudgesSeeWhatGoesThrough(string name, double speed, int frames, double share)
         {
             LeakScene scene = LeakScenes.Find(name).Build(speed);
             scene.Solid = false;
-            scene.Frames = 6;
+            scene.Frames = frames;
 
-            Assert.That(Play(scene).Escapes, Is.GreaterThan(scene.Particles.Length / 10));
+            Assert.That(Play(scene).Escapes, Is.GreaterThan(share * scene.Particles.Length));
         }
 
         [Test]
