@@ -260,7 +260,7 @@ namespace SphFluid.Tests
             FluidSimulation simulation = rig.Create();
             simulation.Spacing = 1e-4f;
             simulation.Method = FluidMethodKind.Standard;
-            LogAssert.Expect(LogType.Error, new Regex(@"\[SPH Fluid\] 'Fluid': The liquid needs 8\d{9} particles at a spacing of 0\.0001 m, but the profile 'Test Water' allows 1048576, and this device's buffers hold \d+\..*Particle Spacing of 0\.00\d+ m or more"));
+            LogAssert.Expect(LogType.Error, new Regex(@"\[SPH Fluid\] 'Fluid': The liquid needs 8\d{9} particles at a spacing of 0\.0001 m, but the profile 'Test Water' allows 1048576 particles, and this device's buffers hold \d+\..*Particle Spacing of 0\.00\d+ m or more"));
             LogAssert.Expect(LogType.Error, new Regex(@"\[SPH Fluid\] 'Fluid': The domain .* cells"));
             Assert.That(simulation.StartSimulation(), Is.False);
             Assert.That(simulation.Messages.Select(m => m.Issue), Is.EqualTo(new[] { FluidIssue.TooManyParticles, FluidIssue.TooManyCells }));
