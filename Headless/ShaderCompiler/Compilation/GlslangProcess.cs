@@ -28,7 +28,7 @@ internal sealed partial class GlslangProcess(string program)
         string output = Path.Combine(Path.GetTempPath(), $"headless-shader-{Guid.NewGuid():N}.spv");
         try
         {
-            (int exit, string text) = Run(job,
+            (int exit, string text) = Run(job with { Text = ConstantRemainders.KeepFromFolding(job.Text) },
             [
                 "--stdin", "-V", "--target-env", "vulkan1.1", "-D", "--hlsl-offsets", "-fhlsl_functionality1", "--nan-clamp",
                 "--hlsl-dx-position-w", "-S", StageName(job.Stage), "-e", job.SourceEntryPoint, "-o", output,

@@ -49,6 +49,29 @@ public sealed class BufferAccessTests : HlslFixture
             + "_Result[4] = reversebits(1u + n) >> 26 == 32 ? 31 : 0; _Result[5] = fmod(5.5, 2 + n); _Result[6] = (-7 - n) >> 3; "
             + "_Result[7] = (int)(4.9 + n);");
 
+    [TestCase("5.5", "2", 1.5f)]
+    [TestCase("-5.5", "2", -1.5f)]
+    [TestCase("5.5", "-2", 1.5f)]
+    [TestCase("-5.5", "-2", -1.5f)]
+    [TestCase("-6.0", "2", 0f)]
+    [TestCase("-0.75", "0.5", -0.25f)]
+    [TestCase("-1e2", "8", -4f)]
+    public void FloatRemaindersHaveTheDividendsSign(string a, string b, float expected)
+    {
+        // Of uniforms, of both together in vectors, of constants that the compiler folds, and assigned.
+        string[] remainders =
+        [
+            $"fmod({a} + n, {b} + n)", $"({a} + n) % ({b} + n)", $"fmod(float2(n, {a}), float2(1, {b} + n)).y",
+            $"(float3(n, n, {a}) % float3(7, 7, {b})).z", $"fmod({a}, {b})", $"{a} % {b}", $"{a} % float({b})", "A % (B)", "A % B", "K",
+            "Modulo(A, B)", "MODULO(A, B)", $"fmod(float4({a}, 1, 1, 1), {b}).x", "(A + 0.0) % b", "(float4(1, A, A, 1) % B).y",
+        ];
+        string globals = $"float n; static const float A = {a}; static const float B = {b}; static const float K = fmod(A, B);\n"
+            + "float Modulo(float a, float b) { a %= b; return a; }\n#define MODULO(a, b) fmod(a, b)\n";
+        Gives(
+            [.. remainders.Select(_ => expected)], globals,
+            $"const float b = {b}; " + string.Concat(remainders.Select((r, i) => $"_Result[{i}] = {r}; ")));
+    }
+
     [Test]
     public void HalvesPackAndUnpack() =>
         Gives([1.5f, 15872], "", "_Result[0] = f16tof32(f32tof16(1.5)); _Result[1] = f32tof16(1.5);");
