@@ -49,14 +49,61 @@ half UnitySampleShadow(float4 coord)
 
 #endif
 
-#define LIGHTING_COORDS(index0, index1) SHADOW_COORDS(index1)
-#define UNITY_LIGHTING_COORDS(index0, index1) SHADOW_COORDS(index1)
-#define UNITY_SHADOW_COORDS(index) SHADOW_COORDS(index)
-#define TRANSFER_VERTEX_TO_FRAGMENT(o) TRANSFER_SHADOW(o)
-#define UNITY_TRANSFER_LIGHTING(o, coord) TRANSFER_SHADOW(o)
-#define UNITY_TRANSFER_SHADOW(o, coord) TRANSFER_SHADOW(o)
+// A light of a ForwardAdd pass: its matrix takes world space to light space, where the range is 1; the falloff is read at the square
+// of the distance. DIRECTIONAL has none.
+#if defined(POINT) || defined(SPOT) || defined(POINT_COOKIE) || defined(DIRECTIONAL_COOKIE)
+
+float4x4 unity_WorldToLight;
+#ifdef POINT_COOKIE
+UNITY_DECLARE_TEXCUBE(_LightTexture0);
+#else
+UNITY_DECLARE_TEX2D(_LightTexture0);
+#endif
+#if defined(SPOT) || defined(POINT_COOKIE)
+UNITY_DECLARE_TEX2D(_LightTextureB0);
+#endif
+
+float4 UnityLightCoord(float3 worldPosition)
+{
+    return mul(unity_WorldToLight, float4(worldPosition, 1.0));
+}
+
+half UnityLightReach(float4 coord)
+{
+    float squared = dot(coord.xyz, coord.xyz);
+#if defined(SPOT)
+    half cone = coord.z > 0.0 ? UNITY_SAMPLE_TEX2D(_LightTexture0, coord.xy / coord.w + 0.5).a : 0.0;
+    return cone * UNITY_SAMPLE_TEX2D(_LightTextureB0, float2(squared, squared)).r;
+#elif defined(POINT_COOKIE)
+    return UNITY_SAMPLE_TEX2D(_LightTextureB0, float2(squared, squared)).r * UNITY_SAMPLE_TEXCUBE(_LightTexture0, coord.xyz).a;
+#elif defined(DIRECTIONAL_COOKIE)
+    return UNITY_SAMPLE_TEX2D(_LightTexture0, coord.xy).a;
+#else
+    return UNITY_SAMPLE_TEX2D(_LightTexture0, float2(squared, squared)).r;
+#endif
+}
+
+#define DECLARE_LIGHT_COORDS(index) float4 _LightCoord : TEXCOORD##index;
+#define COMPUTE_LIGHT_COORDS(o) o._LightCoord = UnityLightCoord(mul(unity_ObjectToWorld, v.vertex).xyz);
+#define LIGHT_ATTENUATION(i) (UnityLightReach(i._LightCoord) * SHADOW_ATTENUATION(i))
+#define UNITY_LIGHT_ATTENUATION(destination, i, worldPosition) \
+    half destination = UnityLightReach(UnityLightCoord(worldPosition)) * SHADOW_ATTENUATION(i);
+
+#else
+
+#define DECLARE_LIGHT_COORDS(index)
+#define COMPUTE_LIGHT_COORDS(o)
 #define LIGHT_ATTENUATION(i) SHADOW_ATTENUATION(i)
-#define UNITY_SHADOW_ATTENUATION(i, worldPosition) SHADOW_ATTENUATION(i)
 #define UNITY_LIGHT_ATTENUATION(destination, i, worldPosition) half destination = SHADOW_ATTENUATION(i);
+
+#endif
+
+#define LIGHTING_COORDS(index0, index1) DECLARE_LIGHT_COORDS(index0) SHADOW_COORDS(index1)
+#define UNITY_LIGHTING_COORDS(index0, index1) DECLARE_LIGHT_COORDS(index0) SHADOW_COORDS(index1)
+#define UNITY_SHADOW_COORDS(index) SHADOW_COORDS(index)
+#define TRANSFER_VERTEX_TO_FRAGMENT(o) COMPUTE_LIGHT_COORDS(o) TRANSFER_SHADOW(o)
+#define UNITY_TRANSFER_LIGHTING(o, coord) COMPUTE_LIGHT_COORDS(o) TRANSFER_SHADOW(o)
+#define UNITY_TRANSFER_SHADOW(o, coord) TRANSFER_SHADOW(o)
+#define UNITY_SHADOW_ATTENUATION(i, worldPosition) SHADOW_ATTENUATION(i)
 
 #endif

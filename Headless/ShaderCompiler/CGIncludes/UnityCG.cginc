@@ -227,6 +227,20 @@ half3 ShadeSH9(half4 normal)
     return light;
 }
 
+// Lambert's light of four point lights; light / (1 + a d^2), without an end at the lights' range.
+float3 Shade4PointLights(
+    float4 lightX, float4 lightY, float4 lightZ, float3 color0, float3 color1, float3 color2, float3 color3, float4 attenuation,
+    float3 position, float3 normal)
+{
+    float4 toX = lightX - position.x;
+    float4 toY = lightY - position.y;
+    float4 toZ = lightZ - position.z;
+    float4 squared = max(toX * toX + toY * toY + toZ * toZ, 1e-6);
+    float4 cosine = saturate((toX * normal.x + toY * normal.y + toZ * normal.z) * rsqrt(squared));
+    float4 light = cosine / (1.0 + squared * attenuation);
+    return color0 * light.x + color1 * light.y + color2 * light.z + color3 * light.w;
+}
+
 float4 UnityApplyLinearShadowBias(float4 clipPosition)
 {
     clipPosition.z += max(-1.0, min(unity_LightShadowBias.x / clipPosition.w, 0.0));

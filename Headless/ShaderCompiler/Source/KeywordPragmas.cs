@@ -7,9 +7,12 @@ internal static class KeywordPragmas
     {
         ["multi_compile_instancing"] = [["", "INSTANCING_ON"]],
         ["multi_compile_fog"] = [["", "FOG_LINEAR", "FOG_EXP", "FOG_EXP2"]],
-        ["multi_compile_fwdbase"] = [["DIRECTIONAL"], ["", "SHADOWS_SCREEN"]],
-        ["multi_compile_fwdbasealpha"] = [["DIRECTIONAL"], ["", "SHADOWS_SCREEN"]],
+        ["multi_compile_fwdbase"] = [["DIRECTIONAL"], ["", "SHADOWS_SCREEN"], ["", "VERTEXLIGHT_ON"]],
+        ["multi_compile_fwdbasealpha"] = [["DIRECTIONAL"], ["", "SHADOWS_SCREEN"], ["", "VERTEXLIGHT_ON"]],
         ["multi_compile_fwdadd"] = [["POINT", "DIRECTIONAL", "SPOT", "POINT_COOKIE", "DIRECTIONAL_COOKIE"]],
+
+        // Without the keywords of shadows: further lights cast none here, which the console says.
+        ["multi_compile_fwdadd_fullshadows"] = [["POINT", "DIRECTIONAL", "SPOT", "POINT_COOKIE", "DIRECTIONAL_COOKIE"]],
         ["multi_compile_shadowcaster"] = [["SHADOWS_DEPTH", "SHADOWS_CUBE"]],
     };
 
@@ -22,7 +25,7 @@ internal static class KeywordPragmas
         string kind = pragma.Words[0];
         if (Shortcuts.TryGetValue(kind, out string[][]? sets))
         {
-            return [.. sets.Select(s => new KeywordSet(s, Local: false, Feature: false))];
+            return [.. sets.Where(s => !IsSkipped(s, pragma)).Select(s => new KeywordSet(s, Local: false, Feature: false))];
         }
         bool feature = kind.StartsWith("shader_feature", StringComparison.Ordinal);
         string stem = feature ? "shader_feature" : "multi_compile";
@@ -46,4 +49,9 @@ internal static class KeywordPragmas
         }
         return [new KeywordSet(keywords, suffixes.Contains("local"), feature)];
     }
+
+    // "#pragma multi_compile_fwdbase novertexlight"
+    private static bool IsSkipped(string[] set, PragmaLine pragma) =>
+        (set.Contains("VERTEXLIGHT_ON") && pragma.Words.Contains("novertexlight"))
+        || (set.Contains("SHADOWS_SCREEN") && pragma.Words.Contains("noshadow"));
 }

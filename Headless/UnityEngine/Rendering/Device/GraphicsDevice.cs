@@ -63,7 +63,8 @@ internal static class GraphicsDevice
         GlobalKeywords.Clear();
         DrawQueue.Clear();
         RandomWriteTargets.Clear();
-        LightLimits.Reset();
+        LightReport.Reset();
+        LightTextures.Reset();
         Blitter.Reset();
         FrameRenderer.Reset();
         Drawer.Reset();

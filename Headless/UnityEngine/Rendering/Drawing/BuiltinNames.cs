@@ -26,6 +26,9 @@ internal static class BuiltinNames
     public static readonly int DeltaTime = ShaderNames.Id("unity_DeltaTime");
     public static readonly int LightPosition = ShaderNames.Id("_WorldSpaceLightPos0");
     public static readonly int LightColor = ShaderNames.Id("_LightColor0");
+    public static readonly int WorldToLight = ShaderNames.Id("unity_WorldToLight");
+    public static readonly int LightTexture = ShaderNames.Id("_LightTexture0");
+    public static readonly int LightTextureB = ShaderNames.Id("_LightTextureB0");
     public static readonly int LightShadowData = ShaderNames.Id("_LightShadowData");
     public static readonly int LightShadowBias = ShaderNames.Id("unity_LightShadowBias");
     public static readonly int WorldToShadow = ShaderNames.Id("unity_WorldToShadow");

@@ -24,11 +24,20 @@ internal static class LightList
         get
         {
             Light? sun = RenderSettings.sun;
-            return sun != null && sun.isActiveAndEnabled && sun.type == LightType.Directional
+            return sun != null && sun.isActiveAndEnabled && CanBeMain(sun)
                 ? sun
-                : All.Where(l => l.type == LightType.Directional).MaxBy(l => l.intensity * l.color.maxColorComponent);
+                : All.Where(CanBeMain).MaxBy(l => l.intensity * l.color.maxColorComponent);
         }
     }
+
+    /// <summary>Lightmaps are not drawn here, and area lights have light in lightmaps only.</summary>
+    public static bool IsDrawn(Light light) =>
+        light.intensity > 0f && light.color.maxColorComponent > 0f && light.lightmapBakeType != LightmapBakeType.Baked
+        && light.type is LightType.Directional or LightType.Point or LightType.Spot;
+
+    /// <summary>A light whose Render Mode is Not Important is never drawn per pixel.</summary>
+    public static bool CanBeMain(Light light) =>
+        IsDrawn(light) && light.type == LightType.Directional && light.renderMode != LightRenderMode.ForceVertex;
 
     public static void Add(Light light) => Lights.Add(light);
 

@@ -70,13 +70,29 @@ internal sealed class ForwardRenderer
         foreach (VisibleDraw visible in draws)
         {
             DrawRequest draw = visible.Request;
-            GlobalKeywords.Set("SHADOWS_SCREEN", shadowed && draw.ReceiveShadows);
+            ObjectLights lights = Lights(draw);
+            LightSettings.ApplyBase(lights);
+            GlobalKeywords.Set("SHADOWS_SCREEN", shadowed && draw.ReceiveShadows && lights.Main == LightList.Main);
             ReflectionSettings.Apply(draw.Reflections, draw.Bounds);
-            PassSelection.DrawForward(draw);
+            PassSelection.DrawForward(draw, lights);
         }
 
+        LightSettings.ApplyBase(ObjectLights.OfScene);
         ReflectionSettings.ApplyDefault();
         GlobalKeywords.Set("SHADOWS_SCREEN", false);
+    }
+
+    private static ObjectLights Lights(DrawRequest draw)
+    {
+        (bool lit, bool additive) = PassSelection.Lighting(draw.Material);
+        if (!lit)
+        {
+            return ObjectLights.OfScene;
+        }
+
+        ObjectLights lights = ObjectLights.Of(draw, additive);
+        LightReport.OfObject(draw, lights, additive);
+        return lights;
     }
 
     private static void RunEvent(Camera camera, CameraFrame frame, CameraEvent when)

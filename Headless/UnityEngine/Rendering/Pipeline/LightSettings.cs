@@ -1,4 +1,4 @@
-using System.Linq;
+using System.Collections.Generic;
 using UnityEngine.Rendering;
 using UnityEngine;
 
@@ -16,32 +16,72 @@ internal static class LightSettings
     private static readonly int PointAttenuation = ShaderNames.Id("unity_4LightAtten0");
     private static readonly int PointColors = ShaderNames.Id("unity_LightColor");
 
+    /// <summary>Once a camera: ambient light, and the lights outside lit passes.</summary>
     public static void Apply()
     {
-        ApplySun();
-        ApplyPointLights();
+        LightReport.OfScene();
         ApplyAmbient();
-        GlobalKeywords.Set("DIRECTIONAL", true);
+        ApplyBase(ObjectLights.OfScene);
     }
 
-    private static void ApplySun()
+    /// <summary>The lights of an object's base pass.</summary>
+    public static void ApplyBase(ObjectLights lights)
     {
         PropertySheet sheet = GlobalProperties.Sheet;
-        Light? sun = LightList.Main;
-        Vector3 direction = sun != null ? -sun.transform.forward : Vector3.up;
+        Light? main = lights.Main;
+        Vector3 direction = main != null ? -main.transform.forward : Vector3.up;
         sheet.SetVector(BuiltinNames.LightPosition, new Vector4(direction.x, direction.y, direction.z, 0f));
-        sheet.SetVector(BuiltinNames.LightColor, sun != null ? sun.FinalColor : Color.clear);
+        sheet.SetVector(BuiltinNames.LightColor, main != null ? main.FinalColor : Color.clear);
+        ApplyVertexLights(lights.Vertex);
+        ChooseType(LightType.Directional);
+        GlobalKeywords.Set("VERTEXLIGHT_ON", lights.Vertex.Count > 0);
     }
 
-    /// <summary>The four brightest point lights, as Unity hands them to vertex lighting.</summary>
-    private static void ApplyPointLights()
+    /// <summary>The light of a ForwardAdd pass.</summary>
+    public static void ApplyPixel(Light light)
     {
-        LightLimits.Report();
-        Light[] lights = [.. LightLimits.Points.Take(LightLimits.MaxPoints)];
+        PropertySheet sheet = GlobalProperties.Sheet;
+        Vector3 toward = -light.transform.forward;
+        Vector3 place = light.transform.position;
+        sheet.SetVector(
+            BuiltinNames.LightPosition,
+            light.type == LightType.Directional ? new Vector4(toward.x, toward.y, toward.z, 0f) : new Vector4(place.x, place.y, place.z, 1f));
+        sheet.SetVector(BuiltinNames.LightColor, light.FinalColor);
+        sheet.SetMatrix(BuiltinNames.WorldToLight, WorldToLight(light));
+        bool spot = light.type == LightType.Spot;
+        Texture first = !spot ? LightTextures.Falloff : light.cookie != null ? light.cookie : LightTextures.Spot;
+        sheet.SetTexture(BuiltinNames.LightTexture, new TextureSlot(first));
+        sheet.SetTexture(BuiltinNames.LightTextureB, new TextureSlot(LightTextures.Falloff));
+        ChooseType(light.type);
+        GlobalKeywords.Set("VERTEXLIGHT_ON", false);
+    }
+
+    private static void ChooseType(LightType type)
+    {
+        GlobalKeywords.Set("DIRECTIONAL", type == LightType.Directional);
+        GlobalKeywords.Set("POINT", type == LightType.Point);
+        GlobalKeywords.Set("SPOT", type == LightType.Spot);
+    }
+
+    /// <summary>The range becomes 1; a spot's x / w and y / w go from -0.5 to 0.5 across its cone.</summary>
+    private static Matrix4x4 WorldToLight(Light light)
+    {
+        Matrix4x4 local = Matrix4x4.TRS(light.transform.position, light.transform.rotation, Vector3.one).inverse;
+        Matrix4x4 matrix = Matrix4x4.Scale(Vector3.one / Mathf.Max(1e-4f, light.range)) * local;
+        if (light.type == LightType.Spot)
+        {
+            matrix.SetRow(3, matrix.GetRow(2) * (2f * Mathf.Tan(light.spotAngle * 0.5f * Mathf.Deg2Rad)));
+        }
+
+        return matrix;
+    }
+
+    private static void ApplyVertexLights(IReadOnlyList<Light> lights)
+    {
         var positions = new Vector4[3];
         var attenuation = new Vector4();
         var colors = new Vector4[8];
-        for (int i = 0; i < lights.Length; i++)
+        for (int i = 0; i < lights.Count; i++)
         {
             Vector3 p = lights[i].transform.position;
             (positions[0][i], positions[1][i], positions[2][i]) = (p.x, p.y, p.z);

@@ -1,5 +1,5 @@
-// Solid things around a liquid, as in the samples: one colour, lit by the main light and the ambient light. Looks alike in the Built-in
-// pipeline and in URP; in HDRP, whose lights have no interface for shaders of others, it is shaded from above by a light of its own.
+// Solid things around a liquid, as in the samples: one colour, lit by the main light and the ambient light, in the Built-in pipeline by
+// further lights as well. Looks alike in the Built-in pipeline and in URP; in HDRP, whose lights have no interface for shaders of others, it is shaded from above by a light of its own.
 Shader "SPH Fluid/Scenery"
 {
     Properties
@@ -120,9 +120,28 @@ Shader "SPH Fluid/Scenery"
 
             HLSLPROGRAM
             #pragma target 4.5
-            #pragma multi_compile_fwdbase nolightmap nodirlightmap nodynlightmap novertexlight
+            #pragma multi_compile_fwdbase nolightmap nodirlightmap nodynlightmap
             #pragma vertex PlaceScenery
             #pragma fragment ShadeScenery
+
+            #include "SceneryBuiltIn.hlsl"
+            ENDHLSL
+        }
+
+        // Drawn once more for each further light of a pixel: directional, point and spot lights.
+        Pass
+        {
+            Name "ForwardAdd"
+            Tags { "LightMode" = "ForwardAdd" }
+            Blend One One
+            ZWrite Off
+            ZTest LEqual
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma multi_compile_fwdadd
+            #pragma vertex PlaceScenery
+            #pragma fragment AddLight
 
             #include "SceneryBuiltIn.hlsl"
             ENDHLSL

@@ -1,4 +1,4 @@
-// Scenery in the Built-in pipeline, with Unity's documented macros for cast and received shadows.
+// Scenery in the Built-in pipeline, with Unity's macros for cast and received shadows and for the reach of lights.
 #ifndef SPHFLUID_SCENERY_BUILT_IN_INCLUDED
 #define SPHFLUID_SCENERY_BUILT_IN_INCLUDED
 
@@ -20,16 +20,34 @@ struct SceneryFragment
     float4 pos : SV_POSITION;
     float3 world : TEXCOORD0;
     float3 normal : TEXCOORD1;
+#if defined(UNITY_PASS_FORWARDADD)
+    UNITY_LIGHTING_COORDS(2, 3)
+#else
     SHADOW_COORDS(2)
+#endif
+#if defined(VERTEXLIGHT_ON)
+    float3 vertexLight : TEXCOORD3; // of lights that are not drawn per pixel
+#endif
 };
 
 SceneryFragment PlaceScenery(SceneryVertex v)
 {
     SceneryFragment o;
+    UNITY_INITIALIZE_OUTPUT(SceneryFragment, o);
     o.pos = UnityObjectToClipPos(v.vertex.xyz);
     o.world = mul(unity_ObjectToWorld, v.vertex).xyz;
     o.normal = UnityObjectToWorldNormal(v.normal);
+#if defined(UNITY_PASS_FORWARDADD)
+    UNITY_TRANSFER_LIGHTING(o, float2(0.0, 0.0));
+#else
     TRANSFER_SHADOW(o);
+#endif
+#if defined(VERTEXLIGHT_ON)
+    o.vertexLight = Shade4PointLights(
+        unity_4LightPosX0, unity_4LightPosY0, unity_4LightPosZ0,
+        unity_LightColor[0].rgb, unity_LightColor[1].rgb, unity_LightColor[2].rgb, unity_LightColor[3].rgb,
+        unity_4LightAtten0, o.world, o.normal);
+#endif
     return o;
 }
 
@@ -39,7 +57,19 @@ float4 ShadeScenery(SceneryFragment i) : SV_Target
     float3 view = normalize(_WorldSpaceCameraPos.xyz - i.world);
     float visible = SHADOW_ATTENUATION(i);
     float3 colour = SceneryReflection(normal, view, _WorldSpaceLightPos0.xyz) * _LightColor0.rgb * visible;
+#if defined(VERTEXLIGHT_ON)
+    colour += SceneryDiffuse(i.vertexLight);
+#endif
     return float4(colour + SceneryAmbientReflection(normal, view), 1.0);
+}
+
+float4 AddLight(SceneryFragment i) : SV_Target
+{
+    float3 normal = normalize(i.normal);
+    float3 view = normalize(_WorldSpaceCameraPos.xyz - i.world);
+    float3 light = normalize(UnityWorldSpaceLightDir(i.world));
+    UNITY_LIGHT_ATTENUATION(visible, i, i.world);
+    return float4(SceneryReflection(normal, view, light) * _LightColor0.rgb * visible, 1.0);
 }
 
 struct ShadowFragment

@@ -25,6 +25,12 @@ float3 SceneryReflection(float3 normal, float3 view, float3 light)
     return (_Color.rgb * (1.0 - SCENERY_REFLECTANCE) + fresnel * visibility * distribution) * lit;
 }
 
+// What the body scatters of light that has its cosine already.
+float3 SceneryDiffuse(float3 light)
+{
+    return _Color.rgb * (1.0 - SCENERY_REFLECTANCE) * light;
+}
+
 // Ambient light from a direction: spherical harmonics of order 2 as Unity lays them out.
 float3 SceneryAmbient(float3 direction)
 {

@@ -6,7 +6,7 @@ using UnityEngine.Rendering;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The samples' shader in the Built-in pipeline, against its formulas in double precision, and its shadows.</summary>
+    /// <summary>The samples' shader in the Built-in pipeline, against its formulas in double precision, its shadows and further lights.</summary>
     public sealed class SceneryTests
     {
         const string ShaderPath = "Packages/com.sphfluid/Shaders/Rendering/Scenery.shader";
@@ -108,6 +108,62 @@ namespace SphFluid.Tests
             caster.shadowCastingMode = ShadowCastingMode.On;
             wall.receiveShadows = false;
             Assert.AreEqual(lit, Centre().g, 0.02f * lit, "a thing that receives none");
+        }
+
+        [Test]
+        public void AFurtherDirectionalLightIsAdded()
+        {
+            Color main = Centre();
+            Light second = NewLight(LightType.Directional, new Color(1f, 0.4f, 0.2f));
+            second.transform.rotation = Quaternion.Euler(40f, 20f, 0f);
+            Color seen = Centre();
+            Vector4 light = SceneLighting.ColourOf(second);
+            for (int c = 0; c < 3; c++)
+            {
+                double expected = Reflection(colour.linear[c], 0.3, -second.transform.forward) * light[c];
+                Assert.AreEqual(expected, seen[c] - main[c], 2e-3 + 0.01 * expected, $"channel {c}");
+            }
+        }
+
+        [TestCase(LightType.Point)]
+        [TestCase(LightType.Spot)]
+        public void APointOrSpotLightIsAddedWhereItReaches(LightType type)
+        {
+            Color main = Centre();
+            Light near = NewLight(type, Color.white);
+            near.transform.position = new Vector3(0f, 0f, -1f);
+            (near.range, near.spotAngle) = (4f, 60f);
+            double reflected = Reflection(colour.linear.g, 0.3, Vector3.back);
+            double share = (Centre().g - main.g) / reflected;
+            Assert.AreEqual(1.0 / (1.0 + 25.0 / 16.0), share, 0.05, "a quarter of the range away");
+
+            near.range = 0.9f;
+            Assert.AreEqual(main.g, Centre().g, 1e-3f, "beyond its range");
+
+            near.range = 4f;
+            near.transform.rotation = Quaternion.Euler(0f, 90f, 0f);
+            if (type == LightType.Spot) Assert.AreEqual(main.g, Centre().g, 1e-3f, "outside its cone");
+        }
+
+        [Test]
+        public void AnUnimportantPointLightIsAddedAtTheVertices()
+        {
+            Color main = Centre();
+            Light near = NewLight(LightType.Point, Color.white);
+            near.renderMode = LightRenderMode.ForceVertex;
+            near.transform.position = new Vector3(0f, 0f, -1f);
+            near.range = 10f;
+
+            // The wall's corners, 1.73 m away, have light / (1 + 25 / 100 * 3) at a cosine of 0.58.
+            double expected = colour.linear.g * 0.96 * 0.577 / 1.75;
+            Assert.AreEqual(expected, Centre().g - main.g, 0.05 * expected);
+        }
+
+        Light NewLight(LightType type, Color light)
+        {
+            Light added = Keep(new GameObject("Further light")).AddComponent<Light>();
+            (added.type, added.color, added.renderMode, added.shadows) = (type, light, LightRenderMode.ForcePixel, LightShadows.None);
+            return added;
         }
 
         // Seen straight on: normal and view are the same. Pi is left out, as in Unity's light colours.
