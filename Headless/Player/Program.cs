@@ -15,6 +15,7 @@ public static class Program
                        [--device NAME|INDEX] [--no-images] [--validate] [--executeMethod Class.Method] [-- words for the project]
         sphplayer test --project DIR [--assemblies DIR] [--mode edit|play|all] [--filter TEXT | --tests FILE]
                        [--stop-on-fail] [--again] [--coverage FILE] [--compiler glslang|fxc] [--device NAME|INDEX] [--validate]
+                       [--poison] [--check-bounds]
         sphplayer exec --project DIR --executeMethod Class.Method [--assemblies DIR] [--device NAME|INDEX] [--validate] [-- words]
         sphplayer devices
         """;

@@ -1,3 +1,4 @@
+using System.Text.RegularExpressions;
 using Headless.Player;
 using Headless.Player.Commands;
 using NUnit.Framework;
@@ -5,7 +6,7 @@ using NUnit.Framework;
 namespace Headless.Tests.Player;
 
 /// <summary>Every flag of the player with every kind of wrong value: one line that names the flag. The package has the same table for its verbs.</summary>
-public sealed class FlagTableTests
+public sealed partial class FlagTableTests
 {
     private static readonly string[] NoNumbers = ["", " ", "-1", "0", "NaN", "Infinity", "-Infinity", "1e400", "1e-30", "0x10", "1_000", "99999999999999999999999", "many"];
     private static readonly string[] NoSizes = ["", "1280", "0x0", "-1x5", "1e3x5", "99999x1", "16384x16384", "axb", "1x2x3"];
@@ -60,4 +61,24 @@ public sealed class FlagTableTests
         Assert.That(exception.Message, Does.Not.Contain("\n"));
         Assert.That(exception.Message.Length, Is.LessThan(1000));
     }
+
+    [TestCase("play")]
+    [TestCase("test")]
+    [TestCase("exec")]
+    public void TheUsageNamesEveryFlag(string command)
+    {
+        var (_, needed, parse, _, _) = Commands.First(c => c.Command == command);
+        string message = Assert.Throws<UsageException>(() => parse([.. needed, "--spead"]))!.Message;
+        string[] flags = [.. Flag().Matches(message[message.IndexOf("Its flags are", StringComparison.Ordinal)..]).Select(m => m.Value)];
+        string help = PlayerProcess.Run("help").Output;
+        string[] all = ["sphplayer play", "sphplayer test", "sphplayer exec", "sphplayer devices"];
+        int begin = help.IndexOf("sphplayer " + command, StringComparison.Ordinal);
+        int end = all.Select(c => help.IndexOf(c, StringComparison.Ordinal)).Where(i => i > begin).Min();
+        string[] named = [.. Flag().Matches(help[begin..end]).Select(m => m.Value)];
+        Assert.That(flags, Has.Length.GreaterThan(4));
+        Assert.That(named, Is.EquivalentTo(flags));
+    }
+
+    [GeneratedRegex("--[A-Za-z][A-Za-z-]*")]
+    private static partial Regex Flag();
 }

@@ -79,7 +79,7 @@ public sealed class InterruptionTests
         Assert.That(process.HasExited, Is.False, () => PlayerProcess.Finish(process).Errors);
         var clock = Stopwatch.StartNew();
         Assert.That(Kill(process.Id, signal), Is.Zero);
-        PlayerProcess ended = PlayerProcess.Finish(process);
+        PlayerProcess ended = PlayerProcess.Finish(process, 4 * Bound);
         TestContext.Out.WriteLine(string.Create(CultureInfo.InvariantCulture, $"ended after {clock.Elapsed.TotalSeconds:0.00} s"));
         Assert.That(clock.Elapsed, Is.LessThan(Bound));
         Assert.That(ended.ExitCode, Is.EqualTo(130).Or.EqualTo(128 + signal), ended.Errors);

@@ -1,10 +1,26 @@
 using System.Diagnostics;
+using NUnit.Framework;
 
 namespace Headless.Tests.Player;
 
 /// <summary>Runs the player as a user does: a process of its own.</summary>
 internal sealed class PlayerProcess
 {
+    private const int Interrupt = 2;
+
+    // GNU coreutils 8.31 and later.
+    private const string DefaultSignal = "--default-signal=INT";
+
+    private static readonly TimeSpan Longest = TimeSpan.FromMinutes(10);
+
+    private static readonly Lazy<bool> TakesDefaultSignal = new(() =>
+    {
+        if (OperatingSystem.IsWindows()) return false;
+        using Process trial = Process.Start(new ProcessStartInfo("env", [DefaultSignal, "true"]) { RedirectStandardError = true })!;
+        trial.WaitForExit();
+        return trial.ExitCode == 0;
+    });
+
     private PlayerProcess(int exitCode, string output, string errors) => (ExitCode, Output, Errors) = (exitCode, output, errors);
 
     public int ExitCode { get; }
@@ -19,18 +35,37 @@ internal sealed class PlayerProcess
         return Finish(process);
     }
 
+    /// <summary>Starts it so that it takes SIGINT, which a shell's background job (command &amp;) hands down as ignored.</summary>
     public static Process Start(params string[] words)
     {
         string program = Path.Combine(AppContext.BaseDirectory, "sphplayer.dll");
-        return Process.Start(new ProcessStartInfo("dotnet", [program, .. words]) { RedirectStandardOutput = true, RedirectStandardError = true })!;
+        string[] command = ["dotnet", program, .. words];
+        if (TakesDefaultSignal.Value) command = ["env", DefaultSignal, .. command];
+        return Process.Start(new ProcessStartInfo(command[0], command[1..]) { RedirectStandardOutput = true, RedirectStandardError = true })!;
     }
 
-    public static PlayerProcess Finish(Process process)
+    /// <summary>Waits for its end; the test fails, and the process is ended, where that does not come in time.</summary>
+    public static PlayerProcess Finish(Process process, TimeSpan? limit = null)
     {
         Task<string> errors = process.StandardError.ReadToEndAsync();
-        string output = process.StandardOutput.ReadToEnd();
+        Task<string> output = process.StandardOutput.ReadToEndAsync();
+        TimeSpan most = limit ?? Longest;
+        if (!process.WaitForExit(most))
+        {
+            string why = IgnoresInterrupt(process) ? " It ignores SIGINT, as background jobs of a shell do: run the tests in the foreground." : "";
+            process.Kill(entireProcessTree: true);
+            Assert.Fail($"The player did not end within {most.TotalSeconds:0} s.{why}");
+        }
         process.WaitForExit();
-        return new PlayerProcess(process.ExitCode, output, errors.Result);
+        return new PlayerProcess(process.ExitCode, output.Result, errors.Result);
+    }
+
+    /// <summary>Whether SIGINT does nothing, by the kernel's list of ignored signals.</summary>
+    public static bool IgnoresInterrupt(Process process)
+    {
+        string status = $"/proc/{process.Id}/status";
+        string? ignored = File.Exists(status) ? File.ReadLines(status).FirstOrDefault(l => l.StartsWith("SigIgn:", StringComparison.Ordinal)) : null;
+        return ignored is not null && (Convert.ToUInt64(ignored["SigIgn:".Length..].Trim(), 16) & (1UL << (Interrupt - 1))) != 0;
     }
 
     /// <summary>Where a project of Tests/Projects was built: beside this assembly's own output folder.</summary>

@@ -106,8 +106,9 @@ public sealed class RipplesTests
         using Process process = PlayerProcess.Start(Arguments(output, "--seconds", "3600"));
         string frame = Path.Combine(output, "frame_00003.png");
         for (int i = 0; i < 600 && !File.Exists(frame) && !process.HasExited; i++) Thread.Sleep(100);
+        Assert.That(process.HasExited, Is.False, () => PlayerProcess.Finish(process).Errors);
         Assert.That(Kill(process.Id, Interrupt), Is.Zero);
-        PlayerProcess ended = PlayerProcess.Finish(process);
+        PlayerProcess ended = PlayerProcess.Finish(process, TimeSpan.FromMinutes(1));
         Assert.That(ended.ExitCode, Is.EqualTo(130), ended.Errors);
         Assert.That(ended.Output, Does.Contain("interrupted: "));
         int frames = Directory.GetFiles(output, "frame_*.png").Length;

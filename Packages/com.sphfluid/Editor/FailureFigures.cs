@@ -23,7 +23,7 @@ namespace SphFluid.Editor
         /// </summary>
         public static void Write()
         {
-            if (!FigureCommandLine.TryRead("figures", FailureExperiments.All().Select(e => e.Name).ToArray(), out string only, out string folder))
+            if (!FigureCommandLine.TryRead("figures", FailureExperiments.All().Select(e => e.Name).ToArray(), PictureOf, out string only, out string folder))
                 return;
             var audit = AssetDatabase.LoadAssetAtPath<ComputeShader>(AuditShader);
             if (folder != null)
@@ -33,9 +33,11 @@ namespace SphFluid.Editor
             {
                 FailureResult failing = Run(experiment, false, audit), cured = Run(experiment, true, audit);
                 if (folder != null)
-                    File.WriteAllBytes(Path.Combine(folder, $"failure-{experiment.Name}.png"), Draw(failing, cured));
+                    File.WriteAllBytes(Path.Combine(folder, PictureOf(experiment.Name)), Draw(failing, cured));
             }
         }
+
+        static string PictureOf(string experiment) => $"failure-{experiment}.png";
 
         static FailureResult Run(FailureExperiment experiment, bool cured, ComputeShader audit)
         {

@@ -13,7 +13,6 @@ namespace SphFluid.Editor
     /// </summary>
     public static class SwitchFigures
     {
-        const string DefaultFolder = "Packages/com.sphfluid/Documentation~/images";
         const int PanelHeight = 320;
         const int MaxPanelWidth = 280;
 
@@ -23,17 +22,19 @@ namespace SphFluid.Editor
         /// </summary>
         public static void Write()
         {
-            if (!FigureCommandLine.TryRead("figures", SwitchExperiments.All().Select(e => e.Name).ToArray(), out string only, out string folder))
+            if (!FigureCommandLine.TryRead("figures", SwitchExperiments.All().Select(e => e.Name).ToArray(), PictureOf, out string only, out string folder))
                 return;
-            folder = folder ?? DefaultFolder;
+            folder = folder ?? FigureCommandLine.PackageImages;
             Directory.CreateDirectory(folder);
             Console.WriteLine(SystemInfo.graphicsDeviceName);
             foreach (SwitchExperiment experiment in SwitchExperiments.All())
             {
                 if (only == null || only == experiment.Name)
-                    Write(experiment, Path.Combine(folder, $"thesis-{experiment.Name}.png"));
+                    Write(experiment, Path.Combine(folder, PictureOf(experiment.Name)));
             }
         }
+
+        static string PictureOf(string experiment) => $"thesis-{experiment}.png";
 
         static void Write(SwitchExperiment experiment, string file)
         {

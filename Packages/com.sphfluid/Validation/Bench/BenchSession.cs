@@ -21,6 +21,7 @@ namespace SphFluid.Validation
         readonly FluidShaderSet shaders;
         readonly SessionProgress progress;
         readonly SessionWork work;
+        readonly ResultFolder results;
         readonly List<BenchTable> tables = new List<BenchTable>();
         BenchSampler sampler;
         BenchTableRun run;
@@ -31,7 +32,7 @@ namespace SphFluid.Validation
         /// <param name="shaders">The package's shaders.</param>
         /// <param name="progress">Where it says how far it is.</param>
         /// <exception cref="FluidDeviceException">The device cannot run it, or has no GPU times.</exception>
-        /// <exception cref="IOException">The output folder cannot be written.</exception>
+        /// <exception cref="CommandLineException">The output folder cannot be written, or holds other files of the tables' names.</exception>
         public BenchSession(BenchArguments arguments, FluidShaderSet shaders, SessionProgress progress)
         {
             this.arguments = arguments;
@@ -42,7 +43,8 @@ namespace SphFluid.Validation
                 throw new FluidDeviceException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) has no GPU times in Unity's profiler. " +
                     "Run the benchmark with Direct3D 11 or 12.");
             }
-            Directory.CreateDirectory(arguments.OutputFolder);
+            results = ResultFolder.Open(
+                arguments.OutputFolder, Plans().Select(p => ResultFile.Text(BenchTable.FileOf(p.Name), BenchTable.FirstLineOf(p.Layout))));
             work = new SessionWork(Run());
         }
 
@@ -66,6 +68,7 @@ namespace SphFluid.Validation
             work.Clear();
             run?.Dispose();
             sampler?.Dispose();
+            results.Close();
         }
 
         /// <summary>4,096, 8,192, ... 1,048,576.</summary>
@@ -123,7 +126,7 @@ namespace SphFluid.Validation
 
         void SayTable(BenchTable table)
         {
-            progress.Say($"{Path.Combine(arguments.OutputFolder, table.Name + ".csv")}, {table.Device}:");
+            progress.Say($"{Path.Combine(arguments.OutputFolder, BenchTable.FileOf(table.Name))}, {table.Device}:");
             progress.Say(table.Layout.Head);
             foreach (BenchRow row in table.Rows)
                 progress.Say(table.Layout.Line(table, row));

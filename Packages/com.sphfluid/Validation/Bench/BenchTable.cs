@@ -38,17 +38,21 @@ namespace SphFluid.Validation
         /// <summary>The file's lines: the head, then the rows that have a sample.</summary>
         public IEnumerable<string> Lines()
         {
-            yield return string.Join(",", Layout.Columns.Select(c => c.Head));
+            yield return FirstLineOf(Layout);
             foreach (BenchRow row in Rows.Where(r => r.SampleCount > 0))
                 yield return CsvText.Join(Layout.Columns.Select(c => c.Cell(this, row)));
         }
+
+        internal static string FirstLineOf(IBenchLayout layout) => string.Join(",", layout.Columns.Select(c => c.Head));
+
+        internal static string FileOf(string table) => table + ".csv";
 
         /// <summary>Writes the file whole: whoever stops the program finds the last whole one.</summary>
         /// <param name="folder">Its folder, made if there is none.</param>
         /// <returns>The file.</returns>
         public string Write(string folder)
         {
-            string file = Path.Combine(folder, Name + ".csv");
+            string file = Path.Combine(folder, FileOf(Name));
             CsvText.WriteWhole(file, Lines());
             return file;
         }

@@ -11,6 +11,8 @@ namespace SphFluid.Validation
         /// <summary>Name of the file.</summary>
         public const string FileName = "accuracy.gp";
 
+        internal const string FirstLine = "# Draws accuracy.svg and accuracy.png: gnuplot " + FileName;
+
         const int PanelWidth = 620, PanelHeight = 470, TitleHeight = 60;
         const int MostPanelsInTwoColumns = 5;
 
@@ -35,7 +37,7 @@ namespace SphFluid.Validation
             int columns = groups.Sum(g => g.Count) > MostPanelsInTwoColumns ? 3 : 2;
             List<List<ChartPanel>> rows = Rows(columns);
             var drawings = new Dictionary<ChartPanel, ChartPanelScript>();
-            yield return $"# Draws accuracy.svg and accuracy.png: gnuplot {FileName}";
+            yield return FirstLine;
             foreach (IReadOnlyList<ChartPanel> group in groups)
             {
                 foreach (ChartPanel panel in group)

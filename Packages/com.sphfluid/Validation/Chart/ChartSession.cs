@@ -38,6 +38,7 @@ namespace SphFluid.Validation
             this.plan = plan;
             this.runner = runner;
             table = ChartTable.Load(arguments.OutputFolder, device);
+            Claim(Files(arguments.Cases));
         }
 
         private protected override string Device => table.Device;
@@ -52,6 +53,25 @@ namespace SphFluid.Validation
         }
 
         private protected override void Draw() => new ChartDrawing(arguments.OutputFolder, table, arguments.Cases, Progress).Write();
+
+        // Cases that an earlier chart in the folder measured are drawn too.
+        static IEnumerable<ResultFile> Files(IEnumerable<ValidationCase> selected)
+        {
+            yield return ResultFile.Table(ChartTable.FileName, ChartRow.Columns);
+            yield return ResultFile.Table(ParetoFront.FileName, ParetoFront.Columns);
+            yield return ResultFile.Table(EqualCost.FileName, EqualCost.Columns);
+            yield return ResultFile.Text(ChartScript.FileName, ChartScript.FirstLine);
+            yield return ResultFile.Drawn("accuracy.svg", ChartScript.FileName);
+            yield return ResultFile.Drawn("accuracy.png", ChartScript.FileName);
+            foreach (ValidationCase validationCase in ValidationCases.All.Union(selected))
+            {
+                string script = CurveScript.NameOf(validationCase);
+                yield return ResultFile.Text(script, CurveScript.FirstLineOf(validationCase));
+                yield return ResultFile.Drawn(CurveScript.PictureOf(validationCase), script);
+                foreach (CaseMethod method in CaseMethod.All)
+                    yield return ResultFile.Table(CurveFile.NameOf(validationCase.Name, method.Name), CurveFile.Columns);
+            }
+        }
 
         static ChartPlan PlanFor(ChartArguments arguments)
         {

@@ -9,10 +9,12 @@ namespace SphFluid.Validation
     /// <summary>The curves of a run, kept for the picture of its case: curves/CASE.METHOD.csv.</summary>
     public static class CurveFile
     {
-        static readonly string[] columns = { "run", "series", "reference", "x", "y" };
+        internal static readonly string[] Columns = { "run", "series", "reference", "x", "y" };
 
         /// <summary>Name of a file below the chart's folder.</summary>
-        public static string PathOf(string folder, string caseName, string method) => Path.Combine(folder, "curves", caseName + "." + method + ".csv");
+        public static string PathOf(string folder, string caseName, string method) => Path.Combine(folder, NameOf(caseName, method));
+
+        internal static string NameOf(string caseName, string method) => "curves/" + caseName + "." + method + ".csv";
 
         /// <summary>Writes the curves of a run.</summary>
         /// <param name="file">The file.</param>
@@ -23,7 +25,7 @@ namespace SphFluid.Validation
             IEnumerable<string> lines = from curve in curves
                                         from i in Enumerable.Range(0, curve.X.Count)
                                         select CsvText.Join(new[] { run, curve.Name, curve.IsReference ? "1" : "0", CsvText.Text(curve.X[i]), CsvText.Text(curve.Y[i]) });
-            CsvText.WriteWhole(file, new[] { CsvText.Join(columns) }.Concat(lines));
+            CsvText.WriteWhole(file, new[] { CsvText.Join(Columns) }.Concat(lines));
         }
 
         /// <summary>Reads curves back; none where there is no file.</summary>

@@ -36,7 +36,13 @@ namespace SphFluid.Validation
         }
 
         /// <summary>Name of the script's file.</summary>
-        public string FileName => $"case-{validationCase.Name}.gp";
+        public string FileName => NameOf(validationCase);
+
+        internal static string NameOf(ValidationCase validationCase) => $"case-{validationCase.Name}.gp";
+
+        internal static string PictureOf(ValidationCase validationCase) => $"case-{validationCase.Name}.png";
+
+        internal static string FirstLineOf(ValidationCase validationCase) => $"# Draws {PictureOf(validationCase)}: gnuplot {NameOf(validationCase)}";
 
         /// <summary>Whether there is nothing to draw.</summary>
         public bool IsEmpty => runs.Count == 0;
@@ -44,7 +50,7 @@ namespace SphFluid.Validation
         /// <summary>The script's lines.</summary>
         public IEnumerable<string> Lines()
         {
-            var lines = new List<string> { $"# Draws case-{validationCase.Name}.png: gnuplot {FileName}" };
+            var lines = new List<string> { FirstLineOf(validationCase) };
             for (int i = 0; i < references.Count; i++)
                 lines.AddRange(Block(ReferenceName(i), references[i]));
             foreach ((int method, string _, List<CaseSeries> curves) in runs)

@@ -17,7 +17,7 @@ namespace SphFluid.Validation
 
         const double ByChance = 1.5;
 
-        static readonly string[] columns =
+        internal static readonly string[] Columns =
         {
             "case", "error_name", "method", "dx", "kappa", "dt_fraction", "c_or_iterations", "gpu_ms_per_sim_s", "error", "other_method", "other_error",
             "ratio", "other_is", "device", "date",
@@ -70,7 +70,7 @@ namespace SphFluid.Validation
         /// <param name="comparisons">Comparisons of all cases.</param>
         public static IEnumerable<string> Lines(IEnumerable<Comparison> comparisons)
         {
-            yield return CsvText.Join(columns);
+            yield return CsvText.Join(Columns);
             foreach (Comparison c in comparisons)
             {
                 ChartPoint p = c.Point;

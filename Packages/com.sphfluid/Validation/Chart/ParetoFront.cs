@@ -10,7 +10,7 @@ namespace SphFluid.Validation
         /// <summary>Name of the file.</summary>
         public const string FileName = "pareto.csv";
 
-        static readonly string[] columns =
+        internal static readonly string[] Columns =
         {
             "case", "method", "dx", "kappa", "dt_fraction", "c_or_iterations", "particles", "seeds", "gpu_ms_per_sim_s", "gpu_half_bar",
             "error", "error_half_bar", "error_name", "device", "date",
@@ -37,7 +37,7 @@ namespace SphFluid.Validation
         /// <param name="fronts">Points of the fronts, case by case.</param>
         public static IEnumerable<string> Lines(IEnumerable<ChartPoint> fronts)
         {
-            yield return CsvText.Join(columns);
+            yield return CsvText.Join(Columns);
             foreach (ChartPoint p in fronts)
             {
                 yield return CsvText.Join(new[]

@@ -1,7 +1,6 @@
 using System;
 using System.Collections;
 using System.Globalization;
-using System.IO;
 using System.Linq;
 using UnityEngine;
 
@@ -15,19 +14,20 @@ namespace SphFluid.Validation
         readonly SessionProgress progress;
         readonly LeakTable table;
         readonly SessionWork work;
+        readonly ResultFolder results;
 
         /// <summary>Prepares a session; nothing is played yet.</summary>
         /// <param name="arguments">What to play.</param>
         /// <param name="shaders">The package's shaders.</param>
         /// <param name="progress">Where it says how far it is.</param>
         /// <exception cref="FluidDeviceException">There are no shaders.</exception>
-        /// <exception cref="IOException">The output folder cannot be written.</exception>
+        /// <exception cref="CommandLineException">The output folder cannot be written, or holds another file of the table's name.</exception>
         public LeakSession(LeakArguments arguments, FluidShaderSet shaders, SessionProgress progress)
         {
             this.arguments = arguments;
             this.shaders = SessionAssets.Require(shaders, "The leak scenes have");
             this.progress = progress;
-            Directory.CreateDirectory(arguments.OutputFolder);
+            results = ResultFolder.Open(arguments.OutputFolder, new[] { ResultFile.Table(LeakTable.FileName, LeakTable.Columns) });
             table = new LeakTable(arguments.OutputFolder, SystemInfo.graphicsDeviceName);
             work = new SessionWork(Run());
         }
@@ -36,7 +36,11 @@ namespace SphFluid.Validation
         public bool Step() => work.Step();
 
         /// <summary>Frees the GPU memory; the table holds every finished run.</summary>
-        public void Dispose() => work.Clear();
+        public void Dispose()
+        {
+            work.Clear();
+            results.Close();
+        }
 
         IEnumerator Run()
         {

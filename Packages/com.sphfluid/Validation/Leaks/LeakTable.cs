@@ -8,15 +8,15 @@ namespace SphFluid.Validation
     /// <summary>leaks.csv: a line for each run of a scene.</summary>
     sealed class LeakTable
     {
-        const string FileName = "leaks.csv";
+        public const string FileName = "leaks.csv";
 
-        static readonly string[] columns =
+        public static readonly string[] Columns =
         {
             "scene", "speed_m_s", "particles", "triangles", "frames", "steps", "escapes", "failure", "contacts", "fallbacks", "squeezed", "overlaps",
             "shortened", "jumps", "non_finite", "max_speed_m_s", "energy_ratio", "first_layer_dx", "pressed_share", "held_share", "drag", "device", "date",
         };
 
-        readonly List<string> lines = new List<string> { CsvText.Join(columns) };
+        readonly List<string> lines = new List<string> { CsvText.Join(Columns) };
         readonly string folder, device, date;
 
         public LeakTable(string folder, string device)

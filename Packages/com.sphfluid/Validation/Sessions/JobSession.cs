@@ -2,7 +2,6 @@ using System;
 using System.Collections;
 using System.Collections.Generic;
 using System.Diagnostics;
-using System.IO;
 using System.Linq;
 
 namespace SphFluid.Validation
@@ -22,10 +21,11 @@ namespace SphFluid.Validation
         readonly SessionWork work;
         readonly Stopwatch jobClock = new Stopwatch();
         SessionJob current;
+        ResultFolder results;
         double left, all;
         bool disposed;
 
-        /// <param name="folder">Folder of the results; it is made.</param>
+        /// <param name="folder">Folder of the results.</param>
         /// <param name="noun">What the jobs are, for instance "runs".</param>
         /// <param name="slice">Time after which it ends; null for all in one go.</param>
         /// <param name="rate">How fast jobs go.</param>
@@ -58,7 +58,12 @@ namespace SphFluid.Validation
             if (!work.IsDone)
                 Progress.Say($"Stopped early. '{folder}' holds every finished run; the same command goes on from there.");
             work.Clear();
+            results?.Close();
         }
+
+        /// <summary>Claims the files that the session may write; called by its constructor when it has read what is there.</summary>
+        /// <exception cref="CommandLineException">The folder cannot be written, or holds other files of these names.</exception>
+        private protected void Claim(IEnumerable<ResultFile> files) => results = ResultFolder.Open(folder, files);
 
         private protected SessionProgress Progress { get; }
 
@@ -94,7 +99,6 @@ namespace SphFluid.Validation
 
         IEnumerator Run()
         {
-            Directory.CreateDirectory(folder);
             List<SessionJob> jobs = Jobs().ToList();
             List<SessionJob> pending = jobs.Where(j => !j.IsDone()).ToList();
             all = jobs.Sum(j => j.Cost);

@@ -35,13 +35,17 @@ namespace SphFluid.Validation
         /// <summary>Name of the script's file, for instance "stability-m1.gp", and "stability-m1-clamps.gp" with clamps.</summary>
         public string FileName => Stem + ".gp";
 
-        string Stem => $"stability-{map.Name.ToLowerInvariant()}{(clamps ? "-clamps" : "")}";
+        internal static string StemOf(StabilityMap map, bool clamps) => $"stability-{map.Name.ToLowerInvariant()}{(clamps ? "-clamps" : "")}";
+
+        internal static string FirstLineOf(string stem) => $"# Draws {stem}.svg and {stem}.png: gnuplot {stem}.gp";
+
+        string Stem => StemOf(map, clamps);
 
         /// <summary>The script's lines.</summary>
         public IEnumerable<string> Lines()
         {
             List<CaseMethod> methods = CaseMethod.All.Where(m => rows.Any(r => r.Method == m.Name)).ToList();
-            yield return $"# Draws {Stem}.svg and {Stem}.png: gnuplot {FileName}";
+            yield return FirstLineOf(Stem);
             foreach (CaseMethod method in methods)
             {
                 foreach (string line in Cells(method))

@@ -40,6 +40,7 @@ namespace SphFluid.Validation
             this.plan = plan;
             this.runner = runner;
             files = new StabilityFiles(folder, device);
+            Claim(Files());
         }
 
         private protected override string Device => files.Device;
@@ -48,6 +49,18 @@ namespace SphFluid.Validation
             plan.Runs.Select(Cell).Concat(plan.Limits.Select(l => Border(l.Limit, l.Method))).Concat(plan.Clamped.Select(Cell));
 
         private protected override void Draw() => new StabilityDrawing(folder, files, Progress).Write();
+
+        static IEnumerable<ResultFile> Files()
+        {
+            yield return ResultFile.Table(StabilityRow.FileName, StabilityRow.Columns);
+            yield return ResultFile.Table(LimitRow.FileName, LimitRow.Columns);
+            foreach (string stem in StabilityMaps.All.SelectMany(m => new[] { StabilityScript.StemOf(m, false), StabilityScript.StemOf(m, true) }))
+            {
+                yield return ResultFile.Text(stem + ".gp", StabilityScript.FirstLineOf(stem));
+                yield return ResultFile.Drawn(stem + ".svg", stem + ".gp");
+                yield return ResultFile.Drawn(stem + ".png", stem + ".gp");
+            }
+        }
 
         static Runner RunnerOf(FluidShaderSet shaders)
         {

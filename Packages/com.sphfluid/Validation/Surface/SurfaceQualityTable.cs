@@ -9,7 +9,7 @@ namespace SphFluid.Validation
     /// <summary>surface-quality.csv: a line for each variant of each state.</summary>
     sealed class SurfaceQualityTable
     {
-        const string FileName = "surface-quality.csv";
+        public const string FileName = "surface-quality.csv";
 
         static readonly (string Name, Func<SurfaceQuality, double> Value)[] columns =
         {
@@ -23,9 +23,11 @@ namespace SphFluid.Validation
             ("flicker_dx", q => q.Flicker), ("gpu_ms", q => q.GpuMilliseconds),
         };
 
+        public static IEnumerable<string> Columns => new[] { "state", "variant" }.Concat(columns.Select(c => c.Name)).Concat(new[] { "device", "date" });
+
         readonly List<string> lines = new List<string>
         {
-            CsvText.Join(new[] { "state", "variant" }.Concat(columns.Select(c => c.Name)).Concat(new[] { "device", "date" })),
+            CsvText.Join(Columns),
         };
 
         readonly string folder, device, date;
