@@ -6,7 +6,7 @@ namespace Headless.Shaders.SpirV;
 /// </summary>
 /// <remarks>
 /// Of integers: a - a / b * b, since Vulkan leaves OpSRem of negative numbers undefined. Of floats: b * (q - trunc(q)) with
-/// q = a / b, to the bit what FXC writes, which is b times the fraction of |q| with the sign of q.
+/// q = a / b, to the bit what FXC makes of fmod: b times the fraction of |q| with the sign of q. Of % it takes a * (1 / b) for q.
 /// </remarks>
 internal static class Remainders
 {

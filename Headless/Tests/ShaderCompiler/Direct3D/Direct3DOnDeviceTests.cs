@@ -152,6 +152,25 @@ public sealed class Direct3DOnDeviceTests : DeviceFixture
         })));
     }
 
+    // FXC multiplies by 1 / b for the operator, so that the last bits differ.
+    [TestCase("fmod(_In[i], _In[i + 64])", 0f)]
+    [TestCase("fmod(_In[i], float2(_In[i + 64], 2)).x", 0f)]
+    [TestCase("_In[i] % _In[i + 64]", 1e-4f)]
+    public void FloatRemaindersAreTheSameByBothCompilers(string remainder, float tolerance)
+    {
+        string source = $$"""
+            StructuredBuffer<float> _In; RWStructuredBuffer<uint> _Out;
+            [numthreads(64, 1, 1)] void CS(uint i : SV_DispatchThreadID) { _Out[i] = asuint({{remainder}}); }
+            """;
+        float[] values = [.. Enumerable.Range(0, 2 * Threads).Select(i => (i * 37 % 128 - 63.6f) * (i < Threads ? 1f : 0.07f))];
+        float[] found = [.. Run(source, null, values).Select(BitConverter.UInt32BitsToSingle)];
+        float[] direct3D = [.. Run(source, Direct3DTools.Require(), values).Select(BitConverter.UInt32BitsToSingle)];
+
+        Assert.That(found, Is.EqualTo(direct3D).Within(tolerance));
+        float[] exact = [.. Enumerable.Range(0, Threads).Select(i => values[i] % values[i + Threads])];
+        Assert.That(found, Is.EqualTo(exact).Within(1e-4f), "C#'s remainder has the dividend's sign too");
+    }
+
     private static uint Mask(int i) => (pairs[i] < 1 ? 1u : 0u) | (pairs[i + Threads] < 1 ? 2u : 0u);
 
     /// <summary>What the kernel writes to _Out; the constants are given by "name", "name[index]" or "name.z".</summary>
