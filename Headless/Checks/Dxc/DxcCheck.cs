@@ -1,4 +1,5 @@
 using Headless.Checks.Shaders;
+using Headless.Shaders.Direct3D;
 
 namespace Headless.Checks.Dxc;
 
@@ -9,7 +10,7 @@ internal sealed class DxcCheck(string projectRoot, string packageRoot, string ca
     public CheckReport Run()
     {
         var report = new CheckReport("DXC");
-        var toolchain = new DxcToolchain(cacheFolder);
+        var toolchain = new WineToolchain(WineDriver.Dxc, cacheFolder);
         if (toolchain.Prepare() is { } missing) { report.SkippedBecause = missing; return report; }
         var jobs = HlslJobs.Read(projectRoot, packageRoot, report.Findings);
         var folder = Directory.CreateTempSubdirectory("dxc");

@@ -13,24 +13,27 @@ internal sealed class FxcCheck(string projectRoot, string packageRoot, string ca
     {
         var report = new CheckReport("FXC");
         var jobs = HlslJobs.Read(projectRoot, packageRoot, report.Findings);
-        var toolchain = new FxcToolchain(cacheFolder);
+        var toolchain = new WineToolchain(WineDriver.Fxc, cacheFolder);
         if (toolchain.Prepare() is { } missing) { report.SkippedBecause = missing; return report; }
         Compile(jobs, toolchain, report);
         return report;
     }
 
-    private void Compile(HlslJobs jobs, FxcToolchain toolchain, CheckReport report)
+    private void Compile(HlslJobs jobs, WineToolchain toolchain, CheckReport report)
     {
         var folder = Directory.CreateTempSubdirectory("fxc");
         try
         {
-            var results = toolchain.Run(folder.FullName, jobs.Write(folder.FullName, profile => profile))
-                .Select(line => FxcResult.Parse(line, jobs.Jobs)).ToList();
+            var lines = (jobs with { Jobs = [.. jobs.Jobs, FxcYardstick.Job] }).Write(folder.FullName, profile => profile);
+            var compiled = toolchain.Run(folder.FullName, FxcYardstick.Among(lines.SkipLast(1), lines[^1]))
+                .Select(line => FxcResult.Parse(line, [.. jobs.Jobs, FxcYardstick.Job])).ToList();
+            if (compiled.Find(r => r.Job == FxcYardstick.Job && !r.Ok) is { } lost) report.Findings.Add($"{lost.Job.Name} does not compile: {lost.Messages}");
+            var results = FxcYardstick.Scale(compiled);
             foreach (var result in results) Check(result, report);
             if (results.Count != jobs.Jobs.Count) report.Findings.Add($"{jobs.Jobs.Count} jobs went in, {results.Count} results came out");
             var slots = results.Count > 0 ? results.Max(r => r.Slots) : 0;
             report.Figures = $"{results.Count} entry points and variants of {jobs.Files} files compiled by d3dcompiler_47, at most {slots} instruction slots";
-            new FxcBudget(packageRoot, FxcBudget.Load()).Check(results, report);
+            new FxcBudget(packageRoot).Check(results, report);
             new KernelNeedsCheck(packageRoot).Check(results, report);
         }
         finally { folder.Delete(recursive: true); }

@@ -12,7 +12,7 @@ public sealed class Direct3DFrontEnd : IDisposable
     /// <summary>Raised whenever the rewriting changes.</summary>
     private const int FormatVersion = 2;
 
-    private readonly FxcToolchain _toolchain;
+    private readonly WineToolchain _toolchain;
     private readonly FxcCompiler _compiler;
     private readonly Vkd3dProcess _translator;
     private readonly Lazy<string> _version;
@@ -22,7 +22,7 @@ public sealed class Direct3DFrontEnd : IDisposable
     /// <param name="translator">Name or path of vkd3d-compiler.</param>
     public Direct3DFrontEnd(string cacheFolder, string translator = "vkd3d-compiler")
     {
-        _toolchain = new FxcToolchain(cacheFolder);
+        _toolchain = new WineToolchain(WineDriver.Fxc, cacheFolder);
         _compiler = new FxcCompiler(_toolchain);
         _translator = new Vkd3dProcess(translator);
         _version = new Lazy<string>(() => $"d3dcompiler_47 {_toolchain.Version()}, {_translator.Version}, {FormatVersion}");

@@ -4,7 +4,7 @@ using System.Text.RegularExpressions;
 namespace Headless.Shaders.Direct3D;
 
 /// <summary>Compiles stages with FXC; as many processes as threads ask at the same time. Safe for several threads.</summary>
-internal sealed partial class FxcCompiler(FxcToolchain toolchain) : IDisposable
+internal sealed partial class FxcCompiler(WineToolchain toolchain) : IDisposable
 {
     private readonly ConcurrentBag<FxcSession> _idle = [];
     private readonly Lazy<string?> _problem = new(toolchain.Prepare);

@@ -8,11 +8,13 @@ internal sealed class FxcSession : IDisposable
     private static readonly TimeSpan Limit = TimeSpan.FromMinutes(5);
 
     private readonly string _folder = Directory.CreateTempSubdirectory("headless-fxc-").FullName;
+    private readonly WineToolchain _toolchain;
     private readonly Process _process;
     private int _jobs;
 
-    public FxcSession(FxcToolchain toolchain)
+    public FxcSession(WineToolchain toolchain)
     {
+        _toolchain = toolchain;
         ProcessStartInfo start = toolchain.Start(_folder, "-");
         start.RedirectStandardInput = true;
         start.RedirectStandardOutput = true;
@@ -75,7 +77,7 @@ internal sealed class FxcSession : IDisposable
         catch (IOException)
         {
             Alive = false;
-            return FxcToolchain.Crashed(id);
+            return _toolchain.Crashed(id);
         }
         while (true)
         {
@@ -84,14 +86,14 @@ internal sealed class FxcSession : IDisposable
             {
                 _process.Kill();
                 Alive = false;
-                return FxcToolchain.Crashed(id).Replace("crashed", $"did not finish in {Limit.TotalMinutes} minutes");
+                return _toolchain.Crashed(id).Replace("crashed", $"did not finish in {Limit.TotalMinutes} minutes");
             }
             if (line.Result is null)
             {
                 Alive = false;
-                return FxcToolchain.Crashed(id);
+                return _toolchain.Crashed(id);
             }
-            if (FxcToolchain.IsResult(line.Result))
+            if (WineToolchain.IsResult(line.Result))
             {
                 return line.Result;
             }

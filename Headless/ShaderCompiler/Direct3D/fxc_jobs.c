@@ -1,18 +1,14 @@
 /* Compiles a list of HLSL jobs with Microsoft's d3dcompiler_47.dll in one process.
  *
- * usage: fxc_jobs.exe JOBS
- * JOBS is a text file, or - for standard input; one job a line:
+ * A job (see jobs.h):
  *   id <TAB> source file <TAB> entry point <TAB> target profile [<TAB> file for the compiled shader]
- * For each job one line goes to stdout:
+ * Its result:
  *   id <TAB> ok|failed <TAB> uavs <TAB> groupshared bytes <TAB> threads <TAB> instruction slots <TAB> messages <TAB>
  *   buffers (read or written) <TAB> ms of CPU time that the compilation took
- * Line breaks in the messages become " | ". The exit code is the number of failed jobs, at most 100.
  */
 #include <windows.h>
 #include <d3dcompiler.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
+#include "jobs.h"
 
 typedef HRESULT(WINAPI *compile_fn)(LPCVOID, SIZE_T, LPCSTR, const D3D_SHADER_MACRO *, ID3DInclude *, LPCSTR, LPCSTR, UINT, UINT, ID3DBlob **, ID3DBlob **);
 typedef HRESULT(WINAPI *disassemble_fn)(LPCVOID, SIZE_T, UINT, LPCSTR, ID3DBlob **);
@@ -21,20 +17,6 @@ typedef struct { int uavs, shared_bytes, threads, slots, buffers; } figures;
 
 /* Where a compilation took longer than this it is done again, and the shortest time counts: a busy machine is slower. */
 static const int slow_ms = 1500, most_runs = 3;
-
-static char *read_file(const char *path, size_t *size)
-{
-    FILE *file = fopen(path, "rb");
-    if (!file) return NULL;
-    fseek(file, 0, SEEK_END);
-    *size = (size_t)ftell(file);
-    rewind(file);
-    char *text = malloc(*size + 1);
-    *size = fread(text, 1, *size, file);
-    text[*size] = 0;
-    fclose(file);
-    return text;
-}
 
 /* Milliseconds of the processor that this thread has used. */
 static int cpu_ms(void)
@@ -79,15 +61,6 @@ static figures read_listing(const char *listing)
     return f;
 }
 
-static void print_one_line(const char *text)
-{
-    for (; *text; text++) {
-        if (*text == '\r') continue;
-        if (*text == '\n') { if (text[1]) fputs(" | ", stdout); }
-        else putchar(*text == '\t' ? ' ' : *text);
-    }
-}
-
 static int write_file(const char *path, ID3DBlob *blob)
 {
     FILE *file = fopen(path, "wb");
@@ -97,14 +70,17 @@ static int write_file(const char *path, ID3DBlob *blob)
     return !fclose(file) && written == size;
 }
 
-static int run_job(compile_fn compile, disassemble_fn disassemble, char *line)
+static compile_fn compile;
+static disassemble_fn disassemble;
+
+static int run_job(char *line)
 {
     char *id = strtok(line, "\t\r\n"), *path = strtok(NULL, "\t\r\n"), *entry = strtok(NULL, "\t\r\n");
     char *target = strtok(NULL, "\t\r\n"), *output = strtok(NULL, "\t\r\n");
-    if (!target) { printf("%s\tfailed\t0\t0\t0\t0\tmalformed job line\n", id ? id : "?"); fflush(stdout); return 1; }
+    if (!target) { printf("%s\tfailed\t0\t0\t0\t0\tmalformed job line\n", id ? id : "?"); return 1; }
     size_t size;
     char *source = read_file(path, &size);
-    if (!source) { printf("%s\tfailed\t0\t0\t0\t0\tcannot read %s\n", id, path); fflush(stdout); return 1; }
+    if (!source) { printf("%s\tfailed\t0\t0\t0\t0\tcannot read %s\n", id, path); return 1; }
     ID3DBlob *code = NULL, *messages = NULL, *listing = NULL;
     const UINT optimise = 1 << 15, ieee_strictness = 0;
     int ms = 0;
@@ -123,7 +99,7 @@ static int run_job(compile_fn compile, disassemble_fn disassemble, char *line)
     if (!failed && output && !write_file(output, code)) {
         printf("%s\tfailed\t0\t0\t0\t0\tcannot write %s\n", id, output);
         fflush(stdout);
-        exit(104);
+        exit(CANNOT_WRITE);
     }
     figures f = {0, 0, 0, 0, 0};
     if (!failed && SUCCEEDED(disassemble(code->lpVtbl->GetBufferPointer(code), code->lpVtbl->GetBufferSize(code), 0, NULL, &listing)))
@@ -131,7 +107,6 @@ static int run_job(compile_fn compile, disassemble_fn disassemble, char *line)
     printf("%s\t%s\t%d\t%d\t%d\t%d\t", id, failed ? "failed" : "ok", f.uavs, f.shared_bytes, f.threads, f.slots);
     if (messages) print_one_line(messages->lpVtbl->GetBufferPointer(messages));
     printf("\t%d\t%d\n", f.buffers, ms);
-    fflush(stdout);
     if (code) code->lpVtbl->Release(code);
     if (messages) messages->lpVtbl->Release(messages);
     if (listing) listing->lpVtbl->Release(listing);
@@ -141,16 +116,11 @@ static int run_job(compile_fn compile, disassemble_fn disassemble, char *line)
 
 int main(int argc, char **argv)
 {
-    if (argc != 2) { fprintf(stderr, "usage: fxc_jobs JOBS\n"); return 101; }
+    if (argc != 2) { fprintf(stderr, "usage: fxc_jobs JOBS\n"); return BAD_USAGE; }
     HMODULE library = LoadLibraryA("d3dcompiler_47.dll");
-    if (!library) { fprintf(stderr, "d3dcompiler_47.dll not found beside fxc_jobs.exe\n"); return 102; }
-    compile_fn compile = (compile_fn)(void *)GetProcAddress(library, "D3DCompile");
-    disassemble_fn disassemble = (disassemble_fn)(void *)GetProcAddress(library, "D3DDisassemble");
-    FILE *jobs = strcmp(argv[1], "-") ? fopen(argv[1], "r") : stdin;
-    if (!compile || !disassemble || !jobs) { fprintf(stderr, "cannot start: entry points or job list missing\n"); return 103; }
-    int failures = 0;
-    static char line[65536];
-    while (fgets(line, sizeof line, jobs))
-        if (line[0] != '\n' && line[0] != '\r') failures += run_job(compile, disassemble, line);
-    return failures > 100 ? 100 : failures;
+    if (!library) { fprintf(stderr, "d3dcompiler_47.dll not found beside fxc_jobs.exe\n"); return NO_LIBRARY; }
+    compile = (compile_fn)(void *)GetProcAddress(library, "D3DCompile");
+    disassemble = (disassemble_fn)(void *)GetProcAddress(library, "D3DDisassemble");
+    if (!compile || !disassemble) { fprintf(stderr, "d3dcompiler_47.dll lacks D3DCompile or D3DDisassemble\n"); return NO_ENTRY_POINT; }
+    return run_jobs(argv[1], run_job);
 }

@@ -73,21 +73,37 @@ public sealed class FxcCheckTests
     {
         var job = new FxcJob("K.compute K", "K", "cs_5_0", "") { File = "/p/Shaders/K.compute" };
         var report = new Headless.Checks.CheckReport("FXC");
-        new FxcBudget("/p", load: 0.5).Check([new FxcResult(job, true, 1, 0, 64, 10, "", 1, 2010), new FxcResult(job, true, 1, 0, 64, 10, "", 1, 1990)], report);
+        new FxcBudget("/p").Check([new FxcResult(job, true, 1, 0, 64, 10, "", 1, 2010), new FxcResult(job, true, 1, 0, 64, 10, "", 1, 1990)], report);
 
         Assert.That(report.Findings, Has.Count.EqualTo(1).And.One.Contains("2.0 s of CPU time"));
         Assert.That(report.Figures, Does.Contain("2 compute variants"));
     }
 
-    [Test]
-    public void ALongCompilationOnABusyMachineIsANote()
+    [TestCase(1.0)]
+    [TestCase(0.5)]
+    [TestCase(3.0)]
+    public void TimesAreThoseOfTheReferenceMachine(double slowness)
     {
-        var job = new FxcJob("K.compute K", "K", "cs_5_0", "") { File = "/p/Shaders/K.compute" };
-        var report = new Headless.Checks.CheckReport("FXC");
-        new FxcBudget("/p", load: 8.25).Check([new FxcResult(job, true, 1, 0, 64, 10, "", 1, 2500)], report);
+        var job = new FxcJob("K.compute K", "K", "cs_5_0", "");
+        FxcResult Took(FxcJob what, double ms) => new(what, true, 1, 0, 64, 10, "", 1, (int)(ms * slowness));
+        var yardstick = FxcYardstick.ReferenceMilliseconds;
 
-        Assert.That(report.Findings, Is.Empty);
-        Assert.That(report.Notes, Has.One.Contains("2.5 s of CPU time").And.One.Contains("quiet"));
+        // The machine takes twice as long from the second yardstick on.
+        var scaled = FxcYardstick.Scale([Took(FxcYardstick.Job, yardstick), Took(job, 1500), Took(FxcYardstick.Job, 2 * yardstick), Took(job, 3000), Took(FxcYardstick.Job, 2 * yardstick)]);
+
+        Assert.That(scaled.Select(r => r.Milliseconds), Is.EqualTo(new[] { 1000, 1500 }).Within(3));
+    }
+
+    [TestCase(1, 3)]
+    [TestCase(15, 17)]
+    [TestCase(16, 19)]
+    public void TheYardstickIsFirstAndLast(int jobs, int lines)
+    {
+        var list = FxcYardstick.Among(Enumerable.Repeat("job", jobs), "yardstick");
+
+        Assert.That(list, Has.Count.EqualTo(lines));
+        Assert.That((list[0], list[^1]), Is.EqualTo(("yardstick", "yardstick")));
+        Assert.That(list.Count(l => l == "job"), Is.EqualTo(jobs));
     }
 
     private static string Needs(int threads, int buffers, int writable, int memory) =>

@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     public sealed class SettlingTests
     {
         const float FrameTime = 1f / 30f;
-        const float Seconds = 3f;
+        const float Seconds = 2.5f;
 
         SimulationRig rig;
 
@@ -25,7 +25,7 @@ namespace SphFluid.Tests
         {
             FluidSimulation simulation = rig.Create(liquid: false);
             simulation.DomainSize = new Vector3(0.8f, 0.8f, 0.4f);
-            simulation.Spacing = 0.03f;
+            simulation.Spacing = 0.04f;
             FluidVolume volume = rig.AddVolume(simulation);
             volume.Size = new Vector3(0.39f, 0.66f, 0.39f);
             volume.transform.localPosition = new Vector3(-0.2f, -0.05f, 0f);

@@ -1,17 +1,12 @@
 /* Compiles a list of HLSL jobs with Microsoft's dxcompiler.dll (DXC) in one process.
  *
- * usage: dxc_jobs.exe JOBS
- * JOBS is a text file, one job a line: id <TAB> source file <TAB> entry point <TAB> target profile.
- * For each job one line goes to stdout:
- *   id <TAB> ok|failed <TAB> bytes of DXIL <TAB> messages
- * Line breaks in the messages become " | ". The exit code is the number of failed jobs, at most 100.
+ * A job (see jobs.h): id <TAB> source file <TAB> entry point <TAB> target profile
+ * Its result:         id <TAB> ok|failed <TAB> bytes of DXIL <TAB> messages
  */
 #define COBJMACROS
 #include <windows.h>
 #include <d3dcommon.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
+#include "jobs.h"
 
 /* Of Microsoft's public dxcapi.h: what is called here. */
 typedef struct { const void *data; SIZE_T size; UINT encoding; } source_buffer;
@@ -41,30 +36,9 @@ typedef struct {
 } result_table;
 struct result { const result_table *table; };
 
-static char *read_file(const char *path, size_t *size)
-{
-    FILE *file = fopen(path, "rb");
-    if (!file) return NULL;
-    fseek(file, 0, SEEK_END);
-    *size = (size_t)ftell(file);
-    rewind(file);
-    char *text = malloc(*size + 1);
-    *size = fread(text, 1, *size, file);
-    text[*size] = 0;
-    fclose(file);
-    return text;
-}
+static compiler *dxc;
 
-static void print_one_line(const char *text)
-{
-    for (; *text; text++) {
-        if (*text == '\r') continue;
-        if (*text == '\n') { if (text[1]) fputs(" | ", stdout); }
-        else putchar(*text == '\t' ? ' ' : *text);
-    }
-}
-
-static int run_job(compiler *dxc, char *line)
+static int run_job(char *line)
 {
     char *id = strtok(line, "\t"), *path = strtok(NULL, "\t"), *entry = strtok(NULL, "\t"), *target = strtok(NULL, "\t\r\n");
     if (!target) { printf("%s\tfailed\t0\tmalformed job line\n", id ? id : "?"); return 1; }
@@ -85,7 +59,6 @@ static int run_job(compiler *dxc, char *line)
     printf("%s\t%s\t%d\t", id, failed ? "failed" : "ok", code ? (int)ID3D10Blob_GetBufferSize(code) : 0);
     if (messages && ID3D10Blob_GetBufferSize(messages)) print_one_line(ID3D10Blob_GetBufferPointer(messages));
     putchar('\n');
-    fflush(stdout);
     if (code) ID3D10Blob_Release(code);
     if (messages) ID3D10Blob_Release(messages);
     if (outcome) outcome->table->release(outcome);
@@ -95,20 +68,10 @@ static int run_job(compiler *dxc, char *line)
 
 int main(int argc, char **argv)
 {
-    if (argc != 2) { fprintf(stderr, "usage: dxc_jobs JOBS\n"); return 101; }
+    if (argc != 2) { fprintf(stderr, "usage: dxc_jobs JOBS\n"); return BAD_USAGE; }
     HMODULE library = LoadLibraryA("dxcompiler.dll");
-    if (!library) { fprintf(stderr, "dxcompiler.dll cannot be loaded (%lu)\n", GetLastError()); return 102; }
+    if (!library) { fprintf(stderr, "dxcompiler.dll cannot be loaded (%lu)\n", GetLastError()); return NO_LIBRARY; }
     create_fn create = (create_fn)(void *)GetProcAddress(library, "DxcCreateInstance");
-    compiler *dxc = NULL;
-    size_t size;
-    char *jobs = read_file(argv[1], &size);
-    if (!create || FAILED(create(&compiler_class, &compiler_interface, (void **)&dxc)) || !jobs) { fprintf(stderr, "cannot start: no compiler or no job list\n"); return 103; }
-    int failures = 0;
-    for (char *line = jobs; line && *line;) {
-        char *end = strchr(line, '\n');
-        if (end) *end = 0;
-        if (*line) failures += run_job(dxc, line);
-        line = end ? end + 1 : NULL;
-    }
-    return failures > 100 ? 100 : failures;
+    if (!create || FAILED(create(&compiler_class, &compiler_interface, (void **)&dxc))) { fprintf(stderr, "dxcompiler.dll makes no compiler\n"); return NO_ENTRY_POINT; }
+    return run_jobs(argv[1], run_job);
 }

@@ -5,26 +5,26 @@ using System.Text.RegularExpressions;
 
 namespace Headless.Shaders.Direct3D;
 
-/// <summary>Microsoft's d3dcompiler_47.dll under Wine, driven by the small program fxc_jobs.c. Several processes may use it at once.</summary>
+/// <summary>One of Microsoft's shader compilers under Wine, driven by a small program. Several processes may use it at once.</summary>
 /// <param name="cacheFolder">Where setup.sh puts the library; the driver and Wine's files go below it.</param>
-internal sealed partial class FxcToolchain(string cacheFolder)
+internal sealed partial class WineToolchain(WineDriver driver, string cacheFolder)
 {
     private const string CrossCompiler = "x86_64-w64-mingw32-gcc";
-    private const string LibraryName = "d3dcompiler_47.dll";
-    private const string SourceName = "fxc_jobs.c";
+    private const string SharedSource = "jobs.h";
 
-    // fxc_jobs ends with 101 to 104 where it cannot work. A crash ends it with any code: Wine passes on the lowest byte of Windows's.
+    // A driver ends with 101 to 104 where it cannot work. A crash ends it with any code: Wine passes on the lowest byte of Windows's.
     private const int FirstOwnError = 101, LastOwnError = 104;
 
     private static readonly string[] winePaths = ["/usr/lib/wine/wine64", "/usr/bin/wine64", "/usr/local/bin/wine64"];
 
-    private string Fetched => Path.Combine(cacheFolder, LibraryName);
-    private string WorkFolder => Path.Combine(cacheFolder, "fxc");
-    private string Driver => Path.Combine(WorkFolder, "fxc_jobs.exe");
+    private string Fetched => Path.Combine(cacheFolder, driver.Library);
+    private string WorkFolder => Path.Combine(cacheFolder, driver.Folder);
+    private string SourceName => driver.Name + ".c";
+    private string Program => Path.Combine(WorkFolder, driver.Name + ".exe");
     private string Prefix => Path.Combine(WorkFolder, "prefix");
 
     private string? Missing() =>
-        !File.Exists(Fetched) ? $"{LibraryName} is not in {cacheFolder}: run './setup.sh test' with a network"
+        !File.Exists(Fetched) ? $"{driver.Library} is not in {cacheFolder}: run './setup.sh test' with a network"
         : Wine is null ? "wine64 is not installed: apt-get install wine64"
         : null;
 
@@ -41,15 +41,16 @@ internal sealed partial class FxcToolchain(string cacheFolder)
         Directory.CreateDirectory(WorkFolder);
         using FileStream held = Lock(Path.Combine(WorkFolder, "lock"));
         // Another process may have these files open: they are put in place whole, and only where they differ.
-        Replace(Path.Combine(WorkFolder, LibraryName), File.ReadAllBytes(Fetched));
-        bool changed = Replace(Path.Combine(WorkFolder, SourceName), DriverSource());
-        return (changed || !File.Exists(Driver) ? BuildDriver() : null) ?? CreatePrefix();
+        Replace(Path.Combine(WorkFolder, driver.Library), File.ReadAllBytes(Fetched));
+        bool changed = Replace(Path.Combine(WorkFolder, SourceName), Source(SourceName))
+            | Replace(Path.Combine(WorkFolder, SharedSource), Source(SharedSource));
+        return (changed || !File.Exists(Program) ? BuildDriver() : null) ?? CreatePrefix();
     }
 
     private string? BuildDriver()
     {
-        string built = Driver + ".new";
-        File.Delete(Driver);
+        string built = Program + ".new";
+        File.Delete(Program);
         try
         {
             (int code, string output) = RunProcess(new ProcessStartInfo(
@@ -63,7 +64,7 @@ internal sealed partial class FxcToolchain(string cacheFolder)
         {
             return $"{CrossCompiler} is not installed: apt-get install gcc-mingw-w64-x86-64";
         }
-        File.Move(built, Driver);
+        File.Move(built, Program);
         return null;
     }
 
@@ -79,7 +80,7 @@ internal sealed partial class FxcToolchain(string cacheFolder)
             (int code, string output) = RunProcess(Start(folder, jobFile));
             if (code is >= FirstOwnError and <= LastOwnError)
             {
-                throw new InvalidOperationException($"fxc_jobs could not start (exit code {code}): {output}");
+                throw new InvalidOperationException($"{driver.Name} could not start (exit code {code}): {output}");
             }
             List<string> compiled = [.. output.Split('\n').Where(IsResult)];
             results.AddRange(compiled);
@@ -94,10 +95,10 @@ internal sealed partial class FxcToolchain(string cacheFolder)
     /// <summary>How to start the driver on a file of jobs, or on "-" for jobs from standard input.</summary>
     public ProcessStartInfo Start(string folder, string jobFile)
     {
-        ProcessStartInfo start = new(Wine!, [Driver, jobFile]) { WorkingDirectory = folder };
+        ProcessStartInfo start = new(Wine!, [Program, jobFile]) { WorkingDirectory = folder };
         start.Environment["WINEPREFIX"] = Prefix;
         start.Environment["WINEDEBUG"] = "-all";
-        start.Environment["WINEDLLOVERRIDES"] = "d3dcompiler_47=n;mscoree=;mshtml=";
+        start.Environment["WINEDLLOVERRIDES"] = driver.Overrides;
         return start;
     }
 
@@ -105,7 +106,7 @@ internal sealed partial class FxcToolchain(string cacheFolder)
     public static bool IsResult(string line) => ResultLine().IsMatch(line);
 
     /// <summary>The result of a job on which the compiler crashed.</summary>
-    public static string Crashed(string job) => $"{job}\tfailed\t0\t0\t0\t0\td3dcompiler_47.dll crashed";
+    public string Crashed(string job) => $"{job}\tfailed\t{driver.NoFigures}\t{driver.Library} crashed";
 
     private static string? Wine => Array.Find(winePaths, File.Exists);
 
@@ -123,7 +124,7 @@ internal sealed partial class FxcToolchain(string cacheFolder)
         (int code, string output) = RunProcess(Start(WorkFolder, noJobs));
         if (code != 0)
         {
-            return $"fxc_jobs.exe does not start under Wine (exit code {code}): {output.Trim()}";
+            return $"{driver.Name}.exe does not start under Wine (exit code {code}): {output.Trim()}";
         }
         File.WriteAllText(mark, "");
         return null;
@@ -156,9 +157,9 @@ internal sealed partial class FxcToolchain(string cacheFolder)
         return true;
     }
 
-    private static byte[] DriverSource()
+    private static byte[] Source(string name)
     {
-        using Stream stream = typeof(FxcToolchain).Assembly.GetManifestResourceStream(SourceName)!;
+        using Stream stream = typeof(WineToolchain).Assembly.GetManifestResourceStream(name)!;
         using MemoryStream copy = new();
         stream.CopyTo(copy);
         return copy.ToArray();
