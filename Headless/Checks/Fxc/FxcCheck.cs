@@ -34,6 +34,7 @@ internal sealed class FxcCheck(string projectRoot, string packageRoot, string ca
             var slots = results.Count > 0 ? results.Max(r => r.Slots) : 0;
             report.Figures = $"{results.Count} entry points and variants of {jobs.Files} files compiled by d3dcompiler_47, at most {slots} instruction slots";
             new FxcBudget(packageRoot).Check(results, report);
+            report.Figures += $"; the yardstick took {FxcYardstick.Milliseconds(compiled):F0} ms";
             new KernelNeedsCheck(packageRoot).Check(results, report);
         }
         finally { folder.Delete(recursive: true); }

@@ -5,7 +5,7 @@ namespace Headless.Checks.Fxc;
 internal static class FxcYardstick
 {
     /// <summary>CPU time of the yardstick on the machine that limits are meant for: a core of a Xeon at 2.5 GHz that does nothing else.</summary>
-    public const double ReferenceMilliseconds = 450;
+    public const double ReferenceMilliseconds = 400;
 
     private const int Every = 15;
 
@@ -14,20 +14,18 @@ internal static class FxcYardstick
     /// <summary>A list of jobs with the yardstick's line first, last and after every few.</summary>
     public static List<string> Among(IEnumerable<string> jobs, string yardstick) => [.. jobs.Chunk(Every).SelectMany(chunk => chunk.Prepend(yardstick)), yardstick];
 
-    /// <summary>Results of such a list without the yardstick's, and each time as the reference machine would need it, by the yardstick
-    /// before and the one after.</summary>
+    /// <summary>CPU time of the yardstick, the median of all.</summary>
+    public static double Milliseconds(IEnumerable<FxcResult> results)
+    {
+        var times = results.Where(r => r.Job == Job).Select(r => r.Milliseconds).Order().ToList();
+        return Math.Max(times[times.Count / 2], 1);
+    }
+
+    /// <summary>Results of such a list without the yardstick's, and each time as the reference machine would need it.</summary>
     public static List<FxcResult> Scale(IReadOnlyList<FxcResult> results)
     {
-        var times = results.Where(r => r.Job == Job).Select(r => r.Milliseconds).ToList();
-        var passed = 0;
-        var scaled = new List<FxcResult>();
-        foreach (var result in results)
-        {
-            if (result.Job == Job) { passed++; continue; }
-            var around = (times[passed - 1] + times[Math.Min(passed, times.Count - 1)]) / 2.0;
-            scaled.Add(result with { Milliseconds = (int)Math.Round(result.Milliseconds * ReferenceMilliseconds / Math.Max(around, 1)) });
-        }
-        return scaled;
+        var scale = ReferenceMilliseconds / Milliseconds(results);
+        return [.. results.Where(r => r.Job != Job).Select(r => r with { Milliseconds = (int)Math.Round(r.Milliseconds * scale) })];
     }
 
     private static string Source()

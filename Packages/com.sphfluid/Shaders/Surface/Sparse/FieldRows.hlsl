@@ -98,22 +98,29 @@ void SumRow(int3 first, inout float row[ROW_SAMPLES])
     const int2 xs = CellsInReach(from.x, to, _GridOrigin.x, _CellSize.x, _GridCounts.x, _FieldReach, _PeriodLength.x);
     const int2 ys = CellsInReach(from.y, from.y, _GridOrigin.y, _CellSize.y, _GridCounts.y, _FieldReach, _PeriodLength.y);
     const int2 zs = CellsInReach(from.z, from.z, _GridOrigin.z, _CellSize.z, _GridCounts.z, _FieldReach, _PeriodLength.z);
-    for (int z = zs.x; z <= zs.y; z++)
+    const int firstTurn = Turn(xs.x, _GridCounts.x);
+    const int lastTurn = Turn(xs.y, _GridCounts.x);
+    // In one loop over turns along x and rows of cells along y and z: three in each other take FXC a third of a second more.
+    int3 at = int3(firstTurn, ys.x, zs.x);
+    while (at.z <= zs.y)
     {
-        for (int y = ys.x; y <= ys.y; y++)
+        const int2 turn = int2(Turn(at.y, _GridCounts.y), Turn(at.z, _GridCounts.z));
+        const int2 wrapped = at.yz - turn * _GridCounts.yz;
+        const int offset = at.x * _GridCounts.x;
+        uint2 run = 0u;
+        if (!IsBeyond(float2(at.yz), from.yz))
         {
-            if (IsBeyond(float2(y, z), from.yz))
-            {
-                continue;
-            }
-            const int2 turn = int2(Turn(y, _GridCounts.y), Turn(z, _GridCounts.z));
-            const int2 wrapped = int2(y, z) - turn * _GridCounts.yz;
-            for (int xTurn = Turn(xs.x, _GridCounts.x); xTurn <= Turn(xs.y, _GridCounts.x); xTurn++)
-            {
-                const int offset = xTurn * _GridCounts.x;
-                const uint2 run = RunOf(max(xs.x - offset, 0), min(xs.y - offset, _GridCounts.x - 1), wrapped.x, wrapped.y);
-                AddRun(run, _PeriodSteps * float3(xTurn, turn), first, row);
-            }
+            run = RunOf(max(xs.x - offset, 0), min(xs.y - offset, _GridCounts.x - 1), wrapped.x, wrapped.y);
+        }
+        AddRun(run, _PeriodSteps * float3(at.x, turn), first, row);
+        at.x++;
+        if (at.x > lastTurn)
+        {
+            at.xy = int2(firstTurn, at.y + 1);
+        }
+        if (at.y > ys.y)
+        {
+            at.yz = int2(ys.x, at.z + 1);
         }
     }
 }
