@@ -95,16 +95,20 @@ namespace SphFluid.Tests
             Assert.That(counters.ContactFallbacks, Is.Zero);
         }
 
-        // Far from the triangle's long side its plane and box are crossed, but no cell there lists it; cells behind do.
-        [TestCase(0.35f, 0u)]
-        [TestCase(0.22f, 0u)]
-        [TestCase(-0.1f, 1u)]
-        public void OnlyTrianglesOfItsCellMakeAStepAContact(float place, uint expected)
+        // A small triangle in the corner of a long step's box, whose plane the step crosses, two R from where it does: box and plane do
+        // not tell it from one in the way, but no cell along the step lists it.
+        [TestCase(0f, 0u)]
+        [TestCase(1f, 1u)]
+        public void OnlyTrianglesOfCellsAlongAStepMakeItAContact(float shift, uint expected)
         {
-            var corners = new[] { new Vector3(-0.4f, 0f, -0.4f), new Vector3(0.4f, 0f, -0.4f), new Vector3(-0.4f, 0f, 0.4f) };
-            Vector3 from = new Vector3(place, 2e-3f, place), to = new Vector3(place, -1e-3f, place);
-            Resolve(corners, new[] { from }, new[] { to }, out _, out uint listed);
+            const float length = 0.98f * 8f * Spacing / 1.4142f;
+            Vector3 along = length * new Vector3(1f, 1f, 0f), corner = length * new Vector3(0.96f, 0.04f, 0f), size = 0.02f * length * Vector3.one;
+            var side = new Vector3(size.x, -size.x, 0f);
+            var corners = new[] { corner - side, corner + side, corner + new Vector3(0f, 0f, size.z) };
+            Vector3 from = shift * (corner - 0.5f * along) + 0.1f * size.z * Vector3.forward;
+            Vector3 end = Resolve(corners, new[] { from }, new[] { from + along }, out _, out uint listed)[0];
             Assert.That(listed, Is.EqualTo(expected));
+            Assert.That((end - from - along).magnitude, expected == 0u ? Is.LessThan(1e-6f) : Is.GreaterThan(0.1f * length));
         }
 
         // A press comes down on a floor beside the press's rim. The particle between them cannot be carried by either; a third
