@@ -10,7 +10,7 @@ StructuredBuffer<float> _BlockSamples;
 
 #define FIELD_SIDE 11
 #define FIELD_ROWS 121u    // along x
-#define FIELD_PLACES 128u   // 5 x 5 x 5, and as many more as there are threads in a group of 128: each finds one
+#define FIELD_PLACES 125u
 #define FIELD_UNKNOWN -1.0 // no active block holds the sample; field values are 0 and more
 #define NO_SOURCE 0xffffffffu
 
