@@ -48,6 +48,19 @@ namespace SphFluid.Tests
             Assert.That(AffineMap.Difference(half.Stretch, AffineMap.Identity), Is.LessThan(1e-12));
         }
 
+        // Of half a turn all but one of the four ways to the quaternion divide zero by zero.
+        [TestCase(1, -1, -1)]
+        [TestCase(-1, 1, -1)]
+        [TestCase(-1, -1, 1)]
+        public void TheQuaternionOfHalfATurnIsItsAxis(int x, int y, int z)
+        {
+            Assert.That(PolarDecomposition.TryFind(new AffineMap(x, 0, 0, 0, y, 0, 0, 0, z), out PolarDecomposition parts), Is.True);
+            Quaternion q = parts.Quaternion;
+            var axis = new Vector3(Mathf.Abs(q.x), Mathf.Abs(q.y), Mathf.Abs(q.z));
+            Assert.That(axis, Is.EqualTo(new Vector3(Mathf.Max(x, 0), Mathf.Max(y, 0), Mathf.Max(z, 0))));
+            Assert.That(Mathf.Abs(q.w), Is.Zero);
+        }
+
         [Test]
         public void TheInverseUndoesTheMapWithItsOffset()
         {
