@@ -95,6 +95,17 @@ namespace SphFluid.Tests
             }
         }
 
+        // 3, 4 along the diagonal and 6 in both halves: the square root of 9 + 16 + 2 x 36.
+        [Test]
+        public void TheChangeOfAStretchIsTheNormOfTheDifference()
+        {
+            BodyStretch a = BodyStretch.Of(new AffineMap(2, 1, 0, 1, 7, 0, 0, 0, 1), BodyStretch.None);
+            BodyStretch b = BodyStretch.Of(new AffineMap(5, 7, 0, 7, 3, 0, 0, 0, 1), BodyStretch.None);
+            Assert.That(BodyStretch.Change(a, b), Is.EqualTo(Math.Sqrt(97.0)).Within(1e-6));
+            Assert.That(BodyStretch.Change(b, a), Is.EqualTo(Math.Sqrt(97.0)).Within(1e-6));
+            Assert.That(BodyStretch.Change(a, a), Is.Zero);
+        }
+
         [Test]
         public void RoundingIsNoStretchAndASlowOneAddsUp()
         {
