@@ -38,19 +38,9 @@ namespace SphFluid
             FluidSolverSettings settings = FluidSolverSettings.FromRules(input);
             settings.Boundaries = simulation.Boundaries;
             settings.BodyForce = simulation.BodyForce;
-            if (simulation.TimeStepMode == FluidTimeStepMode.Fixed) UseTimeStep(ref settings, simulation.FixedTimeStep);
+            // The thesis's acceleration limit is a distance a step: its switches, which set it, come after the step's length.
+            if (simulation.TimeStepMode == FluidTimeStepMode.Fixed) settings.TimeStep = simulation.FixedTimeStep;
             return simulation.Method == FluidMethodKind.Standard ? settings : settings.With(profile.ThesisSwitches);
-        }
-
-        // The acceleration limit is a distance a step, so it goes with 1/dt².
-        static void UseTimeStep(ref FluidSolverSettings settings, float timeStep)
-        {
-            if (settings.AccelerationLimitEnabled)
-            {
-                double ratio = settings.TimeStep / (double)timeStep;
-                settings.AccelerationLimit = (float)(settings.AccelerationLimit * ratio * ratio);
-            }
-            settings.TimeStep = timeStep;
         }
 
         static float FastestWall(in FluidBoundaries faces)

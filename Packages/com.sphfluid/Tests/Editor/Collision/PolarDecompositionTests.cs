@@ -48,6 +48,19 @@ namespace SphFluid.Tests
             Assert.That(AffineMap.Difference(half.Stretch, AffineMap.Identity), Is.LessThan(1e-12));
         }
 
+        // Of half a turn all but one of the four ways to the quaternion divide zero by zero.
+        [TestCase(1, -1, -1)]
+        [TestCase(-1, 1, -1)]
+        [TestCase(-1, -1, 1)]
+        public void TheQuaternionOfHalfATurnIsItsAxis(int x, int y, int z)
+        {
+            Assert.That(PolarDecomposition.TryFind(new AffineMap(x, 0, 0, 0, y, 0, 0, 0, z), out PolarDecomposition parts), Is.True);
+            Quaternion q = parts.Quaternion;
+            var axis = new Vector3(Mathf.Abs(q.x), Mathf.Abs(q.y), Mathf.Abs(q.z));
+            Assert.That(axis, Is.EqualTo(new Vector3(Mathf.Max(x, 0), Mathf.Max(y, 0), Mathf.Max(z, 0))));
+            Assert.That(Mathf.Abs(q.w), Is.Zero);
+        }
+
         [Test]
         public void TheInverseUndoesTheMapWithItsOffset()
         {
@@ -80,6 +93,17 @@ namespace SphFluid.Tests
                 Assert.That(shortest, Is.GreaterThan(0.9999 * least).And.LessThan(1.2 * least));
                 Assert.That(longest, Is.LessThan(1.0001 * most).And.GreaterThan(0.8 * most));
             }
+        }
+
+        // 3, 4 along the diagonal and 6 in both halves: the square root of 9 + 16 + 2 x 36.
+        [Test]
+        public void TheChangeOfAStretchIsTheNormOfTheDifference()
+        {
+            BodyStretch a = BodyStretch.Of(new AffineMap(2, 1, 0, 1, 7, 0, 0, 0, 1), BodyStretch.None);
+            BodyStretch b = BodyStretch.Of(new AffineMap(5, 7, 0, 7, 3, 0, 0, 0, 1), BodyStretch.None);
+            Assert.That(BodyStretch.Change(a, b), Is.EqualTo(Math.Sqrt(97.0)).Within(1e-6));
+            Assert.That(BodyStretch.Change(b, a), Is.EqualTo(Math.Sqrt(97.0)).Within(1e-6));
+            Assert.That(BodyStretch.Change(a, a), Is.Zero);
         }
 
         [Test]

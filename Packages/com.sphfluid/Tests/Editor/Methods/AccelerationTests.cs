@@ -109,6 +109,28 @@ namespace SphFluid.Tests
             }
         }
 
+        // A thin spike whose one side is cut into many triangles: at its tip the sum of their normals points to that side, and what
+        // is on the other side of the tip could pass for being inside. Out of reach of the mesh's box nothing is asked.
+        [Test]
+        public void BeyondTheReachOfItsBoxAClosedMeshDoesNothing()
+        {
+            FluidSolverSettings settings = CollisionSettings();
+            const int cuts = 20;
+            Double3 tip = new Double3(0, 0.05, 0), a = new Double3(0.01, -0.05, 0.02), b = new Double3(0.01, -0.05, -0.02), c = new Double3(-0.02, -0.05, 0);
+            var spike = new ReferenceMesh { Closed = true };
+            spike.Triangles.Add(new[] { tip, c, a });
+            spike.Triangles.Add(new[] { tip, b, c });
+            for (int i = 0; i < cuts; i++)
+            {
+                Double3 from = a + i / (double)cuts * (b - a), to = a + (i + 1) / (double)cuts * (b - a);
+                spike.Triangles.Add(new[] { tip, from, to });
+                spike.Triangles.Add(new[] { c, to, from });
+            }
+            Vector3 beside = new Vector3(0f, 0.05f, 0f) + 0.95f * Spacing * new Vector3(-0.6f, 0.8f, 0f);
+            Assert.That(beside.y - 0.05f, Is.GreaterThan(settings.WallDistance), "above the box by more than contact reaches");
+            Assert.That(Collide(settings, spike, beside, Vector3.zero).Length, Is.Zero);
+        }
+
         [TestCase(0.052f, 1)]
         [TestCase(0.0495f, 1)]
         [TestCase(0.035f, 1)]

@@ -213,6 +213,95 @@ namespace SphFluid.Tests
             }
         }
 
+        // What is square to a face of the domain but for rounding lies before it, not behind it: by 5e-7 x 0.01 m here.
+        [Test]
+        public void ATouchedFaceOfTheDomainHidesNoWallSquareToIt([Values(-1f, 1f)] float side, [NUnit.Framework.Range(0, 2)] int axis)
+        {
+            const float slope = 5e-7f, height = 0.01f;
+            FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f);
+            using (var rig = new BodyRig(settings))
+            {
+                Vector3 At(float x, float z) => Turn(new Vector3(side * x, slope * (x - 0.5f), z), axis);
+                rig.Add(new[] { At(0.1f, -0.4f), At(0.1f, 0.4f), At(2f, 0f) });
+                Wall wall = Gather(rig, new[] { Turn(new Vector3(0.5f * side, height, 0f), axis) })[0];
+                double open = (1.0 - StandardReference.Mirror(0.0, settings.SupportRadius, Spacing)) *
+                    (1.0 - StandardReference.Mirror(height, settings.SupportRadius, Spacing));
+                Assert.That(1.0 - wall.Value, Is.EqualTo(open).Within(2).Percent);
+            }
+        }
+
+        [Test]
+        public void AWallThatTurnsHasTurnedHalfwayAtHalfTheFrame()
+        {
+            FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f);
+            settings.Gravity = Vector3.zero;
+            var corners = new List<Vector3>();
+            Sheet(corners, p => new Vector3(0.6f * p.x - 0.3f, 0f, 0.6f * p.y - 0.3f), 3, false);
+            Vector3 normal = Quaternion.Euler(0f, 0f, 30f) * Vector3.up;
+            FluidShaderSet set = TestShaders.CreateSet();
+            try
+            {
+                using (var rig = new BodyRig(settings))
+                {
+                    Transform sheet = rig.Add(corners);
+                    rig.Start(new[] { new FluidParticle(0.02f * normal, Vector3.zero, 0u) });
+                    rig.Setup();
+                    sheet.localRotation = Quaternion.Euler(0f, 0f, 60f);
+                    rig.UpdateBodies();
+                    rig.Solver.State.BeginBodyStep(1, 2, settings.TimeStep);
+                    GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.Solver.State));
+                    rig.Solver.State.EndBodySteps();
+                    Wall wall = GpuTest.Read<Wall>(rig.Solver.State.Standard.Walls.NearWalls, 1)[0];
+                    Assert.That((wall.Normal - normal).magnitude, Is.LessThan(1e-4f), $"{wall.Normal}");
+                }
+            }
+            finally
+            {
+                UnityEngine.Object.DestroyImmediate(set);
+            }
+        }
+
+        // Each particle has on its side what it has without the liquid on the other.
+        [TestCase(0)]
+        [TestCase(1)]
+        [TestCase(2)]
+        public void LiquidBehindASheetAddsNothing(int axis)
+        {
+            FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f);
+            settings.Gravity = Vector3.zero;
+            var corners = new List<Vector3>();
+            Sheet(corners, p => Turn(new Vector3(0f, p.x - 0.5f, p.y - 0.5f), axis), 4, false);
+            FluidParticle[] one = ParticleSets.Lattice(new Vector3Int(4, 5, 6), Spacing, 0.002f, 3);
+            for (int i = 0; i < one.Length; i++)
+                one[i] = new FluidParticle(Turn(one[i].Position + 2.3f * Spacing * Vector3.right, axis), Vector3.zero, (uint)i);
+            FluidParticle[] both = one.Concat(one.Select(p => new FluidParticle(-p.Position, Vector3.zero, p.Id + (uint)one.Length))).ToArray();
+            float[] Densities(FluidParticle[] start, out Vector3[] velocities)
+            {
+                using (var rig = new BodyRig(settings))
+                {
+                    rig.Add(corners);
+                    rig.Start(start);
+                    rig.Setup();
+                    var byId = new float[start.Length];
+                    velocities = new Vector3[start.Length];
+                    float[] densities = rig.Densities();
+                    FluidParticle[] particles = rig.Particles();
+                    for (int i = 0; i < byId.Length; i++) byId[particles[i].Id] = densities[i];
+                    rig.Frame(1);
+                    foreach (FluidParticle p in rig.Particles()) velocities[p.Id] = p.VelT0;
+                    return byId;
+                }
+            }
+            float[] alone = Densities(one, out Vector3[] aloneVelocities), shared = Densities(both, out Vector3[] sharedVelocities);
+            float fastest = aloneVelocities.Max(v => v.magnitude);
+            Assert.That(fastest, Is.GreaterThan(0f));
+            for (int i = 0; i < one.Length; i++)
+            {
+                Assert.That(shared[i], Is.EqualTo(alone[i]).Within(1e-5).Percent.Or.EqualTo(alone[i]).Within(0.01), $"particle {i}");
+                Assert.That((sharedVelocities[i] - aloneVelocities[i]).magnitude, Is.LessThan(1e-4f * fastest), $"particle {i}");
+            }
+        }
+
         [Test]
         public void AMovingWallTellsItsSpeed()
         {

@@ -31,6 +31,18 @@ namespace SphFluid.Tests
             CompareWithReference(ParticleSets.Random(count, Domain, 0f, count), settings, field, SurfaceGrid.OverDomain(Domain, field.CellSize));
         }
 
+        // Spacings far from 1 m on either side of it: a length taken for its square or its inverse shows.
+        [TestCase(1f / 64f)]
+        [TestCase(64f)]
+        public void LiquidOfAnyScaleHasTheFieldOfItsScale(float scale)
+        {
+            FluidSolverSettings settings = TestSettings.ByRule(scale * Domain, scale * Spacing);
+            settings.OctantSearch = false;
+            SurfaceFieldSettings field = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, settings);
+            SurfaceGrid grid = SurfaceGrid.OverDomain(scale * Domain, field.CellSize);
+            CompareWithReference(ParticleSets.Random(701, scale * Domain, 0f, 21), settings, field, grid);
+        }
+
         [TestCase(1, false, FluidAxes.None)]
         [TestCase(257, true, FluidAxes.None)]
         [TestCase(1009, false, FluidAxes.X | FluidAxes.Z)]

@@ -19,5 +19,37 @@ namespace SphFluid.Tests
                     "indices, instances, first index, base vertex, first instance");
             }
         }
+
+        [TestCase(10, 20, 30, true)]
+        [TestCase(11, 20, 30, false)]
+        [TestCase(10, 21, 30, false)]
+        [TestCase(10, 20, 31, false)]
+        public void ASurfaceFitsUpToTheLastBlockVertexAndIndex(int blocks, int vertices, int indices, bool fits)
+        {
+            var kernel = new ComputeKernel(SurfaceTestScene.LoadShaders().SurfaceDrawArguments, "SurfaceDrawArguments");
+            var counted = new uint[SurfaceCounters.Slots];
+            counted[SurfaceCounters.BlocksWanted] = (uint)blocks;
+            counted[SurfaceCounters.VerticesWanted] = (uint)vertices;
+            counted[SurfaceCounters.IndicesWanted] = (uint)indices;
+            using (GraphicsBuffer counters = GpuBuffers.Create("Counters", SurfaceCounters.Slots, sizeof(uint)))
+            using (var mesh = new BlockMesh())
+            {
+                counters.SetData(counted);
+                mesh.DrawArguments.SetData(new uint[] { 71, 72, 73, 74, 75 });
+                GpuTest.Run(cmd =>
+                {
+                    kernel.SetInt(cmd, Shader.PropertyToID("_BlockCapacity"), 10);
+                    kernel.SetInt(cmd, Shader.PropertyToID("_VertexCapacity"), 20);
+                    kernel.SetInt(cmd, Shader.PropertyToID("_IndexCapacity"), 30);
+                    kernel.SetBuffer(cmd, SparseShaderIds.SurfaceCounters, counters);
+                    kernel.SetBuffer(cmd, Shader.PropertyToID("_DrawArguments"), mesh.DrawArguments);
+                    kernel.SetBuffer(cmd, Shader.PropertyToID("_EmitArguments"), mesh.EmitArguments);
+                    kernel.DispatchThreads(cmd, 1);
+                });
+                Assert.AreEqual(fits, new SurfaceStatus(GpuTest.Read<uint>(counters, SurfaceCounters.Slots)).IsComplete);
+                Assert.AreEqual(fits ? 10u : 0u, GpuTest.Read<uint>(mesh.EmitArguments, 1)[0], "blocks emitted");
+                Assert.AreEqual(fits ? 30u : 71u, GpuTest.Read<uint>(mesh.DrawArguments, 1)[0], "indices drawn");
+            }
+        }
     }
 }
