@@ -1,5 +1,4 @@
 using System;
-using System.Linq;
 using System.Reflection;
 using NUnit.Framework;
 using UnityEngine;
@@ -7,19 +6,17 @@ using Object = UnityEngine.Object;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The package's assets in play mode. The Editor finds them by path; a test player has no such means and skips.</summary>
+    /// <summary>The project's assets by path, in edit and in play mode. A test player has no such means and skips.</summary>
     public static class TestAssets
     {
         /// <summary>The shipped water profile; the running test is ignored where it cannot be loaded.</summary>
         public static FluidProfile Water => Load<FluidProfile>("Packages/com.sphfluid/Runtime/Assets/WaterProfile.asset");
 
-        // By reflection: a runtime test assembly does not refer to UnityEditor.
-        static T Load<T>(string path) where T : Object
+        /// <summary>An asset; the running test fails where there is none, and is ignored where assets are not found by path.</summary>
+        public static T Load<T>(string path) where T : Object
         {
-            MethodInfo load = AppDomain.CurrentDomain.GetAssemblies()
-                .Select(assembly => assembly.GetType("UnityEditor.AssetDatabase"))
-                .FirstOrDefault(type => type != null)?
-                .GetMethod("LoadAssetAtPath", new[] { typeof(string), typeof(Type) });
+            // By reflection: an assembly that test players have does not refer to UnityEditor.
+            MethodInfo load = Type.GetType("UnityEditor.AssetDatabase, UnityEditor")?.GetMethod("LoadAssetAtPath", new[] { typeof(string), typeof(Type) });
             if (load == null) Assert.Ignore("Assets are found by path in the Editor only.");
             var asset = (T)load.Invoke(null, new object[] { path, typeof(T) });
             Assert.That(asset, Is.Not.Null, path);

@@ -1,5 +1,3 @@
-using NUnit.Framework;
-using UnityEditor;
 using UnityEngine;
 
 namespace SphFluid.Tests
@@ -41,9 +39,7 @@ namespace SphFluid.Tests
         public static ComputeShader Load(string path)
         {
             GpuTest.Require();
-            var shader = AssetDatabase.LoadAssetAtPath<ComputeShader>(Package + path);
-            Assert.That(shader, Is.Not.Null, Package + path);
-            return shader;
+            return TestAssets.Load<ComputeShader>(Package + path);
         }
 
         static ComputeShader Thesis(string block)

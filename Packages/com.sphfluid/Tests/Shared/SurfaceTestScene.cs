@@ -1,27 +1,18 @@
 using System;
-using NUnit.Framework;
-using UnityEditor;
 using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace SphFluid.Tests
 {
     /// <summary>Shaders, fields and pictures for the tests of the drawings.</summary>
-    static class SurfaceTestScene
+    internal static class SurfaceTestScene
     {
         const string ShaderSetPath = "Packages/com.sphfluid/Runtime/Assets/DefaultFluidShaderSet.asset";
 
         public static FluidShaderSet LoadShaders()
         {
             GpuTest.Require();
-            return Load<FluidShaderSet>(ShaderSetPath);
-        }
-
-        public static T Load<T>(string path) where T : UnityEngine.Object
-        {
-            var asset = AssetDatabase.LoadAssetAtPath<T>(path);
-            Assert.IsNotNull(asset, $"no {typeof(T).Name} at {path}");
-            return asset;
+            return TestAssets.Load<FluidShaderSet>(ShaderSetPath);
         }
 
         /// <summary>A field whose values come from a function of the position.</summary>
