@@ -3,10 +3,11 @@ using Headless.Checks.Api;
 using Headless.Checks.Cross;
 using Headless.Checks.Dxc;
 using Headless.Checks.Form;
+using Headless.Checks.Format;
 using Headless.Checks.Fxc;
 using Headless.Checks.Gpu;
 
-string[] names = ["api", "surface", "fxc", "dxc", "cross", "gpu", "form"];
+string[] names = ["api", "surface", "fxc", "dxc", "cross", "gpu", "form", "format"];
 var usage = $"usage: sphchecks PROJECT [--stand-in FOLDER] [--cache FOLDER] [--only {string.Join('|', names)}] [--update]";
 string? project = null, standIn = null, only = null, family = null, shaderCache = null;
 var update = false;
@@ -44,6 +45,7 @@ Add("dxc", () => [new DxcCheck(packages, cache).Run()]);
 Add("cross", () => new CrossCheck(packages, shaderCache).Run());
 Add("gpu", () => new GpuCheck(packages, shaderCache, Path.Combine(project, "Headless", "Checks", "Gpu", "Data")).Run(update));
 Add("form", () => FormChecks.Run(packages));
+Add("format", () => [new CodeFormatCheck(project).Run(), new TextFormatCheck(project).Run()]);
 
 var failed = reports.Count(r => !r.Passed && r.SkippedBecause is null);
 var skipped = reports.Count(r => r.SkippedBecause is not null);

@@ -111,7 +111,8 @@ namespace SphFluid.Validation
             }
             configs.AddRange(new[] { FluidSurfaceQuality.Cheap, FluidSurfaceQuality.Default, FluidSurfaceQuality.High }.Select(BenchConfig.SparseSurface));
             var plan = new BenchPlan("surface", configs, particles ?? ForDevice(SurfaceParticles), BenchBlocks.Surface,
-                new SurfaceLayout(BenchBlocks.Surface.Select(b => b.Name))) { SizeBySize = true };
+                new SurfaceLayout(BenchBlocks.Surface.Select(b => b.Name)))
+            { SizeBySize = true };
             if (lack != null)
                 plan.LeftOut = lack + " The rows of the geometry shader are left out.";
             else if (particles == null && SurfaceGridSizes.IsSoftwareDevice && configs.Exists(IsSlowOnCpu))

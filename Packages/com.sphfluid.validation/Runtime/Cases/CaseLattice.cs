@@ -15,11 +15,11 @@ namespace SphFluid.Validation
         {
             var positions = new List<Vector3>(counts.x * counts.y * counts.z);
             for (int z = 0; z < counts.z; z++)
-            for (int y = 0; y < counts.y; y++)
-            for (int x = 0; x < counts.x; x++)
-            {
-                positions.Add(corner + new Vector3((float)((x + 0.5) * spacing), (float)((y + 0.5) * spacing), (float)((z + 0.5) * spacing)));
-            }
+                for (int y = 0; y < counts.y; y++)
+                    for (int x = 0; x < counts.x; x++)
+                    {
+                        positions.Add(corner + new Vector3((float)((x + 0.5) * spacing), (float)((y + 0.5) * spacing), (float)((z + 0.5) * spacing)));
+                    }
             return positions;
         }
 
@@ -31,13 +31,13 @@ namespace SphFluid.Validation
             int reach = (int)Math.Ceiling(radius / spacing);
             var positions = new List<Vector3>();
             for (int z = -reach; z < reach; z++)
-            for (int y = -reach; y < reach; y++)
-            for (int x = -reach; x < reach; x++)
-            {
-                double px = (x + 0.5) * spacing, py = (y + 0.5) * spacing, pz = (z + 0.5) * spacing;
-                if (px * px + py * py + pz * pz <= radius * radius)
-                    positions.Add(new Vector3((float)px, (float)py, (float)pz));
-            }
+                for (int y = -reach; y < reach; y++)
+                    for (int x = -reach; x < reach; x++)
+                    {
+                        double px = (x + 0.5) * spacing, py = (y + 0.5) * spacing, pz = (z + 0.5) * spacing;
+                        if (px * px + py * py + pz * pz <= radius * radius)
+                            positions.Add(new Vector3((float)px, (float)py, (float)pz));
+                    }
             return positions;
         }
 

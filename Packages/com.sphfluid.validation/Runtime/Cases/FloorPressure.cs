@@ -26,11 +26,11 @@ namespace SphFluid.Validation
             Vector3 size = settings.DomainSize;
             double dx = settings.Spacing;
             for (double z = 0.5 * dx; z < size.z; z += dx)
-            for (double x = 0.5 * dx; x < size.x; x += dx)
-            {
-                var point = new Vector3((float)(x - 0.5 * size.x), -0.5f * size.y, (float)(z - 0.5 * size.z));
-                (IsNearSide(settings, point) ? edges : face).Add(point);
-            }
+                for (double x = 0.5 * dx; x < size.x; x += dx)
+                {
+                    var point = new Vector3((float)(x - 0.5 * size.x), -0.5f * size.y, (float)(z - 0.5 * size.z));
+                    (IsNearSide(settings, point) ? edges : face).Add(point);
+                }
         }
 
         /// <summary>Whether a point is nearer than <see cref="Edge"/> spacings to a wall at the side.</summary>

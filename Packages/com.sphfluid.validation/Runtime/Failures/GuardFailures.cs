@@ -44,7 +44,8 @@ namespace SphFluid.Validation
                 };
             }
             return new FailureExperiment("overflow", FluidFailure.Overflow, Dump(5.0), Dump(1.0),
-                "most neighbours of a particle", r => r.Vitals.Max(v => v.MaxNeighbours)) { Survived = true };
+                "most neighbours of a particle", r => r.Vitals.Max(v => v.MaxNeighbours))
+            { Survived = true };
         }
     }
 }

@@ -42,12 +42,12 @@ namespace SphFluid.Validation
         {
             var corners = new List<Vector3>();
             for (int k = 0; k + 1 < z.Count; k++)
-            for (int i = 0; i + 1 < x.Count; i++)
-            {
-                Vector3 a = new Vector3(x[i], height, z[k]), b = new Vector3(x[i], height, z[k + 1]);
-                Vector3 c = new Vector3(x[i + 1], height, z[k + 1]), d = new Vector3(x[i + 1], height, z[k]);
-                corners.AddRange(new[] { a, b, c, a, c, d });
-            }
+                for (int i = 0; i + 1 < x.Count; i++)
+                {
+                    Vector3 a = new Vector3(x[i], height, z[k]), b = new Vector3(x[i], height, z[k + 1]);
+                    Vector3 c = new Vector3(x[i + 1], height, z[k + 1]), d = new Vector3(x[i + 1], height, z[k]);
+                    corners.AddRange(new[] { a, b, c, a, c, d });
+                }
             return corners.ToArray();
         }
 

@@ -29,9 +29,9 @@ namespace SphFluid.Validation
                 first = Vector3Int.Max(first, Vector3Int.zero);
                 last = Vector3Int.Min(last, grid.Counts - Vector3Int.one);
                 for (int z = first.z; z <= last.z; z++)
-                for (int y = first.y; y <= last.y; y++)
-                for (int x = first.x; x <= last.x; x++)
-                    sum += particles[Index(grid, new Vector3Int(x, y, z))];
+                    for (int y = first.y; y <= last.y; y++)
+                        for (int x = first.x; x <= last.x; x++)
+                            sum += particles[Index(grid, new Vector3Int(x, y, z))];
             }
             return (double)sum / positions.Length;
         }

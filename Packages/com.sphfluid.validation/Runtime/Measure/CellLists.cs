@@ -36,14 +36,14 @@ namespace SphFluid.Validation
         {
             Vector3Int centre = Cell(position);
             for (int z = -1; z <= 1; z++)
-            for (int y = -1; y <= 1; y++)
-            for (int x = -1; x <= 1; x++)
-            {
-                if (!cells.TryGetValue(centre + new Vector3Int(x, y, z), out List<int> list))
-                    continue;
-                foreach (int particle in list)
-                    yield return particle;
-            }
+                for (int y = -1; y <= 1; y++)
+                    for (int x = -1; x <= 1; x++)
+                    {
+                        if (!cells.TryGetValue(centre + new Vector3Int(x, y, z), out List<int> list))
+                            continue;
+                        foreach (int particle in list)
+                            yield return particle;
+                    }
         }
 
         Vector3Int Cell(Vector3 position) => Vector3Int.FloorToInt(position / edge);

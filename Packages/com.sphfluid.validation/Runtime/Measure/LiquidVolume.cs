@@ -32,8 +32,8 @@ namespace SphFluid.Validation
             double area = (double)settings.DomainSize.x * settings.DomainSize.z / ((long)nx * nz);
             double measured = 0;
             for (int z = 0; z < nz; z++)
-            for (int x = 0; x < nx; x++)
-                measured += area * FreeHeight(simulation.Collision, settings, ColumnCentre(settings.DomainSize, x, z, nx, nz), tops[z * nx + x]);
+                for (int x = 0; x < nx; x++)
+                    measured += area * FreeHeight(simulation.Collision, settings, ColumnCentre(settings.DomainSize, x, z, nx, nz), tops[z * nx + x]);
 
             double expected = 0;
             foreach (float density in snapshot.Densities)

@@ -49,14 +49,14 @@ namespace SphFluid.Validation
         {
             var cases = new Dictionary<Vector3Int, int>();
             for (int z = -1; z <= grid.Cells.z; z++)
-            for (int y = -1; y <= grid.Cells.y; y++)
-            for (int x = -1; x <= grid.Cells.x; x++)
-            {
-                var cube = new Vector3Int(x, y, z);
-                int index = Case(cube);
-                if (index != AllInside && index != AllOutside)
-                    cases.Add(cube, index);
-            }
+                for (int y = -1; y <= grid.Cells.y; y++)
+                    for (int x = -1; x <= grid.Cells.x; x++)
+                    {
+                        var cube = new Vector3Int(x, y, z);
+                        int index = Case(cube);
+                        if (index != AllInside && index != AllOutside)
+                            cases.Add(cube, index);
+                    }
             return cases;
         }
 

@@ -50,17 +50,17 @@ namespace SphFluid.Validation
                 return;
             int lastX = Last(Math.Max(a.x, Math.Max(b.x, c.x)), left, Across), lastZ = Last(Math.Max(a.z, Math.Max(b.z, c.z)), back, Deep);
             for (int iz = First(Math.Min(a.z, Math.Min(b.z, c.z)), back); iz <= lastZ; iz++)
-            for (int ix = First(Math.Min(a.x, Math.Min(b.x, c.x)), left); ix <= lastX; ix++)
-            {
-                double x = left + ix * spacing, z = back + iz * spacing;
-                double u = Twice(b, c, x, z) / area, v = Twice(c, a, x, z) / area, w = 1.0 - u - v;
-                if (u < 0.0 || v < 0.0 || w < 0.0)
-                    continue;
-                double height = u * a.y + v * b.y + w * c.y;
-                int column = iz * Across + ix;
-                if (!(heights[column] >= height))
-                    heights[column] = height;
-            }
+                for (int ix = First(Math.Min(a.x, Math.Min(b.x, c.x)), left); ix <= lastX; ix++)
+                {
+                    double x = left + ix * spacing, z = back + iz * spacing;
+                    double u = Twice(b, c, x, z) / area, v = Twice(c, a, x, z) / area, w = 1.0 - u - v;
+                    if (u < 0.0 || v < 0.0 || w < 0.0)
+                        continue;
+                    double height = u * a.y + v * b.y + w * c.y;
+                    int column = iz * Across + ix;
+                    if (!(heights[column] >= height))
+                        heights[column] = height;
+                }
         }
 
         int First(double least, double origin) => (int)Math.Max(0.0, Math.Ceiling((least - origin) / spacing));

@@ -32,9 +32,9 @@ namespace SphFluid.Validation
             SurfaceGrid grid = field.Grid;
             values = new float[grid.VertexCount];
             for (int z = 0; z <= grid.Cells.z; z++)
-            for (int y = 0; y <= grid.Cells.y; y++)
-            for (int x = 0; x <= grid.Cells.x; x++)
-                values[grid.Index(x, y, z)] = state.Field(grid.Position(x, y, z));
+                for (int y = 0; y <= grid.Cells.y; y++)
+                    for (int x = 0; x <= grid.Cells.x; x++)
+                        values[grid.Index(x, y, z)] = state.Field(grid.Position(x, y, z));
             field.Values.SetData(values);
             return Iso;
         }

@@ -49,11 +49,11 @@ namespace SphFluid.Validation
             foreach ((float[] values, double level) in samples)
             {
                 for (int z = rim; z <= grid.Cells.z - rim; z++)
-                for (int x = rim; x <= grid.Cells.x - rim; x++)
-                {
-                    sum += Top(values, grid, x, z, iso) - level;
-                    count++;
-                }
+                    for (int x = rim; x <= grid.Cells.x - rim; x++)
+                    {
+                        sum += Top(values, grid, x, z, iso) - level;
+                        count++;
+                    }
             }
             return sum / count;
         }

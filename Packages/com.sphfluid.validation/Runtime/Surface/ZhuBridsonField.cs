@@ -37,16 +37,16 @@ namespace SphFluid.Validation
             Vector3Int first = Vector3Int.Max(Vector3Int.CeilToInt(Divided(from, cell)), Vector3Int.zero);
             Vector3Int last = Vector3Int.Min(Vector3Int.FloorToInt(Divided(to, cell)), grid.Cells);
             for (int z = first.z; z <= last.z; z++)
-            for (int y = first.y; y <= last.y; y++)
-            for (int x = first.x; x <= last.x; x++)
-            {
-                Vector3 apart = position - grid.Position(x, y, z);
-                float t = 1f - apart.sqrMagnitude / (radius * radius);
-                if (t <= 0f)
-                    continue;
-                weights[grid.Index(x, y, z)] += t * t * t;
-                sums[grid.Index(x, y, z)] += t * t * t * apart;
-            }
+                for (int y = first.y; y <= last.y; y++)
+                    for (int x = first.x; x <= last.x; x++)
+                    {
+                        Vector3 apart = position - grid.Position(x, y, z);
+                        float t = 1f - apart.sqrMagnitude / (radius * radius);
+                        if (t <= 0f)
+                            continue;
+                        weights[grid.Index(x, y, z)] += t * t * t;
+                        sums[grid.Index(x, y, z)] += t * t * t * apart;
+                    }
         }
 
         // As if the liquid went on behind walls: what lies within reach of one is mirrored there, in corners twice and thrice.

@@ -77,8 +77,8 @@ namespace SphFluid.Tests
             DamBreakMetric metric = Watched(Front, Height, (positions, front, height) =>
             {
                 for (double y = height + 0.5 * Spacing; y < height + film * 2.0 * Width; y += 0.5 * Spacing)
-                for (int z = 0; z < SlabRows; z++)
-                    positions.Add(new Vector3(0.005f, (float)y, (float)(z * Spacing)));
+                    for (int z = 0; z < SlabRows; z++)
+                        positions.Add(new Vector3(0.005f, (float)y, (float)(z * Spacing)));
             });
 
             Assert.That(WallCaseStates.Named(metric, "height, largest error"), Is.EqualTo(film).Within(Spacing / (2.0 * Width)));

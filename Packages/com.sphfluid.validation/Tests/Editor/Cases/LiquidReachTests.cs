@@ -62,8 +62,8 @@ namespace SphFluid.Tests
         {
             var distances = new List<double>();
             for (int i = 0; i < Row; i++)
-            for (int row = rows - 1; row >= 0; row--)
-                distances.Add((row + 0.5) * Spacing);
+                for (int row = rows - 1; row >= 0; row--)
+                    distances.Add((row + 0.5) * Spacing);
             return distances;
         }
     }

@@ -73,9 +73,9 @@ namespace SphFluid.Tests
         {
             var positions = new List<Vector3>();
             for (int y = 0; y < 4; y++)
-            for (int z = -4; z <= 4; z++)
-            for (int x = -4; x <= 4; x++)
-                positions.Add(At(1.488 + (x + moved) * 0.05, (y + 0.5) * 0.05, (z + 0.4 * moved) * 0.05));
+                for (int z = -4; z <= 4; z++)
+                    for (int x = -4; x <= 4; x++)
+                        positions.Add(At(1.488 + (x + moved) * 0.05, (y + 0.5) * 0.05, (z + 0.4 * moved) * 0.05));
             var metric = new MarinMetric(Settings(0.05));
 
             metric.Sample(0.0, ImpactCaseStates.State(positions));

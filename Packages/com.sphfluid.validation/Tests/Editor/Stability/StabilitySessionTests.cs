@@ -77,22 +77,22 @@ namespace SphFluid.Tests
         public void HasSceneOfEveryCornerForEveryMethod()
         {
             foreach (StabilityMap map in StabilityMaps.All)
-            foreach (CaseMethod method in CaseMethod.All)
-            foreach (bool clamps in new[] { false, true })
-            foreach (double x in new[] { map.X.Low, map.X.High })
-            foreach (double y in new[] { map.Y.Low, map.Y.High })
-            {
-                StabilityScenario scene = new StabilityRun { Map = map, Method = method, X = x, Y = y, Seed = 1, Clamps = clamps, MostSteps = 500 }.Build();
-                scene.Setup.Settings.Validate();
-                Assert.That(scene.Setup.Settings.AccelerationLimitEnabled, Is.EqualTo(clamps && method.Kind != FluidMethodKind.Standard));
-                Assert.That(scene.Setup.Settings.Method == FluidMethodKind.Standard, Is.EqualTo(method.Kind == FluidMethodKind.Standard));
-                Assert.That(scene.Setup.Duration / scene.Setup.Settings.TimeStep, Is.LessThan(500.5));
-                double sound = LiquidEnergy.EffectiveSound(scene.Setup.Settings) / StabilityTheory.Of(method).WaveSpeedRatio, step = scene.Setup.Settings.TimeStep;
-                if (map.Name == "M1")
-                    Assert.That(step * sound / scene.Setup.Settings.SupportRadius, Is.EqualTo(x).Within(1e-4 * x), "dt·c/R");
-                if (map.Name == "M3")
-                    Assert.That(step * 1.0 / scene.Setup.Settings.Spacing, Is.EqualTo(x).Within(1e-4 * x), "dt·v/dx");
-            }
+                foreach (CaseMethod method in CaseMethod.All)
+                    foreach (bool clamps in new[] { false, true })
+                        foreach (double x in new[] { map.X.Low, map.X.High })
+                            foreach (double y in new[] { map.Y.Low, map.Y.High })
+                            {
+                                StabilityScenario scene = new StabilityRun { Map = map, Method = method, X = x, Y = y, Seed = 1, Clamps = clamps, MostSteps = 500 }.Build();
+                                scene.Setup.Settings.Validate();
+                                Assert.That(scene.Setup.Settings.AccelerationLimitEnabled, Is.EqualTo(clamps && method.Kind != FluidMethodKind.Standard));
+                                Assert.That(scene.Setup.Settings.Method == FluidMethodKind.Standard, Is.EqualTo(method.Kind == FluidMethodKind.Standard));
+                                Assert.That(scene.Setup.Duration / scene.Setup.Settings.TimeStep, Is.LessThan(500.5));
+                                double sound = LiquidEnergy.EffectiveSound(scene.Setup.Settings) / StabilityTheory.Of(method).WaveSpeedRatio, step = scene.Setup.Settings.TimeStep;
+                                if (map.Name == "M1")
+                                    Assert.That(step * sound / scene.Setup.Settings.SupportRadius, Is.EqualTo(x).Within(1e-4 * x), "dt·c/R");
+                                if (map.Name == "M3")
+                                    Assert.That(step * 1.0 / scene.Setup.Settings.Spacing, Is.EqualTo(x).Within(1e-4 * x), "dt·v/dx");
+                            }
         }
 
         [Test]

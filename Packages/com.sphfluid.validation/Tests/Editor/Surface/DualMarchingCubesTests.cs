@@ -53,9 +53,9 @@ namespace SphFluid.Tests
             var grid = new SurfaceGrid(-0.5f * Vector3.one, Vector3.one, cells);
             var values = new float[grid.VertexCount];
             for (int z = 0; z <= cells; z++)
-            for (int y = 0; y <= cells; y++)
-            for (int x = 0; x <= cells; x++)
-                values[grid.Index(x, y, z)] = field(grid.Position(x, y, z));
+                for (int y = 0; y <= cells; y++)
+                    for (int x = 0; x <= cells; x++)
+                        values[grid.Index(x, y, z)] = field(grid.Position(x, y, z));
             return DualMarchingCubes.Polygonise(grid, values, Iso, flip);
         }
     }

@@ -34,16 +34,16 @@ namespace SphFluid.Tests
             var normals = new Vector3[steps * steps];
             var indices = new List<int>();
             for (int i = 0; i < steps; i++)
-            for (int j = 0; j < steps; j++)
-            {
-                double u = 2.0 * Math.PI * i / steps, v = 2.0 * Math.PI * j / steps;
-                var outwards = new Vector3((float)Math.Cos(u), 0f, (float)Math.Sin(u));
-                Vector3 normal = (float)Math.Cos(v) * outwards + (float)Math.Sin(v) * Vector3.up;
-                normals[i * steps + j] = normal;
-                positions[i * steps + j] = ring * outwards + tube * normal;
-                int a = i * steps + j, b = (i + 1) % steps * steps + j, c = (i + 1) % steps * steps + (j + 1) % steps, d = i * steps + (j + 1) % steps;
-                indices.AddRange(new[] { a, d, c, a, c, b });
-            }
+                for (int j = 0; j < steps; j++)
+                {
+                    double u = 2.0 * Math.PI * i / steps, v = 2.0 * Math.PI * j / steps;
+                    var outwards = new Vector3((float)Math.Cos(u), 0f, (float)Math.Sin(u));
+                    Vector3 normal = (float)Math.Cos(v) * outwards + (float)Math.Sin(v) * Vector3.up;
+                    normals[i * steps + j] = normal;
+                    positions[i * steps + j] = ring * outwards + tube * normal;
+                    int a = i * steps + j, b = (i + 1) % steps * steps + j, c = (i + 1) % steps * steps + (j + 1) % steps, d = i * steps + (j + 1) % steps;
+                    indices.AddRange(new[] { a, d, c, a, c, b });
+                }
             return new SurfaceMesh(positions, normals, indices.ToArray());
         }
 
@@ -53,14 +53,14 @@ namespace SphFluid.Tests
             var positions = new List<Vector3>();
             var indices = new List<int>();
             for (int z = 0; z <= deep; z++)
-            for (int x = 0; x <= across; x++)
-            {
-                positions.Add(new Vector3(x, height(x, z), z));
-                if (x == across || z == deep)
-                    continue;
-                int a = z * (across + 1) + x, b = a + 1, d = a + across + 1;
-                indices.AddRange(new[] { a, d, b, b, d, d + 1 });
-            }
+                for (int x = 0; x <= across; x++)
+                {
+                    positions.Add(new Vector3(x, height(x, z), z));
+                    if (x == across || z == deep)
+                        continue;
+                    int a = z * (across + 1) + x, b = a + 1, d = a + across + 1;
+                    indices.AddRange(new[] { a, d, b, b, d, d + 1 });
+                }
             return Of(positions.ToArray(), indices.ToArray());
         }
 

@@ -1,7 +1,7 @@
 using System.ComponentModel;
 using System.Diagnostics;
 
-namespace Headless.Checks.Cross;
+namespace Headless.Checks;
 
 /// <summary>A program of the machine that reads and writes files.</summary>
 internal static class Tool
