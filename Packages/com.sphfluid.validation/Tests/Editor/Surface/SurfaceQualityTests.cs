@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>What the sparse surface in default quality makes of liquids whose surface is known; figures of all variants: surface.md in the documentation of com.sphfluid.</summary>
+    /// <summary>What the sparse surface in default quality makes of liquids whose surface is known; figures of all variants: Documentation~/surface-quality.md.</summary>
     public sealed class SurfaceQualityTests
     {
         static readonly SurfaceScale scale = new SurfaceScale(true);
