@@ -3,10 +3,11 @@ using Headless.Checks.Api;
 using Headless.Checks.Cross;
 using Headless.Checks.Dxc;
 using Headless.Checks.Form;
+using Headless.Checks.Format;
 using Headless.Checks.Fxc;
 using Headless.Checks.Gpu;
 
-string[] names = ["api", "surface", "fxc", "dxc", "cross", "gpu", "form"];
+string[] names = ["api", "surface", "fxc", "dxc", "cross", "gpu", "form", "format"];
 var usage = $"usage: sphchecks PROJECT [--stand-in FOLDER] [--cache FOLDER] [--only {string.Join('|', names)}] [--update]";
 string? project = null, standIn = null, only = null, family = null, shaderCache = null;
 var update = false;
@@ -25,9 +26,9 @@ for (var i = 0; i < args.Length; i++)
 }
 if (project is null || !Directory.Exists(Path.Combine(project, "Packages"))) { Console.Error.WriteLine($"no Unity project at '{project}'; {usage}"); return 2; }
 
-var package = Path.Combine(project, "Packages", "com.sphfluid");
+var packages = new ProjectPackages(project);
 shaderCache ??= Path.Combine(cache, "shaders");
-if (family is not null) return FamilyCompiler.Run(GpuFamily.All.First(f => f.Name == family), project, package, shaderCache);
+if (family is not null) return FamilyCompiler.Run(GpuFamily.All.First(f => f.Name == family), packages, shaderCache);
 if (only is not null && !names.Contains(only)) { Console.Error.WriteLine($"--only: no check '{only}'; {usage}"); return 2; }
 if (update && only != "gpu") { Console.Error.WriteLine($"--update writes the GPU tables: --only gpu --update; {usage}"); return 2; }
 var reports = new List<CheckReport>();
@@ -37,13 +38,14 @@ void Add(string name, Func<IEnumerable<CheckReport>> run)
     foreach (var report in run()) { report.Print(); reports.Add(report); }
 }
 
-Add("api", () => new ApiCheck(package).Run());
+Add("api", () => new ApiCheck(packages).Run());
 if (standIn is not null) Add("surface", () => [new StandInSurfaceCheck(standIn).Run()]);
-Add("fxc", () => [new FxcCheck(project, package, cache).Run()]);
-Add("dxc", () => [new DxcCheck(project, package, cache).Run()]);
-Add("cross", () => new CrossCheck(project, package, shaderCache).Run());
-Add("gpu", () => new GpuCheck(project, package, shaderCache, Path.Combine(project, "Headless", "Checks", "Gpu", "Data")).Run(update));
-Add("form", () => FormChecks.Run(project, package));
+Add("fxc", () => [new FxcCheck(packages, cache).Run()]);
+Add("dxc", () => [new DxcCheck(packages, cache).Run()]);
+Add("cross", () => new CrossCheck(packages, shaderCache).Run());
+Add("gpu", () => new GpuCheck(packages, shaderCache, Path.Combine(project, "Headless", "Checks", "Gpu", "Data")).Run(update));
+Add("form", () => FormChecks.Run(packages));
+Add("format", () => [new CodeFormatCheck(project).Run(), new TextFormatCheck(project).Run()]);
 
 var failed = reports.Count(r => !r.Passed && r.SkippedBecause is null);
 var skipped = reports.Count(r => r.SkippedBecause is not null);

@@ -4,9 +4,10 @@ using Microsoft.CodeAnalysis.CSharp.Syntax;
 
 namespace Headless.Checks.Api;
 
-/// <summary>Compiles every assembly of the package as C# 9 for .NET Standard 2.1 against the real public API of a
-/// Unity line, as the Editor does and, for runtime assemblies, as a player build does.</summary>
-internal sealed class ApiCheck(string packageRoot)
+/// <summary>Compiles every assembly of the packages as C# 9 for .NET Standard 2.1 against the real public API of a
+/// Unity line, as the Editor does and, for runtime assemblies, as a player build does. The product is compiled first and sees
+/// nothing of the packages that build on it: a game that installs it alone compiles.</summary>
+internal sealed class ApiCheck(ProjectPackages packages)
 {
     private static readonly Dictionary<string, string[]> lineDefines = new()
     {
@@ -28,30 +29,36 @@ internal sealed class ApiCheck(string packageRoot)
         foreach (var line in ApiList.Lines)
         {
             var references = ReferenceAssemblies.Of(line);
-            yield return Compile(line, references, editor: true, editorOnly);
-            yield return Compile(line, references, editor: false, editorOnly);
+            foreach (var editor in new[] { true, false })
+            {
+                var built = new Dictionary<string, CSharpCompilation>();
+                foreach (var package in packages.All) yield return Compile(package, line, references, editor, editorOnly, built);
+            }
         }
     }
 
-    private CheckReport Compile(string line, ReferenceAssemblies references, bool editor, IReadOnlySet<string> editorOnly)
+    /// <param name="built">Assemblies of the packages before this one; gets this one's.</param>
+    private static CheckReport Compile(
+        string package, string line, ReferenceAssemblies references, bool editor, IReadOnlySet<string> editorOnly, Dictionary<string, CSharpCompilation> built)
     {
-        var report = new CheckReport($"API {line} {(editor ? "Editor" : "player")}");
-        var built = new Dictionary<string, CSharpCompilation>();
+        var report = new CheckReport($"API {line} {(editor ? "Editor" : "player")}, {Path.GetFileName(package)}");
         var used = new HashSet<string>();
-        foreach (var assembly in PackageAssembly.FindAll(packageRoot))
+        var before = built.Count;
+        foreach (var assembly in PackageAssembly.FindAll(package))
         {
             if (!editor && (assembly.EditorOnly || assembly.IsTest)) continue;
-            var compilation = CreateCompilation(assembly, line, references, editor, built);
+            var compilation = CreateCompilation(assembly, line, references, editor, built, report.Findings);
             built[assembly.Name] = compilation;
             foreach (var diagnostic in compilation.GetDiagnostics())
                 if (IsFinding(diagnostic, assembly)) report.Findings.Add($"{assembly.Name}: {Describe(diagnostic)}");
             CollectUsedMembers(compilation, used, report.Findings, editorOnly, forPlayers: !assembly.EditorOnly && !assembly.IsTest);
         }
-        report.Figures = $"{built.Count} assemblies compile, {used.Count} Unity members used, {references.MemberCount} known";
+        report.Figures = $"{built.Count - before} {(built.Count - before == 1 ? "assembly compiles" : "assemblies compile")}, {used.Count} Unity members used, {references.MemberCount} known";
         return report;
     }
 
-    private static CSharpCompilation CreateCompilation(PackageAssembly assembly, string line, ReferenceAssemblies references, bool editor, Dictionary<string, CSharpCompilation> built)
+    private static CSharpCompilation CreateCompilation(PackageAssembly assembly, string line, ReferenceAssemblies references, bool editor,
+        Dictionary<string, CSharpCompilation> built, List<string> findings)
     {
         var defines = new List<string>(lineDefines[line]) { "UNITY_STANDALONE", "UNITY_STANDALONE_WIN", "NET_STANDARD_2_1", "NET_STANDARD", "ENABLE_MONO" };
         if (editor) defines.AddRange(["UNITY_EDITOR", "UNITY_EDITOR_WIN", "UNITY_INCLUDE_TESTS"]);
@@ -63,6 +70,7 @@ internal sealed class ApiCheck(string packageRoot)
             else if (name == "UnityEditor.TestRunner") metadata.Add(references.EditorTestRunner);
             else if (references.Packages.TryGetValue(name, out var package)) metadata.Add(package);
             else if (built.TryGetValue(name, out var dependency)) metadata.Add(dependency.ToMetadataReference());
+            else findings.Add($"{assembly.Name}: references {name}, which is neither Unity's nor of a package that it may build on");
         }
         if (assembly.IsTest) metadata.Add(ReferenceAssemblies.NUnit);
         return CSharpCompilation.Create(assembly.Name, assembly.Parse(defines), metadata,

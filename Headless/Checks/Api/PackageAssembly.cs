@@ -42,6 +42,9 @@ internal sealed record PackageAssembly(string Name, string Folder, IReadOnlyList
         return SourceFiles().Select(f => CSharpSyntaxTree.ParseText(File.ReadAllText(f), options, f)).ToList();
     }
 
+    /// <summary>Those of every package, the product's first.</summary>
+    public static List<PackageAssembly> FindAll(ProjectPackages packages) => [.. packages.All.SelectMany(FindAll)];
+
     private static List<PackageAssembly> InDependencyOrder(List<PackageAssembly> assemblies)
     {
         var ordered = new List<PackageAssembly>();

@@ -29,8 +29,14 @@ internal sealed class StubWriter(StringBuilder output)
         var bases = string.Join(", ", TypeSyntax.SplitParameters(node.BaseList).Select(b => TypeSyntax.FromSource(b.Trim())));
         if (kind == "enum") bases = bases switch
         {
-            "global::System.Byte" => "byte", "global::System.SByte" => "sbyte", "global::System.Int16" => "short", "global::System.UInt16" => "ushort",
-            "global::System.UInt32" => "uint", "global::System.Int64" => "long", "global::System.UInt64" => "ulong", _ => "int",
+            "global::System.Byte" => "byte",
+            "global::System.SByte" => "sbyte",
+            "global::System.Int16" => "short",
+            "global::System.UInt16" => "ushort",
+            "global::System.UInt32" => "uint",
+            "global::System.Int64" => "long",
+            "global::System.UInt64" => "ulong",
+            _ => "int",
         };
         if (bases is "global::System.Attribute") output.Append("[global::System.AttributeUsage(global::System.AttributeTargets.All, AllowMultiple = true)] ");
         output.Append(access).Append(kind == "enum" ? " enum " : $" unsafe {kind} ").Append(TypeSyntax.Escape(node.Name)).Append(generic);

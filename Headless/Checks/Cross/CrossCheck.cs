@@ -4,7 +4,7 @@ using Headless.Shaders;
 namespace Headless.Checks.Cross;
 
 /// <summary>Translates every kernel into the languages of Metal and of OpenGL ES 3.1, and says which need more than every such device has.</summary>
-internal sealed class CrossCheck(string project, string package, string shaderCache)
+internal sealed class CrossCheck(ProjectPackages packages, string shaderCache)
 {
     // OpenGL ES 3.1, table 20.45: what every device has at least.
     private const int EsslStorageBlocks = 4, EsslThreads = 128, EsslSharedBytes = 16384;
@@ -20,15 +20,15 @@ internal sealed class CrossCheck(string project, string package, string shaderCa
             metal.SkippedBecause = essl.SkippedBecause = "spirv-cross is not installed: apt-get install spirv-cross";
             return [metal, essl];
         }
-        var includes = new IncludeResolver(project);
+        var includes = new IncludeResolver(packages.Project);
         var compiler = new ShaderCompiler(shaderCache, includes);
         var kernels = new List<CrossKernel>();
-        foreach (var variant in ShaderVariants.Read(package, includes, metal.Findings).Where(v => v.IsKernel))
+        foreach (var variant in ShaderVariants.Read(packages, includes, metal.Findings).Where(v => v.IsKernel))
         {
             try { kernels.Add(new CrossKernel(variant, variant.Compile(compiler)[0])); }
             catch (ShaderCompileException e) { metal.Findings.Add(e.Message); }
         }
-        if (kernels.Count == 0 && metal.Findings.Count == 0) metal.Findings.Add($"no kernels below {package}");
+        if (kernels.Count == 0 && metal.Findings.Count == 0) metal.Findings.Add($"no kernels below {packages.Folder}");
         Translate(kernels, metal, essl);
         metal.Figures = $"{kernels.Count} kernels and variants translated" + Above(metal, kernels, "buffers", k => k.Buffers, MetalBuffers)
             + Above(kernels, "threads a group", k => k.Threads, MetalThreads) + Above(kernels, "bytes of groupshared memory", k => k.SharedBytes, MetalSharedBytes);

@@ -5,14 +5,14 @@ namespace Headless.Checks.Dxc;
 
 /// <summary>Compiles every kernel, keyword variant and shader stage with Microsoft's DXC for shader model 6.0, as HLSL 2018, which
 /// Unity takes for "#pragma use_dxc" and for consoles, without warnings.</summary>
-internal sealed class DxcCheck(string projectRoot, string packageRoot, string cacheFolder)
+internal sealed class DxcCheck(ProjectPackages packages, string cacheFolder)
 {
     public CheckReport Run()
     {
         var report = new CheckReport("DXC");
         var toolchain = new WineToolchain(WineDriver.Dxc, cacheFolder);
         if (toolchain.Prepare() is { } missing) { report.SkippedBecause = missing; return report; }
-        var jobs = HlslJobs.Read(projectRoot, packageRoot, report.Findings);
+        var jobs = HlslJobs.Read(packages, report.Findings);
         var folder = Directory.CreateTempSubdirectory("dxc");
         try
         {

@@ -4,7 +4,7 @@ using System.Xml.Linq;
 namespace Headless.Checks.Form;
 
 /// <summary>One csproj an assembly definition, with equal references. Optional assemblies have none: the player lacks the packages they are for.</summary>
-internal sealed class AssemblyProjectCheck(string projectRoot)
+internal sealed class AssemblyProjectCheck(ProjectPackages packages)
 {
     // What every script assembly sees without naming it in its assembly definition.
     private static readonly string[] implicitReferences = ["UnityEngine", "UnityEditor"];
@@ -12,11 +12,11 @@ internal sealed class AssemblyProjectCheck(string projectRoot)
     public CheckReport Run()
     {
         var report = new CheckReport("projects of assembly definitions");
-        var assemblies = PackageAssembly.FindAll(Path.Combine(projectRoot, "Packages", "com.sphfluid")).FindAll(a => !a.IsOptional);
+        var assemblies = PackageAssembly.FindAll(packages).FindAll(a => !a.IsOptional);
         foreach (var assembly in assemblies)
         {
-            var project = Path.Combine(projectRoot, "Headless", "Package", assembly.Name, assembly.Name + ".csproj");
-            if (!File.Exists(project)) { report.Findings.Add($"{assembly.Name}.asmdef has no {Path.GetRelativePath(projectRoot, project)}"); continue; }
+            var project = Path.Combine(packages.Project, "Headless", "Package", assembly.Name, assembly.Name + ".csproj");
+            if (!File.Exists(project)) { report.Findings.Add($"{assembly.Name}.asmdef has no {Path.GetRelativePath(packages.Project, project)}"); continue; }
             var actual = XDocument.Load(project).Descendants("ProjectReference").Select(r => Path.GetFileNameWithoutExtension(r.Attribute("Include")!.Value.Replace('\\', '/')))
                 .Except(implicitReferences).Order().ToList();
             var expected = assembly.References.Except(implicitReferences).Order().ToList();

@@ -3,19 +3,20 @@ namespace Headless.Checks.Form;
 /// <summary>Everything that the Editor expects of files, and what users would meet first if it were wrong.</summary>
 internal static class FormChecks
 {
-    public static IEnumerable<CheckReport> Run(string project, string package) =>
+    public static IEnumerable<CheckReport> Run(ProjectPackages packages) =>
     [
-        new PackageManifestCheck(package).Run(),
-        new MetaFileCheck(project).Run(),
-        new SerializedFieldCheck(package).Run(),
-        new GetterCheck(package).Run(),
-        new InspectorCheck(package).Run(),
-        new StrippingCheck(package).Run(),
-        new MenuPathCheck(project).Run(),
-        new MaterialCheck(project).Run(),
-        new SceneLightCheck(project).Run(),
-        new ProjectSettingsCheck(project).Run(),
-        new AssemblyProjectCheck(project).Run(),
-        new ShaderApiCheck(package).Run(),
+        .. packages.All.Select(package => new PackageManifestCheck(package).Run()),
+        new MetaFileCheck(packages).Run(),
+        new SerializedFieldCheck(packages).Run(),
+        new GetterCheck(packages).Run(),
+        new InspectorCheck(packages).Run(),
+        new StrippingCheck(packages).Run(),
+        new MenuPathCheck(packages).Run(),
+        new DocumentCheck(packages).Run(),
+        new MaterialCheck(packages).Run(),
+        new SceneLightCheck(packages).Run(),
+        new ProjectSettingsCheck(packages).Run(),
+        new AssemblyProjectCheck(packages).Run(),
+        new ShaderApiCheck(packages).Run(),
     ];
 }

@@ -5,13 +5,13 @@ using Microsoft.CodeAnalysis.CSharp.Syntax;
 namespace Headless.Checks.Form;
 
 /// <summary>A getter assigns no serialised field: reading a property in the Editor would change the scene without undo.</summary>
-internal sealed class GetterCheck(string packageRoot)
+internal sealed class GetterCheck(ProjectPackages packages)
 {
     public CheckReport Run()
     {
         var report = new CheckReport("getters");
         var getters = 0;
-        foreach (var (file, type) in PackageTypes.OfPlayers(packageRoot))
+        foreach (var (file, type) in PackageTypes.OfPlayers(packages))
         {
             var serialized = SerializedFields(type);
             if (serialized.Count == 0) continue;

@@ -1,13 +1,13 @@
 namespace Headless.Checks.Form;
 
 /// <summary>Every [CustomEditor] also carries [CanEditMultipleObjects]: else two selected objects show nothing.</summary>
-internal sealed class InspectorCheck(string packageRoot)
+internal sealed class InspectorCheck(ProjectPackages packages)
 {
     public CheckReport Run()
     {
         var report = new CheckReport("inspectors");
         var editors = 0;
-        foreach (var (file, type) in PackageTypes.OfEditor(packageRoot).Where(t => t.Type.AttributeLists.Has("CustomEditor")))
+        foreach (var (file, type) in PackageTypes.OfEditor(packages).Where(t => t.Type.AttributeLists.Has("CustomEditor")))
         {
             editors++;
             if (!type.AttributeLists.Has("CanEditMultipleObjects"))

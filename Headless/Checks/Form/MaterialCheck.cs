@@ -4,13 +4,12 @@ using System.Text.RegularExpressions;
 namespace Headless.Checks.Form;
 
 /// <summary>
-/// Materials and renderers of the samples and of Assets use shaders of the package that have a SubShader for each render pipeline:
+/// Materials and renderers of the samples and of Assets use shaders of the packages that have a SubShader for each render pipeline:
 /// those of the Built-in pipeline are magenta in URP and HDRP.
 /// </summary>
-internal sealed partial class MaterialCheck(string projectRoot)
+internal sealed partial class MaterialCheck(ProjectPackages packages)
 {
     private static readonly string[] pipelines = ["UniversalPipeline", "HDRenderPipeline", ""];
-    private readonly string package = Path.Combine(projectRoot, "Packages", "com.sphfluid");
 
     public CheckReport Run()
     {
@@ -21,7 +20,7 @@ internal sealed partial class MaterialCheck(string projectRoot)
         {
             var guid = ShaderGuid().Match(File.ReadAllText(file)).Groups[1].Value;
             if (!shaders.TryGetValue(guid, out var served))
-                report.Findings.Add($"{Shown(file)}: its shader is not one of the package");
+                report.Findings.Add($"{Shown(file)}: its shader is not one of the packages'");
             else if (pipelines.Except(served).ToList() is { Count: > 0 } missing)
                 report.Findings.Add($"{Shown(file)}: its shader has no SubShader for {string.Join(", ", missing.Select(m => m.Length > 0 ? m : "the Built-in pipeline"))}");
         }
@@ -38,8 +37,8 @@ internal sealed partial class MaterialCheck(string projectRoot)
     private Dictionary<string, List<string>> Shaders(CheckReport report)
     {
         var found = new Dictionary<string, List<string>>();
-        var includes = new IncludeResolver(projectRoot);
-        foreach (var file in Directory.GetFiles(package, "*.shader", SearchOption.AllDirectories).Where(f => File.Exists(f + ".meta")))
+        var includes = new IncludeResolver(packages.Project);
+        foreach (var file in packages.Files().Where(f => f.EndsWith(".shader", StringComparison.Ordinal) && File.Exists(f + ".meta")))
         {
             try
             {
@@ -51,10 +50,10 @@ internal sealed partial class MaterialCheck(string projectRoot)
         return found;
     }
 
-    private List<string> Files(string extension) => new[] { Path.Combine(package, "Samples~"), Path.Combine(projectRoot, "Assets") }
-        .Where(Directory.Exists).SelectMany(f => Directory.GetFiles(f, "*" + extension, SearchOption.AllDirectories)).Order().ToList();
+    private List<string> Files(string extension) => packages.SceneFolders()
+        .SelectMany(f => Directory.GetFiles(f, "*" + extension, SearchOption.AllDirectories)).Order().ToList();
 
-    private string Shown(string path) => Path.GetRelativePath(projectRoot, path);
+    private string Shown(string path) => Path.GetRelativePath(packages.Project, path);
 
     [GeneratedRegex(@"m_Shader: \{fileID: -?\d+, guid: ([0-9a-f]{32})")] private static partial Regex ShaderGuid();
     [GeneratedRegex(@"^guid: ([0-9a-f]{32})", RegexOptions.Multiline)] private static partial Regex MetaGuid();

@@ -7,31 +7,30 @@ using System.Text.RegularExpressions;
 namespace Headless.Checks.Form;
 
 /// <summary>Menu paths in documents, messages and comments are those of [MenuItem], [AddComponentMenu] and [CreateAssetMenu].</summary>
-internal sealed partial class MenuPathCheck(string projectRoot)
+internal sealed partial class MenuPathCheck(ProjectPackages packages)
 {
     public CheckReport Run()
     {
         var report = new CheckReport("menu paths");
-        var package = Path.Combine(projectRoot, "Packages", "com.sphfluid");
-        var items = Items(package);
+        var items = Items();
         var uses = 0;
-        foreach (var file in Texts(package))
+        foreach (var file in Texts())
             foreach (Match match in MenuPath().Matches(File.ReadAllText(file)))
             {
                 uses++;
                 var path = string.Join('/', match.Value.Split('>').Select(p => p.Trim()));
                 if (path.StartsWith("Add Component/", StringComparison.Ordinal)) path = path[4..];
                 if (!items.Exists(i => i == path || i.StartsWith(path + "/", StringComparison.Ordinal)))
-                    report.Findings.Add($"{Path.GetRelativePath(projectRoot, file)}: there is no menu '{match.Value.Trim()}'");
+                    report.Findings.Add($"{Path.GetRelativePath(packages.Project, file)}: there is no menu '{match.Value.Trim()}'");
             }
         report.Figures = $"{items.Count} menu items, {uses} mentions";
         return report;
     }
 
-    private static List<string> Items(string package)
+    private List<string> Items()
     {
         var items = new List<string>();
-        foreach (var assembly in PackageAssembly.FindAll(package).Where(a => !a.IsTest))
+        foreach (var assembly in PackageAssembly.FindAll(packages).Where(a => !a.IsTest))
             foreach (var tree in assembly.Parse(["UNITY_EDITOR"]))
                 foreach (var attribute in tree.GetRoot().DescendantNodes().OfType<AttributeSyntax>())
                     if (Prefix(attribute) is { } prefix && Text(PathArgument(attribute), attribute) is { Length: > 0 } path) items.Add(prefix + path);
@@ -62,9 +61,8 @@ internal sealed partial class MenuPathCheck(string projectRoot)
         _ => "",
     };
 
-    private IEnumerable<string> Texts(string package) =>
-        Directory.GetFiles(package, "*", SearchOption.AllDirectories).Where(f => Path.GetExtension(f) is ".md" or ".cs")
-            .Concat(Directory.GetFiles(projectRoot, "*.md")).Order();
+    private IEnumerable<string> Texts() =>
+        packages.Files().Where(f => Path.GetExtension(f) is ".md" or ".cs").Concat(Directory.GetFiles(packages.Project, "*.md")).Order();
 
     [GeneratedRegex("""(?:(?:GameObject > Fluid)|(?:Window > SPH Fluid)|(?:Assets > Create > SPH Fluid)|(?:(?:Add )?Component > SPH Fluid))\b(?: > [^*`"|>.,;:\r\n]+)*""")]
     private static partial Regex MenuPath();

@@ -4,7 +4,7 @@ namespace Headless.Checks.Form;
 
 /// <summary>Every asset and folder that Unity imports has a .meta with a unique GUID, no .meta is left over, and no
 /// scene, prefab, material or asset refers to a GUID that nothing has.</summary>
-internal sealed partial class MetaFileCheck(string projectRoot)
+internal sealed partial class MetaFileCheck(ProjectPackages packages)
 {
     private static readonly string[] builtInGuids = ["0000000000000000e000000000000000", "0000000000000000f000000000000000", "00000000000000000000000000000000"];
     private static readonly string[] referencing = [".unity", ".prefab", ".asset", ".mat", ".meta"];
@@ -13,8 +13,8 @@ internal sealed partial class MetaFileCheck(string projectRoot)
     {
         var report = new CheckReport("meta files and references");
         var owners = new Dictionary<string, string>();
-        foreach (var root in new[] { "Assets", "Packages/com.sphfluid" })
-            if (Directory.Exists(Path.Combine(projectRoot, root))) CheckFolder(Path.Combine(projectRoot, root), owners, report);
+        foreach (var root in packages.All.Prepend(Path.Combine(packages.Project, "Assets")))
+            if (Directory.Exists(root)) CheckFolder(root, owners, report);
         var references = CheckReferences(owners, report);
         report.Figures = $"{owners.Count} assets and folders with unique GUIDs, {references} references resolved";
         return report;
@@ -64,7 +64,7 @@ internal sealed partial class MetaFileCheck(string projectRoot)
         return count;
     }
 
-    private string Shown(string path) => Path.GetRelativePath(projectRoot, path);
+    private string Shown(string path) => Path.GetRelativePath(packages.Project, path);
 
     [GeneratedRegex(@"^guid: ([0-9a-f]{32})\s*$", RegexOptions.Multiline)] private static partial Regex MetaGuid();
     [GeneratedRegex(@"fileID: -?\d+, guid: ([0-9a-f]{32})")] private static partial Regex Reference();

@@ -11,7 +11,7 @@ internal sealed partial class PackageManifestCheck(string packageRoot)
 
     public CheckReport Run()
     {
-        var report = new CheckReport("package manifest");
+        var report = new CheckReport($"manifest of {Path.GetFileName(packageRoot)}");
         foreach (var file in requiredFiles)
             if (!File.Exists(Path.Combine(packageRoot, file))) report.Findings.Add($"{file} is missing");
         if (!File.Exists(Path.Combine(packageRoot, "package.json"))) return report;

@@ -4,7 +4,7 @@ using System.Text.RegularExpressions;
 namespace Headless.Checks.Form;
 
 /// <summary>ProjectSettings has every file that Unity 2022.3 writes, so that opening the project leaves the tree as it was.</summary>
-internal sealed partial class ProjectSettingsCheck(string projectRoot)
+internal sealed partial class ProjectSettingsCheck(ProjectPackages packages)
 {
     /// <summary>Class and class id of each .asset.</summary>
     private static readonly Dictionary<string, (string Class, int Id)> assets = new()
@@ -35,7 +35,7 @@ internal sealed partial class ProjectSettingsCheck(string projectRoot)
     public CheckReport Run()
     {
         var report = new CheckReport("project settings");
-        var folder = Path.Combine(projectRoot, "ProjectSettings");
+        var folder = Path.Combine(packages.Project, "ProjectSettings");
         foreach (var (name, expected) in assets)
         {
             var file = Path.Combine(folder, name + ".asset");
@@ -51,21 +51,35 @@ internal sealed partial class ProjectSettingsCheck(string projectRoot)
         return report;
     }
 
-    /// <summary>What manifest.json and the package ask for is what packages-lock.json holds.</summary>
+    /// <summary>What manifest.json and the packages ask for is what packages-lock.json holds, the packages themselves included.</summary>
     private void CheckLock(CheckReport report)
     {
-        var packages = Path.Combine(projectRoot, "Packages");
-        var file = Path.Combine(packages, "packages-lock.json");
+        var file = Path.Combine(packages.Folder, "packages-lock.json");
         if (!File.Exists(file)) { report.Findings.Add("Packages/packages-lock.json is missing: Unity would add it"); return; }
-        var locked = JsonNode.Parse(File.ReadAllText(file))!["dependencies"]!.AsObject();
-        foreach (var manifest in new[] { "manifest.json", "com.sphfluid/package.json" })
+        var locked = Read(file)["dependencies"]!.AsObject();
+        var manifests = packages.All.ToDictionary(p => Path.GetFileName(p), p => Path.Combine(p, "package.json")).Where(p => File.Exists(p.Value)).ToDictionary();
+        var project = Path.Combine(packages.Folder, "manifest.json");
+        if (File.Exists(project)) CheckDependencies("manifest.json", Read(project), locked, manifests, report);
+        foreach (var (name, manifest) in manifests)
         {
-            if (!File.Exists(Path.Combine(packages, manifest))) continue;
-            foreach (var (name, version) in JsonNode.Parse(File.ReadAllText(Path.Combine(packages, manifest)))!["dependencies"]!.AsObject())
-                if ((string?)locked[name]?["version"] != (string?)version)
-                    report.Findings.Add($"{manifest} asks for {name} {version}, packages-lock.json has {locked[name]?["version"]?.ToString() ?? "none"}");
+            if ((string?)locked[name]?["version"] != "file:" + name) report.Findings.Add($"packages-lock.json does not have {name} as file:{name}");
+            CheckDependencies(name + "/package.json", Read(manifest), locked, manifests, report);
+            if (!JsonNode.DeepEquals(locked[name]?["dependencies"] ?? new JsonObject(), Read(manifest)["dependencies"] ?? new JsonObject()))
+                report.Findings.Add($"packages-lock.json has other dependencies of {name} than its package.json");
         }
     }
+
+    private static void CheckDependencies(string asking, JsonNode manifest, JsonObject locked, IReadOnlyDictionary<string, string> embedded, CheckReport report)
+    {
+        foreach (var (name, version) in manifest["dependencies"]?.AsObject() ?? [])
+        {
+            // Of a package that the project embeds, whatever version is asked for, Unity takes the folder.
+            var has = (string?)(embedded.TryGetValue(name, out var own) ? Read(own)["version"] : locked[name]?["version"]);
+            if (has != (string?)version) report.Findings.Add($"{asking} asks for {name} {version}, {(own is null ? "packages-lock.json" : "the project")} has {has ?? "none"}");
+        }
+    }
+
+    private static JsonNode Read(string file) => JsonNode.Parse(File.ReadAllText(file))!;
 
     [GeneratedRegex(@"\A%YAML 1\.1\n%TAG !u! tag:unity3d\.com,2011:\n--- !u!(\d+) &1\n(\w+):\n  ")] private static partial Regex Head();
 }

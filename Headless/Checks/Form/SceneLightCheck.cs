@@ -6,19 +6,18 @@ namespace Headless.Checks.Form;
 /// Scenes of the samples and of Assets are lit without a bake: Unity 6 leaves the ambient light of the sky black where a scene has no
 /// lighting data. Their sun is assigned, so that nobody searches for it.
 /// </summary>
-internal sealed partial class SceneLightCheck(string projectRoot)
+internal sealed partial class SceneLightCheck(ProjectPackages packages)
 {
     private const string Skybox = "0", Directional = "1", None = "{fileID: 0}";
 
     public CheckReport Run()
     {
         var report = new CheckReport("light of scenes");
-        var scenes = new[] { Path.Combine(projectRoot, "Packages", "com.sphfluid", "Samples~"), Path.Combine(projectRoot, "Assets") }
-            .Where(Directory.Exists).SelectMany(f => Directory.GetFiles(f, "*.unity", SearchOption.AllDirectories)).Order().ToList();
+        var scenes = packages.SceneFolders().SelectMany(f => Directory.GetFiles(f, "*.unity", SearchOption.AllDirectories)).Order().ToList();
         foreach (var file in scenes)
         {
             var text = File.ReadAllText(file);
-            var name = Path.GetRelativePath(projectRoot, file);
+            var name = Path.GetRelativePath(packages.Project, file);
             var baked = Value(text, "m_LightingDataAsset") is not (None or "");
             if (!baked && Value(text, "m_AmbientMode") is Skybox or "")
                 report.Findings.Add($"{name}: its ambient light is the sky's (m_AmbientMode {Skybox}) and it has no lighting data");

@@ -4,7 +4,7 @@ namespace Headless.Checks.Form;
 
 /// <summary>Every serialised field that the inspector shows carries a [Tooltip]. (XML documentation of public members
 /// is held by the API check: a missing one is warning CS1591 there.)</summary>
-internal sealed class SerializedFieldCheck(string packageRoot)
+internal sealed class SerializedFieldCheck(ProjectPackages packages)
 {
     private static readonly string[] unityBases = ["MonoBehaviour", "ScriptableObject"];
 
@@ -12,7 +12,7 @@ internal sealed class SerializedFieldCheck(string packageRoot)
     {
         var report = new CheckReport("tooltips");
         var fields = 0;
-        foreach (var (file, type) in PackageTypes.OfPlayers(packageRoot).Where(t => IsSerialized(t.Type)))
+        foreach (var (file, type) in PackageTypes.OfPlayers(packages).Where(t => IsSerialized(t.Type)))
             foreach (var field in type.Members.OfType<FieldDeclarationSyntax>().Where(IsShown))
             {
                 fields++;

@@ -4,7 +4,7 @@ namespace Headless.Checks.Form;
 
 /// <summary>Shaders name graphics APIs only to leave OpenGL out: a list of all the others is never complete, and what it
 /// forgets (a new console, WebGPU) silently gets the wrong depth.</summary>
-internal sealed partial class ShaderApiCheck(string packageRoot)
+internal sealed partial class ShaderApiCheck(ProjectPackages packages)
 {
     private static readonly string[] extensions = [".hlsl", ".cginc", ".compute", ".shader"];
     private static readonly string[] exceptions = ["GLCORE", "GLES", "GLES3"];
@@ -13,7 +13,7 @@ internal sealed partial class ShaderApiCheck(string packageRoot)
     {
         var report = new CheckReport("graphics APIs in shaders");
         var (files, tests) = (0, 0);
-        foreach (var file in Directory.GetFiles(packageRoot, "*", SearchOption.AllDirectories).Where(f => extensions.Contains(Path.GetExtension(f))).Order())
+        foreach (var file in packages.Files().Where(f => extensions.Contains(Path.GetExtension(f))))
         {
             files++;
             foreach (var (line, number) in JoinedLines(file))

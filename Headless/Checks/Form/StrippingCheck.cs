@@ -9,7 +9,7 @@ namespace Headless.Checks.Form;
 /// Managed code stripping searches only assemblies whose types scenes use. One that is reached by
 /// [RuntimeInitializeOnLoadMethod] alone is left out of a player unless it carries [assembly: AlwaysLinkAssembly].
 /// </summary>
-internal sealed class StrippingCheck(string packageRoot)
+internal sealed class StrippingCheck(ProjectPackages packages)
 {
     private static readonly string[] sceneTypes = ["MonoBehaviour", "ScriptableObject"];
 
@@ -17,7 +17,7 @@ internal sealed class StrippingCheck(string packageRoot)
     {
         var report = new CheckReport("code stripping");
         var initialised = 0;
-        foreach (var assembly in PackageAssembly.FindAll(packageRoot).Where(a => !a.IsTest && !a.EditorOnly))
+        foreach (var assembly in PackageAssembly.FindAll(packages).Where(a => !a.IsTest && !a.EditorOnly))
         {
             var roots = assembly.Parse([]).Select(t => t.GetCompilationUnitRoot()).ToList();
             var methods = roots.SelectMany(r => r.DescendantNodes().OfType<MethodDeclarationSyntax>()).ToList();

@@ -1,12 +1,12 @@
 namespace Headless.Checks.Fxc;
 
-/// <summary>What a user waits for and what small devices lack: time of each compilation, number of compute variants, shared memory.</summary>
+/// <summary>What a user waits for and what small devices lack: time of each compilation, number of the product's compute variants, shared memory.</summary>
 internal sealed class FxcBudget(string packageRoot)
 {
     public const int MaxMilliseconds = 2000, MaxVariants = 60, MaxSharedBytes = 16 * 1024;
 
-    // What Unity imports with the package and compiles for a player; tests' kernels stay in the source tree.
-    private static readonly string[] shipped = ["Shaders/", "Validation/"];
+    // What Unity imports with the product and compiles for a player; tests' kernels stay in the source tree.
+    private const string Shipped = "Shaders/";
 
     /// <summary>Kernels with more shared memory than Vulkan and OpenGL ES 3.1 promise, each with the reason.</summary>
     private static readonly Dictionary<string, string> largeGroups = [];
@@ -30,6 +30,6 @@ internal sealed class FxcBudget(string packageRoot)
     private bool IsShipped(string file)
     {
         var path = Path.GetRelativePath(packageRoot, file).Replace('\\', '/');
-        return Array.Exists(shipped, folder => path.StartsWith(folder, StringComparison.Ordinal));
+        return path.StartsWith(Shipped, StringComparison.Ordinal);
     }
 }

@@ -5,14 +5,14 @@ namespace Headless.Checks.Fxc;
 
 /// <summary>Compiles every kernel, keyword variant and shader stage with Microsoft's FXC for its 5.0 profile, without
 /// warnings, and holds the result against the limits of Direct3D 11.0.</summary>
-internal sealed class FxcCheck(string projectRoot, string packageRoot, string cacheFolder)
+internal sealed class FxcCheck(ProjectPackages packages, string cacheFolder)
 {
     private const int MaxUavs = 8, MaxThreads = 1024;
 
     public CheckReport Run()
     {
         var report = new CheckReport("FXC");
-        var jobs = HlslJobs.Read(projectRoot, packageRoot, report.Findings);
+        var jobs = HlslJobs.Read(packages, report.Findings);
         var toolchain = new WineToolchain(WineDriver.Fxc, cacheFolder);
         if (toolchain.Prepare() is { } missing) { report.SkippedBecause = missing; return report; }
         Compile(jobs, toolchain, report);
@@ -33,9 +33,9 @@ internal sealed class FxcCheck(string projectRoot, string packageRoot, string ca
             if (results.Count != jobs.Jobs.Count) report.Findings.Add($"{jobs.Jobs.Count} jobs went in, {results.Count} results came out");
             var slots = results.Count > 0 ? results.Max(r => r.Slots) : 0;
             report.Figures = $"{results.Count} entry points and variants of {jobs.Files} files compiled by d3dcompiler_47, at most {slots} instruction slots";
-            new FxcBudget(packageRoot).Check(results, report);
+            new FxcBudget(packages.Product).Check(results, report);
             report.Figures += $"; the yardstick took {FxcYardstick.Milliseconds(compiled):F0} ms";
-            new KernelNeedsCheck(packageRoot).Check(results, report);
+            new KernelNeedsCheck(packages.Product).Check(results, report);
         }
         finally { folder.Delete(recursive: true); }
     }

@@ -12,7 +12,7 @@ internal static class FamilyCompiler
 
     private const string Listing = "Assembly";
 
-    public static int Run(GpuFamily family, string project, string package, string shaderCache)
+    public static int Run(GpuFamily family, ProjectPackages packages, string shaderCache)
     {
         var folder = Directory.CreateTempSubdirectory("radv");
         try
@@ -21,9 +21,9 @@ internal static class FamilyCompiler
             if (!device.Adapter.Name.Contains(family.Name, StringComparison.OrdinalIgnoreCase))
                 return Refuse($"the driver compiles for '{device.Adapter.Name}', not for {family.Name}");
             Console.WriteLine(Driver + device.Adapter.Driver);
-            var includes = new IncludeResolver(project);
+            var includes = new IncludeResolver(packages.Project);
             var compiler = new ShaderCompiler(shaderCache, includes);
-            foreach (var variant in ShaderVariants.Read(package, includes, [])) Compile(device, compiler, family, variant);
+            foreach (var variant in ShaderVariants.Read(packages, includes, [])) Compile(device, compiler, family, variant);
             Console.WriteLine(End);
             return 0;
         }

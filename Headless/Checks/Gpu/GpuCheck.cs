@@ -6,7 +6,7 @@ namespace Headless.Checks.Gpu;
 /// <summary>Compiles every kernel and pass for two families of GPUs by Mesa's RADV on null hardware, and holds registers, spills, scratch
 /// and groupshared memory, waves and the hot loops against committed tables.</summary>
 /// <param name="tableFolder">Where the tables are.</param>
-internal sealed class GpuCheck(string project, string package, string shaderCache, string tableFolder)
+internal sealed class GpuCheck(ProjectPackages packages, string shaderCache, string tableFolder)
 {
     private const string Compiler = "glslangValidator";
 
@@ -18,7 +18,7 @@ internal sealed class GpuCheck(string project, string package, string shaderCach
         var problems = new List<string>();
         Prewarm(problems);
         if (problems.Count > 0) return [Failed(problems)];
-        var hardware = new NullHardware(project, package, shaderCache);
+        var hardware = new NullHardware(packages.Project, shaderCache);
         var results = GpuFamily.All.AsParallel().AsOrdered().Select(hardware.Compile).ToList();
         foreach (var result in results.Where(r => r.SkippedBecause is null)) result.RequireHotLoops();
         return update ? [Update(results, front)] : Compare(results, front);
@@ -38,10 +38,10 @@ internal sealed class GpuCheck(string project, string package, string shaderCach
     // On all cores here, so that the children find the SPIR-V in the cache.
     private void Prewarm(List<string> problems)
     {
-        var includes = new IncludeResolver(project);
+        var includes = new IncludeResolver(packages.Project);
         var compiler = new ShaderCompiler(shaderCache, includes);
-        var variants = ShaderVariants.Read(package, includes, problems);
-        if (variants.Count == 0 && problems.Count == 0) problems.Add($"no shaders below {package}");
+        var variants = ShaderVariants.Read(packages, includes, problems);
+        if (variants.Count == 0 && problems.Count == 0) problems.Add($"no shaders below {packages.Folder}");
         try { compiler.Prewarm(variants.Select(v => v.Request)); }
         catch (ShaderCompileException e) { problems.Add(e.Message); }
         if (compiler.CacheProblem is { } cache) problems.Add(cache);

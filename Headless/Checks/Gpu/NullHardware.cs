@@ -3,7 +3,7 @@ using System.Diagnostics;
 namespace Headless.Checks.Gpu;
 
 /// <summary>Runs this program again as a child whose environment makes RADV compile for a GPU that is not there.</summary>
-internal sealed class NullHardware(string project, string package, string shaderCache)
+internal sealed class NullHardware(string project, string shaderCache)
 {
     private static readonly string[] driverFolders = ["/etc/vulkan/icd.d", "/usr/local/share/vulkan/icd.d", "/usr/share/vulkan/icd.d"];
 

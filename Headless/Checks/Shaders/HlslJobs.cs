@@ -3,16 +3,16 @@ using Headless.Shaders;
 
 namespace Headless.Checks.Shaders;
 
-/// <summary>What Microsoft's compilers are given: every entry point of a package in every choice of keywords, tests' shaders included.</summary>
+/// <summary>What Microsoft's compilers are given: every entry point of the packages in every choice of keywords, tests' shaders included.</summary>
 /// <param name="Files">Files with shaders.</param>
 internal sealed record HlslJobs(IReadOnlyList<FxcJob> Jobs, int Files)
 {
     /// <param name="problems">Gets a message for each file that cannot be read, and one where there is none.</param>
-    public static HlslJobs Read(string project, string package, List<string> problems)
+    public static HlslJobs Read(ProjectPackages packages, List<string> problems)
     {
         var jobs = new List<FxcJob>();
-        var includes = new IncludeResolver(project);
-        var files = Directory.GetFiles(package, "*", SearchOption.AllDirectories).Where(f => Path.GetExtension(f) is ".compute" or ".shader").Order().ToList();
+        var includes = new IncludeResolver(packages.Project);
+        var files = packages.Files().Where(f => Path.GetExtension(f) is ".compute" or ".shader").ToList();
         foreach (var file in files)
         {
             try
@@ -24,7 +24,7 @@ internal sealed record HlslJobs(IReadOnlyList<FxcJob> Jobs, int Files)
             }
             catch (ShaderCompileException e) { problems.Add(e.Message); }
         }
-        if (jobs.Count == 0 && problems.Count == 0) problems.Add($"no shaders below {package}");
+        if (jobs.Count == 0 && problems.Count == 0) problems.Add($"no shaders below {packages.Folder}");
         return new HlslJobs(jobs, files.Count);
     }
 

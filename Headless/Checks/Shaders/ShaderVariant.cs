@@ -3,7 +3,7 @@ using Headless.Shaders;
 namespace Headless.Checks.Shaders;
 
 /// <summary>A kernel, or a pass, with one choice of keywords.</summary>
-/// <param name="File">Path below the package.</param>
+/// <param name="File">As <see cref="ProjectPackages.NameOf"/> says.</param>
 /// <param name="Entry">The kernel's name, or "SUBSHADER.PASS NAME" from 0.</param>
 internal sealed record ShaderVariant(string File, string Entry, string Keywords, ShaderRequest Request)
 {

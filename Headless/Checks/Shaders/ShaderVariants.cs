@@ -3,20 +3,20 @@ using Headless.Shaders;
 
 namespace Headless.Checks.Shaders;
 
-/// <summary>Every kernel and pass that a package ships, in every choice of keywords, in the order of their names; tests' shaders are
+/// <summary>Every kernel and pass that the packages ship, in every choice of keywords, in the order of their names; tests' shaders are
 /// left out.</summary>
 internal static class ShaderVariants
 {
     private const string Tests = "Tests/";
 
     /// <param name="problems">Files that cannot be read, one message each.</param>
-    public static List<ShaderVariant> Read(string packageRoot, IncludeResolver includes, List<string> problems)
+    public static List<ShaderVariant> Read(ProjectPackages packages, IncludeResolver includes, List<string> problems)
     {
         var variants = new List<ShaderVariant>();
-        foreach (var path in Directory.GetFiles(packageRoot, "*", SearchOption.AllDirectories))
+        foreach (var path in packages.Files())
         {
-            var file = Path.GetRelativePath(packageRoot, path).Replace('\\', '/');
-            if (file.StartsWith(Tests, StringComparison.Ordinal)) continue;
+            if (packages.PathInPackage(path).StartsWith(Tests, StringComparison.Ordinal)) continue;
+            var file = packages.NameOf(path);
             try
             {
                 if (path.EndsWith(".compute", StringComparison.Ordinal))

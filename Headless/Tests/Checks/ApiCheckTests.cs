@@ -34,7 +34,7 @@ public sealed class ApiCheckTests
             .Write("Tests/T.asmdef", """{ "name": "T", "references": [], "includePlatforms": [], "defineConstraints": ["UNITY_INCLUDE_TESTS"] }""")
             .Write("Tests/T.cs", "class T { void M() => NUnit.Framework.Assert.Multiple(() => { }); }");
 
-        Assert.That(new ApiCheck(package.Root).Run().SelectMany(r => r.Findings), Has.Some.Contains("newer than Unity's NUnit 3.5"));
+        Assert.That(new ApiCheck(package.Packages).Run().SelectMany(r => r.Findings), Has.Some.Contains("newer than Unity's NUnit 3.5"));
     }
 
     [Test]
@@ -69,6 +69,6 @@ public sealed class ApiCheckTests
     private static List<CheckReport> Run(string source)
     {
         using var package = new TemporaryPackage().Write("Runtime/A.cs", source);
-        return new ApiCheck(package.Root).Run().ToList();
+        return new ApiCheck(package.Packages).Run().ToList();
     }
 }

@@ -39,7 +39,7 @@ public sealed class CrossCheckTests
     private static CheckReport[] Run(string source)
     {
         using var package = new TemporaryPackage().Write("Shaders/K.compute", "#pragma kernel K\n" + source);
-        CheckReport[] reports = [.. new CrossCheck(package.Project, package.Root, Path.Combine(package.Project, "cache")).Run()];
+        CheckReport[] reports = [.. new CrossCheck(package.Packages, Path.Combine(package.Project, "cache")).Run()];
         if (reports[0].SkippedBecause is { } reason) Assert.Ignore(reason);
         return reports;
     }

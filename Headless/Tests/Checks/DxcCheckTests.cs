@@ -28,7 +28,7 @@ public sealed class DxcCheckTests
             #pragma kernel K
             RWStructuredBuffer<float> Out; [numthreads(64,1,1)] void K(uint3 id : SV_DispatchThreadID) { {{body}} }
             """);
-        CheckReport report = new DxcCheck(package.Project, package.Root, cache).Run();
+        CheckReport report = new DxcCheck(package.Packages, cache).Run();
         if (report.SkippedBecause is { } reason) Assert.Ignore(reason);
         return report;
     }

@@ -40,7 +40,7 @@ public sealed class EditorFormTests
     {
         package.Write("Runtime/A.cs", "[CustomEditor(typeof(X))] class One : Editor { } [CustomEditor(typeof(X)), CanEditMultipleObjects] class Many : Editor { }");
 
-        Assert.That(new InspectorCheck(package.Root).Run().Findings, Is.EqualTo(new[] { "A.cs: One has no [CanEditMultipleObjects]" }));
+        Assert.That(new InspectorCheck(package.Packages).Run().Findings, Is.EqualTo(new[] { "A.cs: One has no [CanEditMultipleObjects]" }));
     }
 
     [TestCase("get { if (target == null) TryGetComponent(out target); return target; }", TestName = "a getter that hands the field over as out")]
@@ -51,7 +51,7 @@ public sealed class EditorFormTests
     {
         package.Write("Runtime/A.cs", $"class A : MonoBehaviour {{ [SerializeField] T target; public T Target {{ {getter} }} }}");
 
-        Assert.That(new GetterCheck(package.Root).Run().Findings, Is.EqualTo(new[] { "A.cs: the getter of A.Target assigns the serialised field 'target'" }));
+        Assert.That(new GetterCheck(package.Packages).Run().Findings, Is.EqualTo(new[] { "A.cs: the getter of A.Target assigns the serialised field 'target'" }));
     }
 
     [Test]
@@ -69,7 +69,7 @@ public sealed class EditorFormTests
             }
             """);
 
-        Assert.That(new GetterCheck(package.Root).Run().Findings, Is.Empty);
+        Assert.That(new GetterCheck(package.Packages).Run().Findings, Is.Empty);
     }
 
     [TestCase("*GameObject > Fluid > Simulation*", "there is no menu 'GameObject > Fluid > Simulation'")]
@@ -94,7 +94,7 @@ public sealed class EditorFormTests
         Assert.That(Menus(), Is.Empty);
     }
 
-    [TestCase("fileID: 46, guid: 0000000000000000f000000000000000, type: 0", "its shader is not one of the package")]
+    [TestCase("fileID: 46, guid: 0000000000000000f000000000000000, type: 0", "its shader is not one of the packages'")]
     [TestCase("fileID: 4800000, guid: " + ShaderGuid + ", type: 3", "its shader has no SubShader for HDRenderPipeline")]
     public void AMaterialOfOnePipelineIsFound(string shader, string expected)
     {
@@ -149,7 +149,7 @@ public sealed class EditorFormTests
             .Write("../manifest.json", """{ "dependencies": { "com.unity.burst": "1.8.18" } }""")
             .Write("../packages-lock.json", """{ "dependencies": { "com.unity.burst": { "version": "1.8.4" } } }""");
 
-        var findings = new ProjectSettingsCheck(package.Project).Run().Findings;
+        var findings = new ProjectSettingsCheck(package.Packages).Run().Findings;
 
         Assert.That(findings, Has.Some.Contains("TagManager.asset does not begin with an object '!u!78'"));
         Assert.That(findings, Has.None.Contains("TimeManager"));
@@ -193,8 +193,8 @@ public sealed class EditorFormTests
         }
         """);
 
-    private List<string> Stripping() => new StrippingCheck(package.Root).Run().Findings;
-    private List<string> Menus() => new MenuPathCheck(package.Project).Run().Findings;
-    private List<string> Materials() => new MaterialCheck(package.Project).Run().Findings;
-    private List<string> Lights() => new SceneLightCheck(package.Project).Run().Findings;
+    private List<string> Stripping() => new StrippingCheck(package.Packages).Run().Findings;
+    private List<string> Menus() => new MenuPathCheck(package.Packages).Run().Findings;
+    private List<string> Materials() => new MaterialCheck(package.Packages).Run().Findings;
+    private List<string> Lights() => new SceneLightCheck(package.Packages).Run().Findings;
 }

@@ -85,7 +85,7 @@ public sealed class FormCheckTests
             }
             """);
 
-        Assert.That(new SerializedFieldCheck(package.Root).Run().Findings, Is.EqualTo(new[] { "A.cs: A.bare has no [Tooltip]" }));
+        Assert.That(new SerializedFieldCheck(package.Packages).Run().Findings, Is.EqualTo(new[] { "A.cs: A.bare has no [Tooltip]" }));
     }
 
     [TestCase("#if defined(SHADER_API_D3D11) || defined(SHADER_API_METAL)", 2)]
@@ -97,8 +97,8 @@ public sealed class FormCheckTests
     {
         package.Write("Shaders/A.hlsl", line + "\n#endif\n");
 
-        Assert.That(new ShaderApiCheck(package.Root).Run().Findings, Has.Count.EqualTo(findings));
+        Assert.That(new ShaderApiCheck(package.Packages).Run().Findings, Has.Count.EqualTo(findings));
     }
 
-    private List<string> Metas() => new MetaFileCheck(package.Project).Run().Findings;
+    private List<string> Metas() => new MetaFileCheck(package.Packages).Run().Findings;
 }

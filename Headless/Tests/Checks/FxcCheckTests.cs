@@ -112,7 +112,7 @@ public sealed class FxcCheckTests
     {
         using var package = new TemporaryPackage().Write("Shaders/K.compute", "#pragma kernel K\n" + source);
         if (needs is not null) package.Write("Runtime/KernelNeeds.cs", needs);
-        var report = new FxcCheck(package.Project, package.Root, cache).Run();
+        var report = new FxcCheck(package.Packages, cache).Run();
         if (report.SkippedBecause is { } reason) Assert.Ignore(reason);
         return report;
     }

@@ -114,7 +114,7 @@ public sealed class GpuCheckTests
 
     private List<CheckReport> Run(bool update = false)
     {
-        var reports = new GpuCheck(package.Project, package.Root, Path.Combine(package.Project, "cache"), Tables).Run(update).ToList();
+        var reports = new GpuCheck(package.Packages, Path.Combine(package.Project, "cache"), Tables).Run(update).ToList();
         if (update && reports[0].SkippedBecause is { } reason) Assert.Ignore(reason);
         return reports;
     }

@@ -1,10 +1,13 @@
+using Headless.Checks;
+
 namespace Headless.Tests.Checks;
 
 /// <summary>A Unity project with a small package in a folder of its own.</summary>
 internal sealed class TemporaryPackage : IDisposable
 {
     public string Project { get; } = Directory.CreateTempSubdirectory("package").FullName;
-    public string Root => Path.Combine(Project, "Packages", "com.sphfluid");
+    public string Root => Path.Combine(Project, "Packages", ProjectPackages.ProductName);
+    public ProjectPackages Packages => new(Project);
 
     public TemporaryPackage()
     {

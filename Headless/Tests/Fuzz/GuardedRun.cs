@@ -38,7 +38,8 @@ internal static class GuardedRun
             }
             seconds = ProcessorSeconds() - start;
             bytes = GC.GetAllocatedBytesForCurrentThread() - before;
-        }, Stack) { IsBackground = true };
+        }, Stack)
+        { IsBackground = true };
         thread.Start();
         if (!thread.Join(Patience)) return new Result($"hangs: not done after {Patience.TotalSeconds} s", null, Patience.TotalSeconds, 0);
         string? problem = thrown is null ? null : Check(thrown);

@@ -21,8 +21,8 @@ public sealed class MeasurementOutputTests
     [TestCase("SphFluid.Validation.CommandLine.Stability", "stability-m2.svg", "--quick")]
     [TestCase("SphFluid.Validation.CommandLine.Leaks", "leaks.csv")]
     [TestCase("SphFluid.Validation.CommandLine.Surfaces", "surface-quality.csv", "--quick")]
-    [TestCase("SphFluid.Editor.SwitchFigures.Write", "thesis-kernel.png")]
-    [TestCase("SphFluid.Editor.FailureFigures.Write", "failure-pairing.png")]
+    [TestCase("SphFluid.Validation.Editor.SwitchFigures.Write", "thesis-kernel.png")]
+    [TestCase("SphFluid.Validation.Editor.FailureFigures.Write", "failure-pairing.png")]
     public void AFileOfTheUsersIsNamedAndStays(string method, string file, params string[] flags)
     {
         string name = method.EndsWith("SwitchFigures.Write", StringComparison.Ordinal) ? FirstFigure() : file;
@@ -42,8 +42,8 @@ public sealed class MeasurementOutputTests
     [TestCase("SphFluid.Validation.CommandLine.Stability")]
     [TestCase("SphFluid.Validation.CommandLine.Leaks")]
     [TestCase("SphFluid.Validation.CommandLine.Surfaces")]
-    [TestCase("SphFluid.Editor.SwitchFigures.Write")]
-    [TestCase("SphFluid.Editor.FailureFigures.Write")]
+    [TestCase("SphFluid.Validation.Editor.SwitchFigures.Write")]
+    [TestCase("SphFluid.Validation.Editor.FailureFigures.Write")]
     [Platform("Linux")]
     public void AFolderThatCannotBeWrittenIsOneLineAndExitCode2(string method)
     {
@@ -66,7 +66,7 @@ public sealed class MeasurementOutputTests
     }
 
     private static string FirstFigure() => Path.GetFileName(
-        Directory.GetFiles(Path.Combine(FuzzProject.Repository, "Packages/com.sphfluid/Documentation~/images"), "thesis-*.png").Order(StringComparer.Ordinal).First());
+        Directory.GetFiles(Path.Combine(FuzzProject.Repository, "Packages/com.sphfluid.validation/Documentation~/images"), "thesis-*.png").Order(StringComparer.Ordinal).First());
 
     private static PlayerProcess Measure(string method, string output, params string[] flags)
     {

@@ -15,7 +15,7 @@ static class ComponentAdder
             Debug.LogError($"Can't add component '{type.Name}' to {owner.name}: it is not a concrete class derived from Component.", owner);
             return null;
         }
-        if (typeof(Transform).IsAssignableFrom(type) || IsDuplicate(owner, type)) 
+        if (typeof(Transform).IsAssignableFrom(type) || IsDuplicate(owner, type))
         {
             Debug.LogError($"Can't add component '{type.Name}' to {owner.name} because such a component is already added to the game object!", owner);
             return null;

@@ -6,3 +6,5 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("SphFluid.Tests.Shared")]
 [assembly: InternalsVisibleTo("SphFluid.Tests.Editor")]
 [assembly: InternalsVisibleTo("SphFluid.Tests.Runtime")]
+[assembly: InternalsVisibleTo("SphFluid.Validation.Tests.Editor")]
+[assembly: InternalsVisibleTo("SphFluid.Validation.Tests.Runtime")]

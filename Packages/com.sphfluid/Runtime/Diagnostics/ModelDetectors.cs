@@ -99,9 +99,9 @@ namespace SphFluid
         {
             int reach = (int)Math.Floor(ratio), count = -1;
             for (int z = -reach; z <= reach; z++)
-            for (int y = -reach; y <= reach; y++)
-            for (int x = -reach; x <= reach; x++)
-                count += x * x + y * y + z * z < ratio * ratio ? 1 : 0;
+                for (int y = -reach; y <= reach; y++)
+                    for (int x = -reach; x <= reach; x++)
+                        count += x * x + y * y + z * z < ratio * ratio ? 1 : 0;
             return count;
         }
     }

@@ -5,7 +5,7 @@ namespace SphFluid
 {
     /// <summary>
     /// Where the thesis's text and the form of it that works part: each switch can be set alone, to see what the printed
-    /// form does. Documentation~/thesis.md shows it. Start from <see cref="Corrected"/>.
+    /// form does. Documentation~/printed-forms.md of com.sphfluid.validation shows it. Start from <see cref="Corrected"/>.
     /// </summary>
     [Serializable]
     public struct ThesisSwitches : IEquatable<ThesisSwitches>

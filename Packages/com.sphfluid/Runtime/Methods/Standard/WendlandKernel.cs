@@ -42,12 +42,12 @@ namespace SphFluid
             int reach = (int)Math.Floor(ratio);
             double sum = 0.0;
             for (int z = 0; z <= reach; z++)
-            for (int y = 0; y <= reach; y++)
-            for (int x = 0; x <= reach; x++)
-            {
-                int images = (x > 0 ? 2 : 1) * (y > 0 ? 2 : 1) * (z > 0 ? 2 : 1);
-                sum += images * function(Math.Sqrt(x * x + y * y + z * z) / ratio);
-            }
+                for (int y = 0; y <= reach; y++)
+                    for (int x = 0; x <= reach; x++)
+                    {
+                        int images = (x > 0 ? 2 : 1) * (y > 0 ? 2 : 1) * (z > 0 ? 2 : 1);
+                        sum += images * function(Math.Sqrt(x * x + y * y + z * z) / ratio);
+                    }
             return sum / Math.Pow(ratio, 3.0);
         }
     }

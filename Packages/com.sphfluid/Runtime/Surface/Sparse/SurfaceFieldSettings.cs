@@ -134,7 +134,7 @@ namespace SphFluid
             Anisotropic,
         }
 
-        // Chosen by the quality figures of Documentation~/surface.md: the filter flattens, smoothing lets coarse cells keep thin parts.
+        // Chosen by surface-quality.md of com.sphfluid.validation: the filter flattens, smoothing lets coarse cells keep thin parts.
         readonly struct Preset
         {
             Preset(float cellRatio, float smoothing, int filterPasses, float unionOffset)

@@ -6,7 +6,7 @@ namespace SphFluid
     /// <summary>How much room a sparse surface gets: by the number of particles at first, then half as much again as it was found to want when three quarters are full, up to a limit.</summary>
     sealed class SurfaceRoom
     {
-        // Splashes have 2 to 9 triangles a particle at 1 to 0.5 spacings a cell, large pools less than one (Documentation~/surface.md): with the square of spacings a cell.
+        // Splashes have 2 to 9 triangles a particle at 1 to 0.5 spacings a cell, large pools less than one (surface-quality.md of com.sphfluid.validation): with the square of spacings a cell.
         const int SpareTriangles = 65536;
         const int SplashParticles = 131072;
         const float SplashTriangles = 2.25f;

@@ -26,7 +26,7 @@ namespace SphFluid.Tests
             shaders = SurfaceTestScene.LoadShaders();
             if (GeometrySurface.MissingSupport() != null)
                 Assert.Ignore(GeometrySurface.MissingSupport());
-            material = new Material(SurfaceTestScene.Load<Shader>(ShaderPath));
+            material = new Material(TestAssets.Load<Shader>(ShaderPath));
         }
 
         [TearDown]

@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using NUnit.Framework;
-using SphFluid.Validation;
 using UnityEngine;
 
 namespace SphFluid.Tests
@@ -11,8 +10,11 @@ namespace SphFluid.Tests
         /// <summary>Each side of a triangle belongs to exactly one other triangle, which runs along it the other way.</summary>
         public static void AssertClosed(SurfaceMesh mesh)
         {
-            MeshEdges edges = MeshEdges.Of(mesh);
-            Assert.IsTrue(edges.IsClosed, $"{edges.OpenEdges} open edges, {edges.NonManifoldEdges} of three triangles or more, {edges.FlippedEdges} flipped");
+            foreach (KeyValuePair<(int low, int high), (int up, int down)> edge in Edges(mesh))
+            {
+                (int up, int down) = edge.Value;
+                Assert.IsTrue(up == 1 && down == 1, $"{up + down} triangles at the edge {edge.Key}, {up} of them run along it upwards");
+            }
         }
 
         /// <summary>No triangle without area, no vertex that is not a number, normals of unit length.</summary>
@@ -40,7 +42,21 @@ namespace SphFluid.Tests
         }
 
         /// <summary>Vertices less edges plus triangles: 2 a ball, 0 a torus.</summary>
-        public static int EulerCharacteristic(SurfaceMesh mesh) => MeshEdges.Of(mesh).Euler;
+        public static int EulerCharacteristic(SurfaceMesh mesh) => new HashSet<int>(mesh.Indices).Count - Edges(mesh).Count + mesh.TriangleCount;
+
+        // By its lower and its higher vertex: the triangles that run along the edge from the lower to the higher one, and those that run back.
+        static Dictionary<(int low, int high), (int up, int down)> Edges(SurfaceMesh mesh)
+        {
+            var edges = new Dictionary<(int low, int high), (int up, int down)>();
+            for (int i = 0; i < mesh.Indices.Length; i++)
+            {
+                int from = mesh.Indices[i], to = mesh.Indices[i % 3 == 2 ? i - 2 : i + 1];
+                (int low, int high) key = from < to ? (from, to) : (to, from);
+                edges.TryGetValue(key, out (int up, int down) runs);
+                edges[key] = from < to ? (runs.up + 1, runs.down) : (runs.up, runs.down + 1);
+            }
+            return edges;
+        }
 
         /// <summary>Sides that belong to one triangle only.</summary>
         public static List<(Vector3 a, Vector3 b)> BoundarySides(SurfaceMesh mesh)

@@ -69,9 +69,9 @@ namespace SphFluid.Tests
                 int reach = (int)Math.Ceiling(radius / dx) + 1;
                 double sum = 0.0;
                 for (int z = -reach; z <= reach; z++)
-                for (int y = -reach; y <= reach; y++)
-                for (int x = -reach; x <= reach; x++)
-                    sum += Kernel(dx * new Double3(scale * x, y, z).Length, radius);
+                    for (int y = -reach; y <= reach; y++)
+                        for (int x = -reach; x <= reach; x++)
+                            sum += Kernel(dx * new Double3(scale * x, y, z).Length, radius);
                 return sum;
             }
             return (Sum(1.0 - strain) - Sum(1.0 + strain)) / (2.0 * strain * Sum(1.0));

@@ -42,8 +42,8 @@ namespace SphFluid.Tests
                 Vector3 u = 0.02f * ParticleSets.RandomVector(random).normalized, v = Vector3.Cross(u, ParticleSets.RandomVector(random)).normalized * 0.015f;
                 Vector3 Point(int x, int y) => centre + (x - 3) * u + (y - 3) * v + 0.02f * Mathf.Sin(x + 2f * y) * Vector3.Cross(u, v).normalized;
                 for (int x = 0; x < 6; x++)
-                for (int y = 0; y < 6; y++)
-                    corners.AddRange(new[] { Point(x, y), Point(x + 1, y), Point(x, y + 1), Point(x + 1, y), Point(x + 1, y + 1), Point(x, y + 1) });
+                    for (int y = 0; y < 6; y++)
+                        corners.AddRange(new[] { Point(x, y), Point(x + 1, y), Point(x, y + 1), Point(x + 1, y), Point(x + 1, y + 1), Point(x, y + 1) });
             }
             return corners;
         }

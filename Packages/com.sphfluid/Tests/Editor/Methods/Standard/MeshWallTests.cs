@@ -54,11 +54,11 @@ namespace SphFluid.Tests
         static void Sheet(List<Vector3> corners, Func<Vector2, Vector3> at, int cuts, bool flip)
         {
             for (int y = 0; y < cuts; y++)
-            for (int x = 0; x < cuts; x++)
-            {
-                Vector3 a = at(new Vector2(x, y) / cuts), b = at(new Vector2(x + 1, y) / cuts), c = at(new Vector2(x, y + 1) / cuts), d = at(new Vector2(x + 1, y + 1) / cuts);
-                corners.AddRange(flip != ((x + y) % 3 == 0) ? new[] { a, b, d, a, d, c } : new[] { a, c, b, b, c, d }); // any orientation serves
-            }
+                for (int x = 0; x < cuts; x++)
+                {
+                    Vector3 a = at(new Vector2(x, y) / cuts), b = at(new Vector2(x + 1, y) / cuts), c = at(new Vector2(x, y + 1) / cuts), d = at(new Vector2(x + 1, y + 1) / cuts);
+                    corners.AddRange(flip != ((x + y) % 3 == 0) ? new[] { a, b, d, a, d, c } : new[] { a, c, b, b, c, d }); // any orientation serves
+                }
         }
 
         static Wall[] Gather(BodyRig rig, Vector3[] points)

@@ -1,6 +1,5 @@
 using System.Linq;
 using NUnit.Framework;
-using SphFluid.Validation;
 using UnityEngine;
 
 namespace SphFluid.Tests
@@ -74,9 +73,6 @@ namespace SphFluid.Tests
                     Assert.That((vitals.Escaped, vitals.Misplaced, vitals.NonFinite), Is.EqualTo((0, 0, 0)));
                     Assert.That(vitals.MaxSpeed, Is.EqualTo(liquid.Max(p => p.VelT0.magnitude)).Within(1e-5));
                     Assert.That(vitals.KineticEnergy, Is.EqualTo(0.5 * rig.Solver.Settings.ParticleMass * liquid.Sum(p => (double)p.VelT0.sqrMagnitude)).Within(1e-4).Percent);
-                    FluidSnapshot snapshot = FluidSnapshot.Read(rig.Solver);
-                    Assert.That(snapshot.Ids, Is.EquivalentTo(liquid.Select(p => p.Id)));
-                    Assert.That(snapshot.Densities, Is.All.GreaterThan(0f));
                 }
             }
             finally

@@ -22,7 +22,7 @@ namespace SphFluid.Tests
             while (normals.Count < 1009)
                 normals.Add(ParticleSets.RandomVector(random).normalized);
 
-            var kernel = new ComputeKernel(SurfaceTestScene.Load<ComputeShader>(KernelPath), "PackNormals");
+            var kernel = new ComputeKernel(TestAssets.Load<ComputeShader>(KernelPath), "PackNormals");
             using (GraphicsBuffer given = GpuBuffers.Create("Normals", normals.Count, 12))
             using (GraphicsBuffer packed = GpuBuffers.Create("Packed", normals.Count, sizeof(uint)))
             using (GraphicsBuffer unpacked = GpuBuffers.Create("Unpacked", normals.Count, 12))

@@ -1,0 +1,73 @@
+using System.Text.RegularExpressions;
+
+namespace Headless.Checks.Form;
+
+/// <summary>
+/// Relative links and pictures of the project's documents lead to files that are there, and a part of a page that is named (#heading) to a
+/// heading. The index.md of each manual lists every page beside it.
+/// </summary>
+internal sealed partial class DocumentCheck(ProjectPackages packages)
+{
+    private const string Index = "index.md";
+    private readonly Dictionary<string, HashSet<string>> headings = [];
+
+    public CheckReport Run()
+    {
+        var report = new CheckReport("documents");
+        var documents = Documents().Order().ToList();
+        var links = 0;
+        foreach (var document in documents)
+            foreach (Match link in Link().Matches(WithoutCode(File.ReadAllText(document))))
+            {
+                var target = link.Groups[1].Value;
+                if (target.Contains("://", StringComparison.Ordinal) || target.StartsWith("mailto:", StringComparison.Ordinal)) continue;
+                links++;
+                if (Problem(document, Uri.UnescapeDataString(target)) is { } problem) report.Findings.Add($"{Shown(document)}: the link to '{target}' {problem}");
+            }
+        foreach (var package in packages.All) CheckIndex(Path.Combine(package, "Documentation~"), report);
+        report.Figures = $"{documents.Count} documents, {links} relative links";
+        return report;
+    }
+
+    private IEnumerable<string> Documents()
+    {
+        var folders = new[] { "Headless", "benchmarks", "Assets" }.Select(f => Path.Combine(packages.Project, f)).Where(Directory.Exists);
+        return Directory.GetFiles(packages.Project, "*.md").Concat(folders.SelectMany(f => Directory.GetFiles(f, "*.md", SearchOption.AllDirectories)))
+            .Concat(packages.Files().Where(f => f.EndsWith(".md", StringComparison.Ordinal)));
+    }
+
+    private string? Problem(string document, string target)
+    {
+        var parts = target.Split('#', 2);
+        var file = parts[0].Length == 0 ? document : Path.GetFullPath(Path.Combine(Path.GetDirectoryName(document)!, parts[0]));
+        if (!File.Exists(file) && !Directory.Exists(file)) return "leads nowhere";
+        return parts.Length == 2 && file.EndsWith(".md", StringComparison.Ordinal) && !HeadingsOf(file).Contains(parts[1]) ? "names no heading of that page" : null;
+    }
+
+    private void CheckIndex(string folder, CheckReport report)
+    {
+        var index = Path.Combine(folder, Index);
+        if (!File.Exists(index)) return;
+        var listed = Link().Matches(File.ReadAllText(index)).Select(l => l.Groups[1].Value.Split('#')[0]).ToHashSet();
+        foreach (var page in Directory.GetFiles(folder, "*.md").Select(f => Path.GetFileName(f)).Where(p => p != Index && !listed.Contains(p)).Order())
+            report.Findings.Add($"{Shown(index)} does not list {page}");
+    }
+
+    // As GitHub names them: "Force Times Mass (6.3.3)" is force-times-mass-633.
+    private HashSet<string> HeadingsOf(string file)
+    {
+        if (!headings.TryGetValue(file, out var names))
+            headings[file] = names = [.. Heading().Matches(WithoutCode(File.ReadAllText(file)))
+                .Select(h => NotInAnAnchor().Replace(h.Groups[1].Value.Trim().ToLowerInvariant(), "").Replace(' ', '-'))];
+        return names;
+    }
+
+    private static string WithoutCode(string text) => Fence().Replace(text, "");
+
+    private string Shown(string path) => Path.GetRelativePath(packages.Project, path);
+
+    [GeneratedRegex(@"\]\(([^()\s]+)(?:\s+""[^""]*"")?\)")] private static partial Regex Link();
+    [GeneratedRegex(@"^#{1,6} +(.+?)\s*$", RegexOptions.Multiline)] private static partial Regex Heading();
+    [GeneratedRegex(@"[^\w\- ]")] private static partial Regex NotInAnAnchor();
+    [GeneratedRegex(@"^```.*?^```", RegexOptions.Multiline | RegexOptions.Singleline)] private static partial Regex Fence();
+}

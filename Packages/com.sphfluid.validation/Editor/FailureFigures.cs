@@ -1,0 +1,68 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using UnityEditor;
+using UnityEngine;
+
+namespace SphFluid.Validation.Editor
+{
+    /// <summary>
+    /// Figures and findings of <see cref="FailureExperiments"/> on the console, and pictures failure-NAME.png, failing on the left and
+    /// cured on the right, for Documentation~/failure-modes.md.
+    /// </summary>
+    public static class FailureFigures
+    {
+        const string AuditShader = "Packages/com.sphfluid.validation/Runtime/Measure/NeighbourAudit.compute";
+        const int PanelHeight = 280;
+
+        /// <summary>
+        /// Entry point for <c>-batchmode -executeMethod SphFluid.Validation.Editor.FailureFigures.Write</c>; <c>--only NAME</c> runs one experiment,
+        /// <c>--out DIR</c> writes pictures.
+        /// </summary>
+        public static void Write()
+        {
+            if (!FigureCommandLine.TryRead("figures", FailureExperiments.All().Select(e => e.Name).ToArray(), PictureOf, out string only, out string folder))
+                return;
+            var audit = AssetDatabase.LoadAssetAtPath<ComputeShader>(AuditShader);
+            if (folder != null)
+                Directory.CreateDirectory(folder);
+            Console.WriteLine(SystemInfo.graphicsDeviceName);
+            foreach (FailureExperiment experiment in FailureExperiments.All().Where(e => only == null || e.Name == only))
+            {
+                FailureResult failing = Run(experiment, false, audit), cured = Run(experiment, true, audit);
+                if (folder != null)
+                    File.WriteAllBytes(Path.Combine(folder, PictureOf(experiment.Name)), Draw(failing, cured));
+            }
+        }
+
+        static string PictureOf(string experiment) => $"failure-{experiment}.png";
+
+        static FailureResult Run(FailureExperiment experiment, bool cured, ComputeShader audit)
+        {
+            FailureResult result = experiment.Run(cured, SessionAssets.PackageShaders, audit);
+            Console.WriteLine(string.Format(CultureInfo.InvariantCulture, "{0} {1}: {2:G4} {3}; {4}; {5} particles, {6} steps", experiment.Name,
+                cured ? "cured" : experiment.Survived ? "stress" : "failing", result.Figure, experiment.Figure, result.Named, result.Run.Start.Length,
+                result.Run.Steps));
+            foreach (FluidFinding finding in result.Findings)
+                Console.WriteLine($"    {finding.Failure}: {finding.Text} {finding.Cure}");
+            return result;
+        }
+
+        // Blue to red: density from 0.7 to 1.3 of the rest density.
+        static byte[] Draw(FailureResult failing, FailureResult cured)
+        {
+            Vector3 box = failing.Settings.DomainSize;
+            var picture = new ParticlePicture(2, Mathf.RoundToInt(PanelHeight * box.x / box.y), PanelHeight);
+            int panel = 0;
+            foreach (FailureResult result in new[] { failing, cured })
+            {
+                FluidSnapshot end = result.End;
+                FluidParticle[] particles = Enumerable.Range(0, end.Count).Select(i => new FluidParticle(end.LocalPositions[i], Vector3.zero, (uint)i)).ToArray();
+                float[] value = end.Densities.Select(d => (d / result.Settings.RestDensity - 0.7f) / 0.6f).ToArray();
+                picture.Draw(panel++, particles, value, box, false, 0.4f * result.Settings.Spacing);
+            }
+            return picture.ToPng();
+        }
+    }
+}

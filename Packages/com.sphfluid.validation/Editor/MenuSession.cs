@@ -1,0 +1,54 @@
+using System;
+using UnityEditor;
+using UnityEngine;
+
+namespace SphFluid.Validation.Editor
+{
+    /// <summary>A measurement that a menu command starts and stops; it goes on while the Editor is used.</summary>
+    sealed class MenuSession
+    {
+        readonly Func<SessionProgress, IValidationSession> create;
+        IValidationSession session;
+
+        public MenuSession(Func<SessionProgress, IValidationSession> create) => this.create = create;
+
+        public void Toggle()
+        {
+            if (session != null)
+            {
+                End();
+                return;
+            }
+            try
+            {
+                session = create(new SessionProgress(text => Debug.Log($"{FluidMessage.Prefix} {text}"), null));
+                EditorApplication.update += Step;
+            }
+            catch (Exception exception) when (exception is CommandLineException || SessionDriver.IsExpected(exception))
+            {
+                Debug.LogError($"{FluidMessage.Prefix} {exception.Message}");
+            }
+        }
+
+        void Step()
+        {
+            try
+            {
+                if (!session.Step())
+                    End();
+            }
+            catch (Exception exception)
+            {
+                Debug.LogException(exception);
+                End();
+            }
+        }
+
+        void End()
+        {
+            EditorApplication.update -= Step;
+            session.Dispose();
+            session = null;
+        }
+    }
+}

@@ -1,0 +1,5 @@
+using System.Runtime.CompilerServices;
+
+[assembly: InternalsVisibleTo("SphFluid.Validation.Editor")]
+[assembly: InternalsVisibleTo("SphFluid.Validation.Tests.Editor")]
+[assembly: InternalsVisibleTo("SphFluid.Validation.Tests.Runtime")]

@@ -1,0 +1,140 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace SphFluid.Validation
+{
+    /// <summary>A table to measure: its rows are the configurations at all numbers of particles.</summary>
+    sealed class BenchPlan
+    {
+        static readonly int[] ThesisParticles = { 16384, 32768, 65536 };
+        static readonly int[] ThesisGrids = { 32, 64, 128, 256 };
+        static readonly int[] SolverParticles = { 16384, 65536, 262144, 1048576, 4194304 };
+        static readonly int[] SurfaceParticles = { 16384, 65536, 262144, 1048576 };
+        static readonly int[] SurfaceGrids = { 32, 64, 128, 256, 512 };
+
+        // A CPU device takes 1,048,576 on request.
+        const int MostOnCpu = 262144;
+
+        // Cells a side of a dense grid at most, the thesis's finest: 512 are 540 MB.
+        const int MostDenseCells = 256;
+
+        // On a CPU device the geometry shader takes five seconds for 256 cells a side, whatever the liquid: with more particles on request.
+        const int MostCpuGeometryCells = 128;
+        const int MostCpuGeometryParticles = 65536;
+
+        Func<BenchConfig, int, bool> isLeftOut = (config, particles) => false;
+
+        BenchPlan(string name, IReadOnlyList<BenchConfig> configs, IReadOnlyList<int> particles, IReadOnlyList<BenchBlock> blocks, IBenchLayout layout)
+        {
+            Name = name;
+            Configs = configs;
+            Particles = particles;
+            Blocks = blocks;
+            Layout = layout;
+        }
+
+        /// <summary>Name of the table, also the file's.</summary>
+        public string Name { get; }
+
+        public IReadOnlyList<BenchConfig> Configs { get; }
+
+        /// <summary>Rows that are not measured, as a sentence; null when all are.</summary>
+        public string LeftOut { get; private set; }
+
+        public IReadOnlyList<int> Particles { get; }
+
+        /// <summary>What is timed within a frame.</summary>
+        public IReadOnlyList<BenchBlock> Blocks { get; }
+
+        public IBenchLayout Layout { get; }
+
+        /// <summary>True: all rounds of a number of particles before the next number, so that one size is in memory at a time.</summary>
+        public bool SizeBySize { get; private set; }
+
+        /// <summary>Whether the device's copy speed is measured too.</summary>
+        public bool NeedsCopySpeed { get; private set; }
+
+        /// <summary>The solvers of the configurations; first the one whose liquid settles, so that none of its particles is in a mesh.</summary>
+        public IReadOnlyList<BenchSolver> Solvers => Configs.Select(c => c.Solver).Distinct().OrderByDescending(s => s.HasMesh).ToList();
+
+        /// <summary>Tables 3 and 4 of the thesis.</summary>
+        /// <param name="particles">Numbers of particles; null for the thesis's.</param>
+        /// <param name="grids">Marching-cubes grids; null for the thesis's.</param>
+        /// <param name="lack">What the device lacks for the geometry shader, as a sentence; null when nothing.</param>
+        public static BenchPlan Thesis(IReadOnlyList<int> particles, IReadOnlyList<int> grids, string lack)
+        {
+            grids ??= ThesisGrids;
+            var configs = new List<BenchConfig> { BenchConfig.SphOnly, BenchConfig.SphParticles };
+            if (lack == null)
+                configs.AddRange(grids.Select(BenchConfig.SphMarchingCubes));
+            BenchPlan plan = Thesis("thesis", configs, particles ?? ThesisParticles);
+            if (lack != null && grids.Count > 0)
+                plan.LeftOut = lack + " The rows with marching cubes are left out.";
+            return plan;
+        }
+
+        /// <summary>The thesis's step alone over many sizes.</summary>
+        public static BenchPlan Sweep(IReadOnlyList<int> particles) => Thesis("sweep", new[] { BenchConfig.SphOnly }, particles);
+
+        /// <summary>The thesis's pipeline against the Standard method.</summary>
+        /// <param name="particles">Numbers of particles; null for those that suit the device.</param>
+        public static BenchPlan Solver(IReadOnlyList<int> particles)
+        {
+            BenchConfig[] configs = new[]
+            {
+                BenchSolver.ThesisCells, BenchSolver.ThesisOctant, BenchSolver.Standard, BenchSolver.StandardSearch,
+                BenchSolver.StandardUnordered, BenchSolver.StandardMesh, BenchSolver.StandardWide,
+            }.Select(BenchConfig.Step).ToArray();
+            return new BenchPlan("solver", configs, particles ?? ForDevice(SolverParticles), BenchBlocks.Step, new SolverLayout(BenchBlocks.Step.Select(b => b.Name)))
+            {
+                SizeBySize = true,
+                NeedsCopySpeed = true,
+            };
+        }
+
+        /// <summary>Surfaces without steps: the thesis's and a dense compute one up to 256 cells a side, sparse ones at the same and their own cells.</summary>
+        /// <param name="particles">Numbers of particles; null for those that suit the device.</param>
+        /// <param name="grids">Cells a side with the thesis's field; null for the table's own.</param>
+        /// <param name="lack">What the device lacks for the geometry shader, as a sentence; null when nothing.</param>
+        public static BenchPlan Surface(IReadOnlyList<int> particles, IReadOnlyList<int> grids, string lack)
+        {
+            var configs = new List<BenchConfig>();
+            foreach (int cells in grids ?? SurfaceGrids)
+            {
+                bool dense = cells <= MostDenseCells;
+                if (dense && lack == null)
+                    configs.Add(BenchConfig.GeometrySurface(cells));
+                if (dense)
+                    configs.Add(BenchConfig.DenseSurface(cells));
+                configs.Add(BenchConfig.SparseSurface(cells));
+            }
+            configs.AddRange(new[] { FluidSurfaceQuality.Cheap, FluidSurfaceQuality.Default, FluidSurfaceQuality.High }.Select(BenchConfig.SparseSurface));
+            var plan = new BenchPlan("surface", configs, particles ?? ForDevice(SurfaceParticles), BenchBlocks.Surface,
+                new SurfaceLayout(BenchBlocks.Surface.Select(b => b.Name)))
+            { SizeBySize = true };
+            if (lack != null)
+                plan.LeftOut = lack + " The rows of the geometry shader are left out.";
+            else if (particles == null && SurfaceGridSizes.IsSoftwareDevice && configs.Exists(IsSlowOnCpu))
+                plan.LeaveOutSlowRows();
+            return plan;
+        }
+
+        /// <summary>The configurations at a number of particles.</summary>
+        public IReadOnlyList<BenchConfig> ConfigsOf(int count) => Configs.Where(c => !isLeftOut(c, count)).ToList();
+
+        static bool IsSlowOnCpu(BenchConfig config) => config.Kind == BenchSurfaceKind.Geometry && config.Grid > MostCpuGeometryCells;
+
+        void LeaveOutSlowRows()
+        {
+            isLeftOut = (config, count) => IsSlowOnCpu(config) && count > MostCpuGeometryParticles;
+            LeftOut = $"The geometry shader's rows with more than {MostCpuGeometryCells} cells a side are left out above {MostCpuGeometryParticles} particles: a CPU draws. " +
+                "With --particles they are measured.";
+        }
+
+        static int[] ForDevice(int[] sizes) => sizes.Where(n => n <= MostOnCpu || !SurfaceGridSizes.IsSoftwareDevice).ToArray();
+
+        static BenchPlan Thesis(string name, IReadOnlyList<BenchConfig> configs, IReadOnlyList<int> particles) =>
+            new BenchPlan(name, configs, particles, BenchBlocks.Thesis, new ThesisLayout(BenchBlocks.Thesis.Select(b => b.Name)));
+    }
+}

@@ -1,0 +1,20 @@
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Shaders of the failure experiments.</summary>
+    internal static class FailureShaders
+    {
+        /// <summary>The thesis method and the vitals; destroy it after use.</summary>
+        public static FluidShaderSet Create()
+        {
+            FluidShaderSet set = TestShaders.CreateSet();
+            set.MeasureVitals = TestShaders.Load("Shaders/Diagnostics/MeasureVitals.compute");
+            return set;
+        }
+
+        /// <summary>What the neighbour loop finds.</summary>
+        public static ComputeShader Audit() =>
+            TestAssets.Load<ComputeShader>("Packages/com.sphfluid.validation/Runtime/Measure/NeighbourAudit.compute");
+    }
+}

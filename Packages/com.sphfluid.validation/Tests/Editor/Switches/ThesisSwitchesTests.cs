@@ -1,0 +1,221 @@
+using System;
+using System.Linq;
+using NUnit.Framework;
+using SphFluid.Validation;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>What each printed form of the thesis does, seen beside the form that works; Documentation~/printed-forms.md shows the pictures.</summary>
+    public sealed class ThesisSwitchesTests
+    {
+        FluidShaderSet shaders;
+
+        [SetUp]
+        public void CreateShaders() => shaders = TestShaders.CreateSet();
+
+        [TearDown]
+        public void DestroyShaders() => UnityEngine.Object.DestroyImmediate(shaders);
+
+        [Test]
+        public void StiffnessFollowsTheHalf()
+        {
+            FluidSolverSettings corrected = TestSettings.ByRule(Vector3.one, 0.05f);
+            ThesisSwitches full = ThesisSwitches.Corrected;
+            full.PressureHalf = false;
+            FluidSolverSettings settings = corrected.With(full);
+            Assert.That(settings.Stiffness, Is.EqualTo(0.5f * corrected.Stiffness), "k = c²");
+            Assert.That(settings.SoundSpeed, Is.EqualTo(corrected.SoundSpeed).Within(1e-5 * corrected.SoundSpeed));
+            Assert.That(settings.With(ThesisSwitches.Corrected), Is.EqualTo(corrected), "and back, k = 2 c²");
+        }
+
+        [Test]
+        public void CorrectedIsWhatTheRulesGive()
+        {
+            FluidSolverSettings settings = TestSettings.ByRule(Vector3.one, 0.05f);
+            Assert.That(settings.With(ThesisSwitches.Corrected), Is.EqualTo(settings));
+        }
+
+        [Test]
+        public void ThePrintedMethodHasEverySwitchAsPrinted()
+        {
+            FluidSolverSettings settings = TestSettings.ByRule(Vector3.one, 0.05f);
+            settings.Method = FluidMethodKind.ThesisPrinted;
+            using (var solver = new FluidSolver(settings, shaders, Pair()))
+            {
+                Assert.That(solver.Settings, Is.EqualTo(settings.With(ThesisSwitches.Printed)));
+                settings.Viscosity *= 2f;
+                solver.ApplySettings(settings);
+                Assert.That(solver.Settings, Is.EqualTo(settings.With(ThesisSwitches.Printed)), "after a change");
+                Assert.That(solver.Settings.SelfDensity || solver.Settings.PressureClamp || solver.Settings.HalfKick, Is.False);
+                Assert.That(solver.Settings.ForceTimesMass && solver.Settings.AccelerationLimitEnabled && solver.Settings.PressureHalf, Is.True);
+            }
+        }
+
+        [Test]
+        public void TheSearchCannotChangeWhileTheLiquidRuns()
+        {
+            FluidSolverSettings settings = TestSettings.ByRule(Vector3.one, 0.05f);
+            using (var solver = new FluidSolver(settings, shaders, Pair()))
+            {
+                settings.OctantSearch = false;
+                Assert.That(() => solver.ApplySettings(settings), Throws.ArgumentException.With.Message.Contains("OctantSearch"));
+            }
+        }
+
+        [Test]
+        public void AKernelWithoutAKeywordIsNamed()
+        {
+            var kernel = new ComputeKernel(shaders.ResetGridIndices, "ResetGridIndices");
+            Assert.That(() => GpuTest.Run(cmd => kernel.SetKeyword(cmd, "FLUID_PERIODIC", true)),
+                Throws.TypeOf<FluidDeviceException>().With.Message.Contains("multi_compile_local _ FLUID_PERIODIC"));
+        }
+
+        [Test]
+        public void TheHalfDoublesThePressureThatCarriesAColumn()
+        {
+            Run(SwitchExperiments.PressureHalf(), out SwitchResult full, out SwitchResult half);
+            Assert.That(full.PressureSlope, Is.EqualTo(1.0).Within(0.15), "dp/dz over ρ g without the ½, k = c²");
+            Assert.That(half.PressureSlope, Is.EqualTo(2.0).Within(0.3), "with it, k = 2 c²");
+            Assert.That(half.MeanHeight, Is.EqualTo(full.MeanHeight).Within(0.01 * full.MeanHeight), "the same column");
+        }
+
+        [Test]
+        public void TheHalfWithoutDoubledStiffnessHalvesTheForce()
+        {
+            FluidSolverSettings settings = TestSettings.ByRule(Vector3.one, 0.05f);
+            settings.Viscosity = 0f;
+            ThesisSwitches full = ThesisSwitches.Corrected;
+            full.PressureHalf = false;
+            FluidSolverSettings undoubled = settings;
+            undoubled.Stiffness *= 0.5f;
+            double whole = Force(settings.With(full));
+            Assert.That(whole, Is.GreaterThan(0.0));
+            Assert.That(Force(undoubled), Is.EqualTo(0.5 * whole).Within(1e-5 * whole));
+            Assert.That(Force(settings), Is.EqualTo(whole).Within(1e-5 * whole), "doubled");
+        }
+
+        [Test]
+        public void EightCellsOfTheWrongSizeMakeAColumnBoil()
+        {
+            Run(SwitchExperiments.EightCells(), out SwitchResult corrected, out SwitchResult printed);
+            Assert.That(printed.MeanSpeed, Is.GreaterThan(3.0 * corrected.MeanSpeed));
+        }
+
+        [Test]
+        public void WithoutItselfAParticleFindsTooLittleAndTheColumnShrinks()
+        {
+            Run(SwitchExperiments.SelfDensity(), out SwitchResult corrected, out SwitchResult printed);
+            Assert.That(printed.MeanHeight, Is.LessThan(0.9 * corrected.MeanHeight));
+        }
+
+        [Test]
+        public void WithoutItselfABlockContractsInFreeFall()
+        {
+            SwitchExperiment experiment = SwitchExperiments.SelfDensityInFreeFall();
+            Run(experiment, out SwitchResult corrected, out SwitchResult printed);
+            double start = 0.025 * Math.Sqrt(3.0 * (9.0 * 9.0 - 1.0) / 12.0);
+            Assert.That(corrected.Extent, Is.EqualTo(start).Within(0.04 * start));
+            Assert.That(printed.Extent, Is.LessThan(0.93 * start));
+            Assert.That(printed.MeanHeight, Is.EqualTo(corrected.MeanHeight).Within(1e-3), "both fall alike");
+        }
+
+        [Test]
+        public void WithoutTheClampASheetDrawsItselfIntoClumps()
+        {
+            Run(SwitchExperiments.PressureClamp(), out SwitchResult corrected, out SwitchResult printed);
+            Assert.That(corrected.Clumped(0.5f), Is.Zero);
+            Assert.That(corrected.Pressure.Min(), Is.Zero);
+            Assert.That(printed.Clumped(0.5f), Is.GreaterThan(0.3));
+            Assert.That(printed.Pressure.Min(), Is.LessThan(0f));
+        }
+
+        [Test]
+        public void ThePrintedLimitCannotCarryTheLiquid()
+        {
+            Run(SwitchExperiments.AccelerationLimit(), out SwitchResult corrected, out SwitchResult printed);
+            Assert.That(corrected.Counters.AccelerationLimitHits, Is.Zero);
+            Assert.That(printed.Settings.AccelerationLimit, Is.LessThan(9.81f));
+            Assert.That(printed.Counters.AccelerationLimitHits, Is.GreaterThan(10000));
+            Assert.That(printed.MeanHeight, Is.LessThan(0.25 * corrected.MeanHeight));
+        }
+
+        [Test]
+        public void ForceTimesMassGoesWithTheCubeOfTheSpacing()
+        {
+            Run(SwitchExperiments.ForceTimesMass(), out SwitchResult corrected, out SwitchResult printed);
+            Assert.That(printed.MeanHeight, Is.LessThan(0.75 * corrected.MeanHeight), "does not hold");
+            foreach (float spacing in new[] { 0.0025f, 0.01f, 0.04f })
+            {
+                FluidSolverSettings settings = TestSettings.ByRule(20f * spacing * Vector3.one, spacing);
+                settings.AccelerationLimitEnabled = false;
+                settings.ForceTimesMass = true;
+                Double3 printedAcceleration = Acceleration(settings, out float density);
+                settings.ForceTimesMass = false;
+                double ratio = printedAcceleration.Length / Acceleration(settings, out _).Length;
+                Assert.That(ratio, Is.EqualTo(settings.ParticleMass * density).Within(1e-4).Percent, $"m ρ at {spacing} m");
+            }
+        }
+
+        [Test]
+        public void WithoutTheHalfKickAFallIsAheadByHalfAStepsSpeed()
+        {
+            SwitchExperiment experiment = SwitchExperiments.HalfKick();
+            Run(experiment, out SwitchResult corrected, out SwitchResult printed);
+            double expected = 0.5 * 9.81 * experiment.Seconds * experiment.Printed.TimeStep;
+            Assert.That(corrected.MeanHeight - printed.MeanHeight, Is.EqualTo(expected).Within(1e-4), "½ g t dt");
+        }
+
+        [Test]
+        public void TheWholePrintedTextDoesNotMakeALiquid()
+        {
+            Run(SwitchExperiments.AllPrinted(), out SwitchResult corrected, out SwitchResult printed);
+            Assert.That(printed.MeanHeight, Is.LessThan(0.5 * corrected.MeanHeight));
+        }
+
+        static FluidParticle[] Pair() => ParticleSets.Lattice(new Vector3Int(2, 1, 1), 0.05f, 0f, 1);
+
+        void Run(SwitchExperiment experiment, out SwitchResult corrected, out SwitchResult printed)
+        {
+            Assert.That(experiment.Start.Length, Is.LessThanOrEqualTo(2000), "small");
+            corrected = experiment.Run(false, shaders);
+            printed = experiment.Run(true, shaders);
+        }
+
+        // On the corner particle of a squeezed lattice.
+        static double Force(in FluidSolverSettings settings)
+        {
+            using (var rig = new ThesisRig(settings, Squeezed(settings)))
+            {
+                rig.RunNeighbourSetup();
+                var pass = new CalculateForcePass(rig.Shaders);
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State));
+                return ((Vector3)rig.ReadForce()[First(rig)]).magnitude;
+            }
+        }
+
+        static Double3 Acceleration(FluidSolverSettings settings, out float density)
+        {
+            settings.Gravity = Vector3.zero;
+            using (var rig = new ThesisRig(settings, Squeezed(settings)))
+            {
+                rig.RunNeighbourSetup();
+                var force = new CalculateForcePass(rig.Shaders);
+                var acceleration = new CalculateAccelerationPass(rig.Shaders);
+                GpuTest.Run(cmd =>
+                {
+                    force.Record(cmd, rig.State);
+                    acceleration.Record(cmd, rig.State, rig.Step);
+                });
+                int first = First(rig);
+                density = rig.ReadDensity()[first];
+                return (Vector3)rig.ReadAcceleration()[first];
+            }
+        }
+
+        static FluidParticle[] Squeezed(in FluidSolverSettings settings) =>
+            ParticleSets.Lattice(new Vector3Int(5, 5, 5), 0.7f * settings.Spacing, 0f, 1);
+
+        static int First(ThesisRig rig) => Array.FindIndex(rig.ReadParticles(), p => p.Id == 0);
+    }
+}

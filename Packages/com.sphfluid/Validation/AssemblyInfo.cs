@@ -1,5 +1,0 @@
-using System.Runtime.CompilerServices;
-
-[assembly: InternalsVisibleTo("SphFluid.Editor")]
-[assembly: InternalsVisibleTo("SphFluid.Tests.Editor")]
-[assembly: InternalsVisibleTo("SphFluid.Tests.Runtime")]
