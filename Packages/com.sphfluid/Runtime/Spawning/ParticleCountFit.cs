@@ -39,7 +39,7 @@ namespace SphFluid
         public static float Spacing(SpawnRequest request, int count)
         {
             if (count < 1) throw new ArgumentOutOfRangeException(nameof(count), count, "The number of particles must be 1 or more.");
-            SpawnLattice.Fitted(request);
+            LatticeFit.Fitted(request);
             double volume = 0.0;
             foreach (LiquidShape shape in request.Shapes) volume += shape.Volume * (1.0 - BoxOverlap.OutsideShare(shape, request.DomainSize));
             if (!(volume > 0.0)) throw new InvalidOperationException("There is no liquid in the domain to fit a number of particles to.");
