@@ -26,7 +26,7 @@ namespace SphFluid.Editor
         {
             Vector3 outwards = Vector3.Scale(normal, size);
             Vector3 center = 0.5f * outwards;
-            bool periodic = (DomainFaces.FacesOf(faces.Periodic) & face) != 0, open = (faces.Open & face) != 0;
+            bool periodic = (FluidBoundaries.FacesOf(faces.Periodic) & face) != 0, open = (faces.Open & face) != 0;
             if (periodic || open)
             {
                 Gizmos.color = WithAlpha(periodic ? PeriodicColor : OpenColor, Tint * alpha);

@@ -22,7 +22,7 @@ namespace SphFluid.Validation
             holder.transform.position = Centre;
             SphereCollider sphere = holder.AddComponent<SphereCollider>();
             sphere.radius = Radius;
-            ColliderState state = ColliderState.Of(sphere, FluidCollider.DomainFriction, Matrix4x4.identity);
+            ColliderState state = ColliderState.Of(sphere, ColliderSettings.DomainFriction, Matrix4x4.identity);
             TriangleMesh mesh = new ColliderTriangles().Make(state, settings.Spacing, new List<FluidMessage>());
             bodies.Update(new[] { new ColliderSolid(state, settings.Spacing, mesh) });
         }

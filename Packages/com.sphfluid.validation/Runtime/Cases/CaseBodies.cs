@@ -23,7 +23,7 @@ namespace SphFluid.Validation
             foreach (Vector3[] corners in meshes)
             {
                 var mesh = new TriangleMesh(corners, Enumerable.Range(0, corners.Length).ToArray());
-                ColliderState state = ColliderState.Of(holder.AddComponent<MeshCollider>(), FluidCollider.DomainFriction, Matrix4x4.identity);
+                ColliderState state = ColliderState.Of(holder.AddComponent<MeshCollider>(), ColliderSettings.DomainFriction, Matrix4x4.identity);
                 solids.Add(new ColliderSolid(state, settings.Spacing, mesh));
             }
             bodies.Update(solids);

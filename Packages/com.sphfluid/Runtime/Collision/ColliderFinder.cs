@@ -7,8 +7,8 @@ namespace SphFluid
     /// <summary>Where to look for colliders: the domain's pose, its physics scene and the layers.</summary>
     internal struct CollisionQuery
     {
-        /// <summary>Simulation that looks; null: any.</summary>
-        public FluidSimulation Simulation;
+        /// <summary>Component of the simulation that looks; null: any, whose settings are not checked.</summary>
+        public Component Owner;
 
         /// <summary>Physics scene that the simulation's GameObject is in.</summary>
         public PhysicsScene Scene;
@@ -28,8 +28,17 @@ namespace SphFluid
         /// <summary>Particle spacing dx [m]: triangles as near as that to the domain are kept, curved colliders follow their shape to 0.1 dx.</summary>
         public float Spacing;
 
+        /// <summary>Method that computes the liquid.</summary>
+        public FluidMethodKind Method;
+
+        /// <summary>Periodic axes of the domain.</summary>
+        public FluidAxes Periodic;
+
+        /// <summary>Support radius over the spacing.</summary>
+        public float SupportRatio;
+
         /// <summary>World space to simulation space.</summary>
-        public Matrix4x4 WorldToSimulation => FluidScene.WorldToLocal(Position, Rotation);
+        public Matrix4x4 WorldToSimulation => DomainSpace.FromWorld(Position, Rotation);
 
         /// <summary>Half the domain's size with the margin for nearby triangles [m].</summary>
         public Vector3 HalfExtents => DomainSize * 0.5f + Vector3.one * Spacing;
@@ -61,9 +70,9 @@ namespace SphFluid
             Matrix4x4 worldToSimulation = query.WorldToSimulation;
             foreach (Collider collider in ordered)
             {
-                FluidCollider own = FluidCollider.Of(collider);
-                if (own == null) states.Add(ColliderState.Of(collider, FluidCollider.DomainFriction, worldToSimulation));
-                else if (own.Meets(query.Simulation)) states.Add(ColliderState.Of(collider, own.EffectiveFriction, worldToSimulation));
+                IColliderSettings own = ColliderSettings.Of(collider);
+                if (own == null) states.Add(ColliderState.Of(collider, ColliderSettings.DomainFriction, worldToSimulation));
+                else if (own.AppliesTo(query.Owner)) states.Add(ColliderState.Of(collider, own.EffectiveFriction, worldToSimulation));
             }
             return !SameStates();
         }

@@ -12,12 +12,12 @@ namespace SphFluid
         public static void Check(in CollisionQuery query, List<FluidMessage> messages)
         {
             Matrix4x4 worldToSimulation = query.WorldToSimulation;
-            foreach (MeshCollider collider in SceneObjects.Find<MeshCollider>(query.Simulation))
+            foreach (MeshCollider collider in SceneObjects.Find<MeshCollider>(query.Owner))
             {
                 bool counts = collider.enabled && !collider.isTrigger && (query.Layers & (1 << collider.gameObject.layer)) != 0;
                 if (!counts || !(ColliderTriangles.Problem(collider) is FluidMessage problem)) continue;
                 if (messages.Exists(m => m.Context == collider)) continue;
-                if (FluidCollider.Of(collider) is FluidCollider own && !own.Meets(query.Simulation)) continue;
+                if (ColliderSettings.Of(collider) is IColliderSettings own && !own.AppliesTo(query.Owner)) continue;
                 if (MeetsDomain(collider, worldToSimulation, query.HalfExtents)) messages.Add(problem);
             }
         }

@@ -18,19 +18,13 @@ namespace SphFluid
         public static void Set(CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings, float inset = 0f)
         {
             FluidBoundaries boundaries = settings.Boundaries;
-            FluidFaces walls = ~(boundaries.Open | FacesOf(boundaries.Periodic));
+            FluidFaces walls = ~(boundaries.Open | FluidBoundaries.FacesOf(boundaries.Periodic));
             Vector3 face = 0.5f * settings.DomainSize, wall = face - inset * Vector3.one;
             kernel.SetVector(cmd, WallsLow, -Where(wall, walls, FluidFaces.LowX, FluidFaces.LowY, FluidFaces.LowZ));
             kernel.SetVector(cmd, WallsHigh, Where(wall, walls, FluidFaces.HighX, FluidFaces.HighY, FluidFaces.HighZ));
             kernel.SetVector(cmd, OpenLow, -Where(face, boundaries.Open, FluidFaces.LowX, FluidFaces.LowY, FluidFaces.LowZ));
             kernel.SetVector(cmd, OpenHigh, Where(face, boundaries.Open, FluidFaces.HighX, FluidFaces.HighY, FluidFaces.HighZ));
         }
-
-        /// <summary>Both faces of each axis.</summary>
-        public static FluidFaces FacesOf(FluidAxes axes) =>
-            ((axes & FluidAxes.X) != 0 ? FluidFaces.LowX | FluidFaces.HighX : FluidFaces.None) |
-            ((axes & FluidAxes.Y) != 0 ? FluidFaces.LowY | FluidFaces.HighY : FluidFaces.None) |
-            ((axes & FluidAxes.Z) != 0 ? FluidFaces.LowZ | FluidFaces.HighZ : FluidFaces.None);
 
         static Vector3 Where(Vector3 place, FluidFaces faces, FluidFaces x, FluidFaces y, FluidFaces z) => new Vector3(
             (faces & x) != 0 ? place.x : FarAway, (faces & y) != 0 ? place.y : FarAway, (faces & z) != 0 ? place.z : FarAway);

@@ -91,6 +91,12 @@ namespace SphFluid
         /// <inheritdoc/>
         public override int GetHashCode() => HashCode.Combine((Periodic, Open), Friction, LowX, LowY, LowZ, HighX, HighY, HighZ);
 
+        /// <summary>Both faces of each axis.</summary>
+        internal static FluidFaces FacesOf(FluidAxes axes) =>
+            ((axes & FluidAxes.X) != 0 ? FluidFaces.LowX | FluidFaces.HighX : FluidFaces.None) |
+            ((axes & FluidAxes.Y) != 0 ? FluidFaces.LowY | FluidFaces.HighY : FluidFaces.None) |
+            ((axes & FluidAxes.Z) != 0 ? FluidFaces.LowZ | FluidFaces.HighZ : FluidFaces.None);
+
         void CheckOpen(FluidMethodKind method)
         {
             if ((Open & ~FluidFaces.All) != 0)
@@ -104,7 +110,7 @@ namespace SphFluid
                     $"Boundaries.Open has {Open}, but with the method {method} all faces are walls. Use the method {FluidMethodKind.Standard}, or set Boundaries.Open to None.");
             }
 
-            FluidFaces both = Open & DomainFaces.FacesOf(Periodic);
+            FluidFaces both = Open & FacesOf(Periodic);
             if (both != FluidFaces.None)
             {
                 throw new ArgumentException(

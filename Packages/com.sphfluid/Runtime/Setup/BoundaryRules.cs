@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using UnityEngine;
 
 namespace SphFluid
 {
@@ -8,26 +7,26 @@ namespace SphFluid
     internal static class BoundaryRules
     {
         /// <summary>Checks a simulation whose domain size and spacing are positive numbers.</summary>
-        public static void Check(FluidSimulation simulation, List<FluidMessage> messages)
+        public static void Check(in FluidSpec spec, List<FluidMessage> messages)
         {
-            if (Fault(simulation) is string fault)
+            if (Fault(spec) is string fault)
             {
                 int end = fault.IndexOf(". ", StringComparison.Ordinal) + 1;
-                messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.BoundariesInvalid, simulation,
+                messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.BoundariesInvalid, spec.Owner,
                     end > 0 ? fault.Substring(0, end) : fault,
                     end > 0 ? fault.Substring(end + 1) : "Correct it under Boundaries, or reset that field."));
             }
         }
 
         /// <summary>Whether the faces alone are at fault, not what acts between them.</summary>
-        public static bool FacesAreWrong(FluidSimulation simulation) => Fault(() => CheckFaces(simulation)) != null;
+        public static bool FacesAreWrong(FluidSpec spec) => Fault(() => CheckFaces(spec)) != null;
 
         /// <summary>Whether the simulation, with a profile, searches cells of 2R.</summary>
-        public static bool SearchesOctants(FluidSimulation simulation) => simulation.Method == FluidMethodKind.ThesisPrinted ||
-            simulation.Method == FluidMethodKind.Thesis && simulation.Profile.ThesisSwitches.OctantSearch;
+        public static bool SearchesOctants(in FluidSpec spec) => spec.Method == FluidMethodKind.ThesisPrinted ||
+            spec.Method == FluidMethodKind.Thesis && spec.Profile.ThesisSwitches.OctantSearch;
 
-        static string Fault(FluidSimulation simulation) =>
-            Fault(() => CheckFaces(simulation)) ?? Fault(() => simulation.BodyForce.Validate(simulation.Boundaries.Periodic));
+        static string Fault(FluidSpec spec) =>
+            Fault(() => CheckFaces(spec)) ?? Fault(() => spec.BodyForce.Validate(spec.Boundaries.Periodic));
 
         static string Fault(Action check)
         {
@@ -42,17 +41,16 @@ namespace SphFluid
             }
         }
 
-        static void CheckFaces(FluidSimulation simulation)
+        static void CheckFaces(in FluidSpec spec)
         {
-            simulation.Boundaries.Validate(simulation.Method);
-            FluidProfile profile = simulation.Profile;
-            if (simulation.Boundaries.Periodic == FluidAxes.None || profile == null) return;
+            spec.Boundaries.Validate(spec.Method);
+            if (spec.Boundaries.Periodic == FluidAxes.None || !spec.HasProfile) return;
             FluidGrid.For(new FluidSolverSettings
             {
-                DomainSize = simulation.DomainSize,
-                SupportRadius = profile.SupportRatio * simulation.Spacing,
-                OctantSearch = SearchesOctants(simulation),
-                Boundaries = simulation.Boundaries,
+                DomainSize = spec.DomainSize,
+                SupportRadius = spec.Profile.SupportRatio * spec.Spacing,
+                OctantSearch = SearchesOctants(spec),
+                Boundaries = spec.Boundaries,
             });
         }
     }

@@ -15,17 +15,17 @@ namespace SphFluid
         const double Margin = 1.01;
 
         /// <summary>Checks a simulation whose domain size and spacing are positive numbers.</summary>
-        public static void Check(FluidSimulation simulation, List<FluidMessage> messages)
+        public static void Check(in FluidSpec spec, List<FluidMessage> messages)
         {
-            if (simulation.Profile == null) return;
-            FluidSolverSettings settings = Settings(simulation, simulation.Spacing);
+            if (!spec.HasProfile) return;
+            FluidSolverSettings settings = Settings(spec, spec.Spacing);
             double needed = Needed(settings);
             long most = Most(settings.Method);
             if (needed <= most) return;
             string owner = most < MethodLimit(settings.Method) ? $"a buffer of this device ({SystemInfo.graphicsDeviceName}) holds" : $"the method {settings.Method} holds";
-            messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.TooManyCells, simulation,
-                Invariant($"The domain of {FluidValidation.Text(simulation.DomainSize)} m needs {needed:N0} cells for the neighbour search at a spacing of {simulation.Spacing} m, but {owner} {most:N0}."),
-                Invariant($"Use a smaller Domain Size, or a Particle Spacing of {FittingSpacing(simulation):G3} m or more.")));
+            messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.TooManyCells, spec.Owner,
+                Invariant($"The domain of {FluidMessage.Lengths(spec.DomainSize)} m needs {needed:N0} cells for the neighbour search at a spacing of {spec.Spacing} m, but {owner} {most:N0}."),
+                Invariant($"Use a smaller Domain Size, or a Particle Spacing of {FittingSpacing(spec):G3} m or more.")));
         }
 
         /// <summary>Cells that a solver of these settings has; along periodic axes that are too short none.</summary>
@@ -36,23 +36,23 @@ namespace SphFluid
         public static long Most(FluidMethodKind method) => Math.Min(MethodLimit(method), SystemInfo.maxGraphicsBufferSize / CellStride);
 
         /// <summary>Least spacing at which the domain's cells are few enough [m].</summary>
-        public static float FittingSpacing(FluidSimulation simulation)
+        public static float FittingSpacing(in FluidSpec spec)
         {
-            double spacing = simulation.Spacing, most = Most(simulation.Method), needed;
-            while ((needed = Needed(Settings(simulation, (float)spacing))) > most) spacing *= Math.Max(Margin, Math.Pow(needed / most, 1.0 / 3.0));
+            double spacing = spec.Spacing, most = Most(spec.Method), needed;
+            while ((needed = Needed(Settings(spec, (float)spacing))) > most) spacing *= Math.Max(Margin, Math.Pow(needed / most, 1.0 / 3.0));
             return (float)(spacing * Margin);
         }
 
         static long MethodLimit(FluidMethodKind method) => method == FluidMethodKind.Standard ? CellRows.MaxCells : int.MaxValue;
 
         // What the grid depends on.
-        static FluidSolverSettings Settings(FluidSimulation simulation, float spacing) => new FluidSolverSettings
+        static FluidSolverSettings Settings(in FluidSpec spec, float spacing) => new FluidSolverSettings
         {
-            Method = simulation.Method,
-            DomainSize = simulation.DomainSize,
-            SupportRadius = simulation.Profile.SupportRatio * spacing,
-            OctantSearch = BoundaryRules.SearchesOctants(simulation),
-            Boundaries = simulation.Boundaries,
+            Method = spec.Method,
+            DomainSize = spec.DomainSize,
+            SupportRadius = spec.Profile.SupportRatio * spacing,
+            OctantSearch = BoundaryRules.SearchesOctants(spec),
+            Boundaries = spec.Boundaries,
         };
     }
 }

@@ -11,28 +11,28 @@ namespace SphFluid
         // Of the step by rule: at a million times the speed of sound there is no liquid left to compute.
         const double ShortestStep = 1e-6;
 
-        readonly FluidSimulation simulation;
         readonly FluidSolver solver;
         SpeedReadback speeds;
         AdaptiveClock adaptive;
+        double stepFraction;
 
         /// <summary>The pace of a solver with its first settings.</summary>
-        public FluidPace(FluidSimulation simulation, FluidSolver solver)
+        public FluidPace(in FluidSpec spec, FluidSolver solver)
         {
-            this.simulation = simulation;
             this.solver = solver;
-            Update();
+            Update(spec);
         }
 
         /// <summary>The clock in use.</summary>
         public IStepClock Clock { get; private set; }
 
         /// <summary>Takes over changed settings. A clock that still fits goes on with the rest it holds.</summary>
-        public void Update()
+        public void Update(in FluidSpec spec)
         {
+            stepFraction = spec.Profile.TimeStepFraction;
             double step = solver.Settings.TimeStep;
-            int most = simulation.MaxSubstepsPerFrame;
-            if (simulation.TimeStepMode != FluidTimeStepMode.Adaptive)
+            int most = spec.MaxSubstepsPerFrame;
+            if (spec.TimeStepMode != FluidTimeStepMode.Adaptive)
             {
                 adaptive = null;
                 speeds = null;
@@ -56,7 +56,7 @@ namespace SphFluid
         double LongestStep()
         {
             FluidSolverSettings settings = solver.Settings;
-            double step = TimeStepAdvice.For(settings, SpeedMargin * speeds.Speed).Step(simulation.Profile.TimeStepFraction);
+            double step = TimeStepAdvice.For(settings, SpeedMargin * speeds.Speed).Step(stepFraction);
             return Math.Max(step, ShortestStep * settings.TimeStep);
         }
     }

@@ -7,64 +7,6 @@ namespace SphFluid
     /// <summary>Turns what can go wrong at a start or in a frame into messages.</summary>
     internal static class FluidReports
     {
-        /// <summary>Checks the simulation and starts it.</summary>
-        /// <returns>Null when an error was reported.</returns>
-        public static FluidRun TryStart(FluidSimulation simulation, Action<FluidMessage> report)
-        {
-            if (!Application.isPlaying || !simulation.isActiveAndEnabled)
-            {
-                report(NotPlaying(simulation));
-                return null;
-            }
-            var collision = new CollisionScene();
-            List<FluidMessage> found = FluidValidation.Prepare(simulation, collision, true, out FluidStart start);
-            foreach (FluidMessage message in found) report(message);
-            if (start != null)
-            {
-                try
-                {
-                    return new FluidRun(simulation, start, collision);
-                }
-                catch (Exception exception) when (exception is ArgumentException || exception is FluidDeviceException)
-                {
-                    report(Failure(simulation, exception));
-                }
-                catch (OperationCanceledException)
-                {
-                    report(new FluidMessage(FluidSeverity.Warning, FluidIssue.StartRelaxation, simulation,
-                        "The start was ended before the liquid came to rest, so it does not run.",
-                        "Start it again, or set Start Relaxation to None."));
-                }
-            }
-            collision.Dispose();
-            return null;
-        }
-
-        /// <summary>Advances by a frame.</summary>
-        /// <returns>False when an error was reported and the run has to end.</returns>
-        public static bool TryAdvance(FluidSimulation simulation, FluidRun run, float deltaTime)
-        {
-            try
-            {
-                run.Advance(deltaTime);
-                return true;
-            }
-            catch (Exception exception) when (exception is ArgumentException || exception is FluidDeviceException)
-            {
-                ReportChange(simulation, exception);
-                return false;
-            }
-        }
-
-        // A check names the setting and the cure; the exception is told where no check knows of it.
-        static void ReportChange(FluidSimulation simulation, Exception exception)
-        {
-            List<FluidMessage> found = FluidValidation.Validate(simulation);
-            if (!FluidValidation.HasErrors(found)) found = new List<FluidMessage> { Failure(simulation, exception) };
-            foreach (FluidMessage message in found)
-                if (message.Severity == FluidSeverity.Error) simulation.Report(message);
-        }
-
         /// <summary>The worst message as a line; empty when there is none.</summary>
         public static string Worst(IReadOnlyList<FluidMessage> messages)
         {
@@ -86,18 +28,31 @@ namespace SphFluid
             return true;
         }
 
-        // Nothing would free the GPU memory of a run that OnDisable does not end.
-        static FluidMessage NotPlaying(FluidSimulation simulation) => SceneObjects.IsPrefabAsset(simulation)
-            ? new FluidMessage(FluidSeverity.Error, FluidIssue.StartFailed, simulation,
-                "A prefab asset cannot run.", "Start an instance of it: what Instantiate returns, or one that is placed in a scene.")
-            : Application.isPlaying
-            ? new FluidMessage(FluidSeverity.Error, FluidIssue.StartFailed, simulation,
-                "The component or its object is disabled, so the simulation cannot start.", "Enable both first.")
-            : new FluidMessage(FluidSeverity.Error, FluidIssue.StartFailed, simulation,
-                "Simulations run in play mode only.", "Press Play, or use FluidSolver directly in Editor tools.");
+        /// <summary>Why a simulation cannot start now; null when it can. Nothing would free the GPU memory of a run that OnDisable does not end.</summary>
+        public static FluidMessage? NotPlaying(Behaviour simulation)
+        {
+            if (Application.isPlaying && simulation.isActiveAndEnabled) return null;
+            return SceneObjects.IsPrefabAsset(simulation)
+                ? new FluidMessage(FluidSeverity.Error, FluidIssue.StartFailed, simulation,
+                    "A prefab asset cannot run.", "Start an instance of it: what Instantiate returns, or one that is placed in a scene.")
+                : Application.isPlaying
+                ? new FluidMessage(FluidSeverity.Error, FluidIssue.StartFailed, simulation,
+                    "The component or its object is disabled, so the simulation cannot start.", "Enable both first.")
+                : new FluidMessage(FluidSeverity.Error, FluidIssue.StartFailed, simulation,
+                    "Simulations run in play mode only.", "Press Play, or use FluidSolver directly in Editor tools.");
+        }
 
-        static FluidMessage Failure(FluidSimulation simulation, Exception exception) => new FluidMessage(
+        /// <summary>A failure that only the attempt showed.</summary>
+        public static FluidMessage Failure(UnityEngine.Object simulation, Exception exception) => new FluidMessage(
             FluidSeverity.Error, exception is FluidDeviceException ? FluidIssue.DeviceUnsupported : FluidIssue.StartFailed,
             simulation, exception.Message, "");
+
+        /// <summary>What to report when a run failed: a check names the setting and the cure; the failure is told where no check knows of it.</summary>
+        public static IEnumerable<FluidMessage> ErrorsOf(IReadOnlyList<FluidMessage> check, FluidMessage failure)
+        {
+            IReadOnlyList<FluidMessage> found = FluidChecks.HasErrors(check) ? check : new[] { failure };
+            foreach (FluidMessage message in found)
+                if (message.Severity == FluidSeverity.Error) yield return message;
+        }
     }
 }

@@ -7,7 +7,7 @@ namespace SphFluid
     /// <summary>A started simulation: solver, clock, colliders and the one command buffer of a frame. Owns the GPU memory.</summary>
     internal sealed class FluidRun : IDisposable
     {
-        readonly FluidSimulation simulation;
+        readonly Action<FluidMessage> report;
         readonly FluidStart start;
         readonly Vector3 startGravity;
         readonly CollisionScene collision;
@@ -21,20 +21,20 @@ namespace SphFluid
         /// <summary>Starts; takes over <paramref name="collision"/>, which has been gathered.</summary>
         /// <exception cref="ArgumentException">A setting cannot be computed with.</exception>
         /// <exception cref="FluidDeviceException">The device cannot run the method.</exception>
-        public FluidRun(FluidSimulation simulation, FluidStart start, CollisionScene collision)
+        public FluidRun(in FluidSpec spec, FluidStart start, CollisionScene collision, in StartWatch watch, Action<FluidMessage> report)
         {
-            this.simulation = simulation;
+            this.report = report;
             this.start = start;
             this.collision = collision;
-            startGravity = simulation.LocalGravity;
-            Key = FluidStartKey.Of(simulation);
-            live = FluidLiveKey.Of(simulation);
-            Solver = new FluidSolver(start.Constants, simulation.Profile.Shaders, RelaxedStart.Particles(simulation, start, collision));
+            startGravity = spec.LocalGravity;
+            Key = FluidStartKey.Of(spec);
+            live = FluidLiveKey.Of(spec);
+            Solver = new FluidSolver(start.Constants, spec.Profile.Shaders, RelaxedStart.Particles(spec, start, collision, watch, report));
             commands = new CommandBuffer { name = "SPH Fluid" };
             try
             {
-                pace = new FluidPace(simulation, Solver);
-                if (simulation.Method == FluidMethodKind.Standard) bodies = new CollisionBodies(Solver.Settings);
+                pace = new FluidPace(spec, Solver);
+                if (spec.Method == FluidMethodKind.Standard) bodies = new CollisionBodies(Solver.Settings);
                 ShareColliders();
                 FollowBodies();
                 Execute(0);
@@ -55,25 +55,42 @@ namespace SphFluid
         public CollisionScene Collision => collision;
 
         /// <summary>Advances by a frame.</summary>
+        /// <param name="spec">The simulation as it is now.</param>
         /// <param name="deltaTime">Frame time [s].</param>
-        /// <exception cref="ArgumentException">A changed setting cannot be computed with.</exception>
-        public void Advance(float deltaTime)
+        /// <param name="failure">What went wrong.</param>
+        /// <returns>False when it cannot go on.</returns>
+        public bool TryAdvance(in FluidSpec spec, float deltaTime, out FluidMessage failure)
         {
-            ApplyChanges();
-            if (collision.Gather(FluidScene.Query(simulation)))
+            failure = default;
+            try
+            {
+                Advance(spec, deltaTime);
+                return true;
+            }
+            catch (Exception exception) when (exception is ArgumentException || exception is FluidDeviceException)
+            {
+                failure = FluidReports.Failure(spec.Owner, exception);
+                return false;
+            }
+        }
+
+        void Advance(in FluidSpec spec, float deltaTime)
+        {
+            ApplyChanges(spec);
+            if (collision.Gather(spec.Query()))
             {
                 ShareColliders();
-                foreach (FluidMessage message in collision.Messages) simulation.Report(message);
+                foreach (FluidMessage message in collision.Messages) report(message);
             }
             FollowBodies();
             int steps = pace.Advance(deltaTime);
             Execute(steps);
             if (steps > 0) pace.Stepped();
             if (substeps.Note(pace.Clock, steps, deltaTime) is string text)
-                simulation.Report(new FluidMessage(FluidSeverity.Warning, FluidIssue.SubstepCap, simulation, text,
+                report(new FluidMessage(FluidSeverity.Warning, FluidIssue.SubstepCap, spec.Owner, text,
                     "Raise Max Substeps Per Frame, use a larger Particle Spacing, or lower the profile's Sound Speed Ratio."));
             if (guards.Note(Solver.Counters) is string guard)
-                simulation.Report(new FluidMessage(FluidSeverity.Warning, FluidIssue.GuardActed, simulation, guard,
+                report(new FluidMessage(FluidSeverity.Warning, FluidIssue.GuardActed, spec.Owner, guard,
                     "Lower the profile's Time Step Fraction, or raise Expected Speed or set Time Step Mode to Adaptive when colliders or forces move the liquid faster than its fall."));
         }
 
@@ -88,14 +105,14 @@ namespace SphFluid
             commands.Dispose();
         }
 
-        void ApplyChanges()
+        void ApplyChanges(in FluidSpec spec)
         {
-            FluidLiveKey now = FluidLiveKey.Of(simulation);
+            FluidLiveKey now = FluidLiveKey.Of(spec);
             if (now.Equals(live)) return;
             live = now;
-            FluidSolverSettings settings = FluidConstants.Derive(simulation, start, startGravity);
+            FluidSolverSettings settings = FluidConstants.Derive(spec, start, startGravity);
             Solver.ApplySettings(settings);
-            pace.Update();
+            pace.Update(spec);
         }
 
         void ShareColliders()
@@ -109,7 +126,7 @@ namespace SphFluid
         {
             if (bodies == null) return;
             bodies.Update(collision.Solids);
-            foreach (BodyJump jump in bodies.NewJumps) simulation.Report(jump.Message);
+            foreach (BodyJump jump in bodies.NewJumps) report(jump.Message);
             Solver.SetBodies(bodies);
         }
 

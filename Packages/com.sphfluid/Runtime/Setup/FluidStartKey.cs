@@ -6,7 +6,7 @@ namespace SphFluid
     /// <summary>Settings that only a new start can change; a running simulation whose key differs starts again.</summary>
     internal readonly struct FluidStartKey : IEquatable<FluidStartKey>
     {
-        readonly FluidProfile profile;
+        readonly UnityEngine.Object profile;
         readonly FluidShaderSet shaders;
         readonly FluidMethodKind method;
         readonly Vector3 domainSize, scale;
@@ -17,26 +17,25 @@ namespace SphFluid
         readonly FluidStartRelaxation relaxation;
         readonly Func<Vector3, Vector3> velocityField;
 
-        FluidStartKey(FluidSimulation simulation)
+        FluidStartKey(in FluidSpec spec)
         {
-            profile = simulation.Profile;
-            bool profiled = profile != null;
-            shaders = profiled ? profile.Shaders : null;
-            supportRatio = profiled ? profile.SupportRatio : 0f;
-            maxParticles = profiled ? profile.MaxParticles : 0;
-            octantSearch = profiled && profile.ThesisSwitches.OctantSearch;
-            method = simulation.Method;
-            domainSize = simulation.DomainSize;
-            scale = simulation.transform.lossyScale;
-            spacing = simulation.Spacing;
-            jitter = simulation.StartJitter;
-            seed = simulation.Seed;
-            periodic = simulation.Boundaries.Periodic;
-            relaxation = simulation.StartRelaxation;
-            velocityField = simulation.VelocityField;
+            profile = spec.Profile.Asset;
+            shaders = spec.Profile.Shaders;
+            supportRatio = spec.Profile.SupportRatio;
+            maxParticles = spec.Profile.MaxParticles;
+            octantSearch = spec.Profile.ThesisSwitches.OctantSearch;
+            method = spec.Method;
+            domainSize = spec.DomainSize;
+            scale = spec.Scale;
+            spacing = spec.Spacing;
+            jitter = spec.StartJitter;
+            seed = spec.Seed;
+            periodic = spec.Boundaries.Periodic;
+            relaxation = spec.StartRelaxation;
+            velocityField = spec.VelocityField;
         }
 
-        public static FluidStartKey Of(FluidSimulation simulation) => new FluidStartKey(simulation);
+        public static FluidStartKey Of(in FluidSpec spec) => new FluidStartKey(spec);
 
         // Same and Equals of numbers, unlike ==, hold for NaN: a wrong number is reported once, not every frame.
         public bool Equals(FluidStartKey other) =>
@@ -61,23 +60,23 @@ namespace SphFluid
         readonly FluidBoundaries boundaries;
         readonly FluidBodyForce bodyForce;
 
-        FluidLiveKey(FluidSimulation simulation, Vector3 gravity)
+        FluidLiveKey(in FluidSpec spec, Vector3 gravity)
         {
             this.gravity = gravity;
-            mode = simulation.TimeStepMode;
-            fixedTimeStep = simulation.FixedTimeStep;
-            expectedSpeed = simulation.ExpectedSpeed;
-            maxSubsteps = simulation.MaxSubstepsPerFrame;
-            boundaries = simulation.Boundaries;
-            bodyForce = simulation.BodyForce;
-            revision = simulation.Profile != null ? simulation.Profile.Revision : 0;
+            mode = spec.TimeStepMode;
+            fixedTimeStep = spec.FixedTimeStep;
+            expectedSpeed = spec.ExpectedSpeed;
+            maxSubsteps = spec.MaxSubstepsPerFrame;
+            boundaries = spec.Boundaries;
+            bodyForce = spec.BodyForce;
+            revision = spec.Profile.Revision;
         }
 
         /// <summary>Settings as a running simulation sees them: gravity turns with the domain.</summary>
-        public static FluidLiveKey Of(FluidSimulation simulation) => new FluidLiveKey(simulation, simulation.LocalGravity);
+        public static FluidLiveKey Of(in FluidSpec spec) => new FluidLiveKey(spec, spec.LocalGravity);
 
         /// <summary>Settings as the user gave them: turning the domain is no change.</summary>
-        public static FluidLiveKey AsGiven(FluidSimulation simulation) => new FluidLiveKey(simulation, simulation.EffectiveGravity);
+        public static FluidLiveKey AsGiven(in FluidSpec spec) => new FluidLiveKey(spec, spec.Gravity);
 
         public bool Equals(FluidLiveKey other) =>
             AffineMath.Same(gravity, other.gravity) && mode == other.mode && fixedTimeStep.Equals(other.fixedTimeStep) &&

@@ -20,42 +20,42 @@ namespace SphFluid
         const double PackedAcceleration = 1e-3;
 
         /// <summary>Makes the particles and reports how.</summary>
-        public static IReadOnlyList<FluidParticle> Particles(FluidSimulation simulation, FluidStart start, CollisionScene collision)
+        public static IReadOnlyList<FluidParticle> Particles(
+            in FluidSpec spec, FluidStart start, CollisionScene collision, StartWatch watch, Action<FluidMessage> report)
         {
-            if (simulation.StartRelaxation == FluidStartRelaxation.None) return start.Particles;
-            if (simulation.Method != FluidMethodKind.Standard)
+            if (spec.StartRelaxation == FluidStartRelaxation.None) return start.Particles;
+            if (spec.Method != FluidMethodKind.Standard)
             {
-                Report(simulation, FluidSeverity.Warning, $"Start Relaxation needs the method Standard; with {simulation.Method} the liquid starts from its lattice.",
+                Report(spec, report, FluidSeverity.Warning, $"Start Relaxation needs the method Standard; with {spec.Method} the liquid starts from its lattice.",
                     "Set Start Relaxation to None, or use the method Standard.");
                 return start.Particles;
             }
 
-            FluidSolverSettings settings = Settings(start.Constants, simulation.StartRelaxation);
-            var watch = Stopwatch.StartNew();
+            FluidSolverSettings settings = Settings(start.Constants, spec.StartRelaxation);
+            var clock = Stopwatch.StartNew();
             using (var bodies = new CollisionBodies(settings))
             {
                 bodies.Update(collision.Solids);
-                using (var relaxer = new StartRelaxer(settings, simulation.Profile.Shaders, start.Particles, bodies, Height(settings, start.Particles)))
+                using (var relaxer = new StartRelaxer(settings, spec.Profile.Shaders, start.Particles, bodies, Height(settings, start.Particles)))
                 {
-                    bool settled = Watched(simulation, goesOn => relaxer.Run(Acceleration(settings), goesOn));
-                    ReportResult(simulation, relaxer, settled, watch.Elapsed.TotalSeconds);
+                    bool settled = Watched(watch, goesOn => relaxer.Run(Acceleration(settings), goesOn));
+                    ReportResult(spec, report, relaxer, settled, clock.Elapsed.TotalSeconds);
                     return WithVelocities(relaxer.Read(), start.Particles);
                 }
             }
         }
 
         // Play mode or the player may end while the liquid settles.
-        static bool Watched(FluidSimulation simulation, Func<Func<FluidStartProgress, bool>, bool> run)
+        static bool Watched(StartWatch watch, Func<Func<FluidStartProgress, bool>, bool> run)
         {
-            IFluidStartWatcher watcher = FluidSimulation.StartWatcher;
             CancellationToken exit = Application.exitCancellationToken;
             try
             {
-                return run(progress => !exit.IsCancellationRequested && (watcher == null || watcher.Continue(simulation, progress)));
+                return run(progress => !exit.IsCancellationRequested && watch.Continue(progress));
             }
             finally
             {
-                watcher?.Ended(simulation);
+                watch.End();
             }
         }
 
@@ -100,17 +100,17 @@ namespace SphFluid
             return rested;
         }
 
-        static void ReportResult(FluidSimulation simulation, StartRelaxer relaxer, bool settled, double seconds)
+        static void ReportResult(in FluidSpec spec, Action<FluidMessage> report, StartRelaxer relaxer, bool settled, double seconds)
         {
             string steps = FormattableString.Invariant($"{relaxer.Steps} damped steps ({seconds:0.0} s)");
             if (settled)
-                Report(simulation, FluidSeverity.Info, FormattableString.Invariant($"The liquid came to rest in {steps}: no particle is accelerated by more than {relaxer.Acceleration:0.##} m/s²."), "");
+                Report(spec, report, FluidSeverity.Info, FormattableString.Invariant($"The liquid came to rest in {steps}: no particle is accelerated by more than {relaxer.Acceleration:0.##} m/s²."), "");
             else
-                Report(simulation, FluidSeverity.Warning, FormattableString.Invariant($"The liquid is not quite at rest after {steps}: a particle is still accelerated by {relaxer.Acceleration:0.##} m/s²."),
+                Report(spec, report, FluidSeverity.Warning, FormattableString.Invariant($"The liquid is not quite at rest after {steps}: a particle is still accelerated by {relaxer.Acceleration:0.##} m/s²."),
                     "What is left settles after the start. Liquid with a level surface, that fills its vessel, comes to rest sooner.");
         }
 
-        static void Report(FluidSimulation simulation, FluidSeverity severity, string text, string cure) =>
-            simulation.Report(new FluidMessage(severity, FluidIssue.StartRelaxation, simulation, text, cure));
+        static void Report(in FluidSpec spec, Action<FluidMessage> report, FluidSeverity severity, string text, string cure) =>
+            report(new FluidMessage(severity, FluidIssue.StartRelaxation, spec.Owner, text, cure));
     }
 }

@@ -7,13 +7,13 @@ namespace SphFluid
     internal static class TimeStepRules
     {
         /// <summary>Warns where the fixed step is above what is stable at the fastest expected speed.</summary>
-        public static void Check(FluidSimulation simulation, in FluidSolverSettings settings, List<FluidMessage> messages)
+        public static void Check(in FluidSpec spec, in FluidSolverSettings settings, List<FluidMessage> messages)
         {
-            if (simulation.TimeStepMode != FluidTimeStepMode.Fixed) return;
+            if (spec.TimeStepMode != FluidTimeStepMode.Fixed) return;
             TimeStepAdvice advice = TimeStepAdvice.For(settings, settings.MaxSpeed);
             if (settings.TimeStep <= advice.Largest) return;
-            double better = RoundedDown(advice.Step(simulation.Profile.TimeStepFraction));
-            messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.TimeStepInvalid, simulation,
+            double better = RoundedDown(advice.Step(spec.Profile.TimeStepFraction));
+            messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.TimeStepInvalid, spec.Owner,
                 $"The fixed time step of {TimeStepAdvice.Milliseconds(settings.TimeStep)} is above the stability limit of {TimeStepAdvice.Milliseconds(advice.Largest)}, " +
                 $"which {advice.Cause}, so {Consequence(advice.Limit)}.",
                 FormattableString.Invariant($"Use a Fixed Time Step of {better} s, or set Time Step Mode to Automatic; {advice.Cure}.")));

@@ -44,7 +44,7 @@ namespace SphFluid
         static SpawnTally[] Walk(SpawnRequest request, Action<Vector3, LiquidShape> place, long most, out long needed)
         {
             Check(request);
-            SpawnLattice lattice = SpawnLattice.Fitted(request);
+            SpawnLattice lattice = LatticeFit.Fitted(request);
             SpawnTally[] tallies = NewTallies(request);
             needed = 0;
             if (!FindRange(request, lattice, out var x, out var y, out var z)) return MeasureOutside(request, tallies);

@@ -9,24 +9,24 @@ namespace SphFluid
     {
         const int Iterations = 16;
 
-        /// <summary>Spacing for a simulation's volumes and colliders as they are in the scene.</summary>
+        /// <summary>Spacing for a simulation's liquid volumes and colliders as they are in the scene.</summary>
         /// <exception cref="ArgumentOutOfRangeException">The count is less than one.</exception>
         /// <exception cref="InvalidOperationException">The domain has no size or holds no liquid, or the simulation is a prefab asset.</exception>
-        public static float Spacing(FluidSimulation simulation, int count)
+        public static float Spacing(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, int count)
         {
-            if (SceneObjects.IsPrefabAsset(simulation))
+            if (SceneObjects.IsPrefabAsset(spec.Owner))
                 throw new InvalidOperationException(
-                    $"'{simulation.name}' is a prefab asset, whose liquid can be measured only in a scene. Place it in one or open the prefab.");
-            Vector3 size = simulation.DomainSize;
+                    $"'{spec.Name}' is a prefab asset, whose liquid can be measured only in a scene. Place it in one or open the prefab.");
+            Vector3 size = spec.DomainSize;
             if (!AffineMath.IsFinite(size) || !(size.x > 0f && size.y > 0f && size.z > 0f))
-                throw new InvalidOperationException($"The domain size of '{simulation.name}' is {size} m; it must be greater than zero.");
+                throw new InvalidOperationException($"The domain size of '{spec.Name}' is {size} m; it must be greater than zero.");
             using (var collision = new CollisionScene())
             {
-                collision.Gather(FluidScene.Query(simulation));
+                collision.Gather(spec.Query());
                 var shapes = new List<LiquidShape>();
-                foreach (FluidVolume volume in FluidScene.FindVolumes(simulation))
-                    if (VolumeRules.Check(volume, simulation, collision, new List<FluidMessage>()) is LiquidShape shape) shapes.Add(shape);
-                return Spacing(FluidScene.Request(simulation, shapes, collision), count);
+                foreach (VolumeSpec volume in volumes)
+                    if (VolumeRules.Check(volume, spec, collision, new List<FluidMessage>()) is LiquidShape shape) shapes.Add(shape);
+                return Spacing(SpawnRequests.For(spec, shapes, collision), count);
             }
         }
 
@@ -39,7 +39,7 @@ namespace SphFluid
         public static float Spacing(SpawnRequest request, int count)
         {
             if (count < 1) throw new ArgumentOutOfRangeException(nameof(count), count, "The number of particles must be 1 or more.");
-            SpawnLattice.Fitted(request);
+            LatticeFit.Fitted(request);
             double volume = 0.0;
             foreach (LiquidShape shape in request.Shapes) volume += shape.Volume * (1.0 - BoxOverlap.OutsideShare(shape, request.DomainSize));
             if (!(volume > 0.0)) throw new InvalidOperationException("There is no liquid in the domain to fit a number of particles to.");

@@ -7,6 +7,9 @@ namespace SphFluid
     /// <summary>What the spawner needs to know: pure data, no scene.</summary>
     internal sealed class SpawnRequest
     {
+        /// <summary>Distance of a liquid site from a collider below which it is left out, as a fraction of the spacing.</summary>
+        public const float ObstacleClearance = 0.3f;
+
         /// <summary>Domain edge lengths [m]; the domain is centred on the origin of simulation space.</summary>
         public Vector3 DomainSize { get; set; }
 

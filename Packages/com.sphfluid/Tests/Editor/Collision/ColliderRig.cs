@@ -39,16 +39,14 @@ namespace SphFluid.Tests
         public bool Gather()
         {
             Physics.SyncTransforms();
-            return Scene.Gather(new CollisionQuery
-            {
-                Simulation = Simulation,
-                Scene = Physics.defaultPhysicsScene,
-                Position = Position,
-                Rotation = Rotation,
-                DomainSize = DomainSize,
-                Layers = 1 << Layer,
-                Spacing = Spacing,
-            });
+            CollisionQuery query = Simulation != null ? Simulation.Spec.Query() : default;
+            query.Scene = Physics.defaultPhysicsScene;
+            query.Position = Position;
+            query.Rotation = Rotation;
+            query.DomainSize = DomainSize;
+            query.Layers = 1 << Layer;
+            query.Spacing = Spacing;
+            return Scene.Gather(query);
         }
 
         /// <summary>Gathers, expects one collider and returns its triangles in the domain.</summary>

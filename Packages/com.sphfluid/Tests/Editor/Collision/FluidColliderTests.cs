@@ -25,15 +25,15 @@ namespace SphFluid.Tests
         public void TheNearestEnabledSettingsCount()
         {
             GameObject box = rig.Add<BoxCollider>("box").gameObject;
-            Assert.That(Frictions(), Is.EqualTo(new[] { FluidCollider.DomainFriction }), "without settings the domain's");
+            Assert.That(Frictions(), Is.EqualTo(new[] { ColliderSettings.DomainFriction }), "without settings the domain's");
             var own = box.AddComponent<FluidCollider>();
             own.Friction = 0.25f;
             Assert.That(Frictions(), Is.EqualTo(new[] { 0.25f }));
             own.OwnFriction = false;
-            Assert.That(Frictions(), Is.EqualTo(new[] { FluidCollider.DomainFriction }));
+            Assert.That(Frictions(), Is.EqualTo(new[] { ColliderSettings.DomainFriction }));
             own.OwnFriction = true;
             own.enabled = false;
-            Assert.That(Frictions(), Is.EqualTo(new[] { FluidCollider.DomainFriction }));
+            Assert.That(Frictions(), Is.EqualTo(new[] { ColliderSettings.DomainFriction }));
             own.enabled = true;
             GameObject sphere = rig.Add<SphereCollider>("sphere").gameObject;
             sphere.transform.SetParent(box.transform);
@@ -63,7 +63,7 @@ namespace SphFluid.Tests
             try
             {
                 var own = rig.Add<BoxCollider>().gameObject.AddComponent<FluidCollider>();
-                Assert.That(own.Meets(first) && own.Meets(second), "none named: all");
+                Assert.That(((IColliderSettings)own).AppliesTo(first) && ((IColliderSettings)own).AppliesTo(second), "none named: all");
                 own.Simulations.Add(first);
                 rig.Simulation = second;
                 Assert.That(Frictions(), Is.Empty);

@@ -94,7 +94,7 @@ namespace SphFluid.Tests
             SpawnResult result = FluidSpawner.Fill(new SpawnRequest
             {
                 DomainSize = rig.DomainSize, Spacing = Spacing, Shapes = new[] { vessel },
-                Obstacle = p => rig.Scene.FindCovering(p, FluidScene.ObstacleClearance * Spacing),
+                Obstacle = p => rig.Scene.FindCovering(p, SpawnRequest.ObstacleClearance * Spacing),
             });
             return (vessel, result);
         }
@@ -105,7 +105,7 @@ namespace SphFluid.Tests
             return new LiquidVessel("vessel", new VesselInput
             {
                 Up = Vector3.up, Level = level, DomainHolds = domainHolds, DomainSize = rig.DomainSize,
-                Colliders = rig.Scene, Clearance = FluidScene.ObstacleClearance * Spacing,
+                Colliders = rig.Scene, Clearance = SpawnRequest.ObstacleClearance * Spacing,
             }, Vector3.zero);
         }
 

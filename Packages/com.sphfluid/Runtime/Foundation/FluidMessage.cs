@@ -145,6 +145,9 @@ namespace SphFluid
         public override string ToString() =>
             Cure.Length == 0 ? $"{Prefix} '{Source}': {Text}" : $"{Prefix} '{Source}': {Text} {Cure}";
 
+        /// <summary>Edge lengths as messages show them.</summary>
+        internal static string Lengths(Vector3 v) => FormattableString.Invariant($"{v.x:0.####} × {v.y:0.####} × {v.z:0.####}");
+
         /// <inheritdoc/>
         public bool Equals(FluidMessage other) =>
             Severity == other.Severity && Issue == other.Issue && ReferenceEquals(Context, other.Context) &&

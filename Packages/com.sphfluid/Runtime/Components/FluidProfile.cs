@@ -13,7 +13,7 @@ namespace SphFluid
         internal const int CurrentVersion = 1;
 
         /// <summary>Largest value of <see cref="MaxParticles"/>.</summary>
-        public const int ParticleLimit = 16 * 1024 * 1024;
+        public const int ParticleLimit = ProfileSpec.ParticleLimit;
 
         [SerializeField, HideInInspector] int version = CurrentVersion;
 
@@ -111,6 +111,26 @@ namespace SphFluid
 
         /// <summary>Grows with each change, so that a running simulation sees that it must derive its constants again.</summary>
         internal int Revision { get; private set; }
+
+        /// <summary>The values as of now.</summary>
+        internal ProfileSpec Spec => new ProfileSpec
+        {
+            Asset = this,
+            Revision = Revision,
+            RestDensity = restDensity,
+            KinematicViscosity = kinematicViscosity,
+            SupportRatio = supportRatio,
+            SoundSpeedRatio = soundSpeedRatio,
+            MaxCompression = maxCompression,
+            TimeStepFraction = timeStepFraction,
+            ViscosityRatio = viscosityRatio,
+            WallDistanceRatio = wallDistanceRatio,
+            WallStiffnessRatio = wallStiffnessRatio,
+            WallDampingRatio = wallDampingRatio,
+            ThesisSwitches = thesisSwitches,
+            MaxParticles = maxParticles,
+            Shaders = shaders,
+        };
 
         void Touch()
         {

@@ -10,11 +10,8 @@ namespace SphFluid
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Collider")]
     [DisallowMultipleComponent]
-    public sealed class FluidCollider : MonoBehaviour
+    public sealed class FluidCollider : MonoBehaviour, IColliderSettings
     {
-        /// <summary>Stands for the friction of the domain's faces.</summary>
-        internal const float DomainFriction = -1f;
-
         [SerializeField, Tooltip("Use the friction given here. Off: the friction of the simulation's faces.")]
         bool ownFriction = true;
 
@@ -34,18 +31,14 @@ namespace SphFluid
         /// <summary>Simulations that collide; empty: all that find the colliders.</summary>
         public List<FluidSimulation> Simulations => simulations;
 
-        internal float EffectiveFriction => !ownFriction ? DomainFriction : friction > 0f ? Mathf.Min(friction, 1f) : 0f; // NaN: 0
+        bool IColliderSettings.IsActive => enabled;
 
-        /// <summary>The settings of a collider; null for none.</summary>
-        internal static FluidCollider Of(Collider collider)
-        {
-            FluidCollider nearest = collider.GetComponentInParent<FluidCollider>();
-            return nearest != null && nearest.enabled ? nearest : null;
-        }
+        // NaN: 0.
+        float IColliderSettings.EffectiveFriction =>
+            !ownFriction ? ColliderSettings.DomainFriction : friction > 0f ? Mathf.Min(friction, 1f) : 0f;
 
-        /// <summary>Whether a simulation collides.</summary>
-        /// <param name="simulation">Null: any.</param>
-        internal bool Meets(FluidSimulation simulation) => simulation == null || simulations.Count == 0 || simulations.Contains(simulation);
+        bool IColliderSettings.AppliesTo(Component owner) =>
+            owner == null || simulations.Count == 0 || simulations.Contains(owner as FluidSimulation);
 
         void OnEnable()
         {

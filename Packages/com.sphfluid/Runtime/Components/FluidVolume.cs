@@ -55,6 +55,21 @@ namespace SphFluid
         /// <summary>Simulation that this liquid belongs to; null: found as the tooltip says.</summary>
         public FluidSimulation Simulation { get => simulation; set => simulation = value; }
 
+        /// <summary>What is filled, as of now.</summary>
+        internal VolumeSpec Spec => new VolumeSpec
+        {
+            Owner = this,
+            Position = transform.position,
+            Rotation = transform.rotation,
+            LocalToWorld = transform.localToWorldMatrix,
+            Shape = shape,
+            Size = size,
+            FilledMesh = FilledMesh,
+            Level = level,
+            DomainHolds = domainHolds,
+            InitialVelocity = initialVelocity,
+        };
+
         /// <summary>The mesh that shape Mesh fills; null when there is none.</summary>
         internal Mesh FilledMesh => mesh != null ? mesh : TryGetComponent(out MeshFilter filter) ? filter.sharedMesh : null;
 

@@ -189,15 +189,35 @@ namespace SphFluid
         public string StatusMessage => FluidReports.Worst(messages);
 
         /// <summary>Simulation space to world space: this transform's position and rotation.</summary>
-        public Matrix4x4 LocalToWorld => FluidScene.LocalToWorld(transform);
+        public Matrix4x4 LocalToWorld => DomainSpace.ToWorld(transform.position, transform.rotation);
 
         /// <summary>Gravity that acts, in world space [m/s²].</summary>
         public Vector3 EffectiveGravity => useSceneGravity ? Physics.gravity : gravity;
 
-        internal Vector3 LocalGravity => Quaternion.Inverse(transform.rotation) * EffectiveGravity;
-
-        // After a failure the next try comes with the next change.
-        (FluidStartKey, FluidLiveKey) Given => (FluidStartKey.Of(this), FluidLiveKey.AsGiven(this));
+        /// <summary>All that the simulation is to be, as of now.</summary>
+        internal FluidSpec Spec => new FluidSpec
+        {
+            Owner = this,
+            Position = transform.position,
+            Rotation = transform.rotation,
+            Scale = transform.lossyScale,
+            Profile = profile != null ? profile.Spec : default,
+            DomainSize = domainSize,
+            Spacing = particleSpacing,
+            Method = method,
+            ColliderLayers = colliderLayers,
+            TimeStepMode = timeStepMode,
+            FixedTimeStep = fixedTimeStep,
+            MaxSubstepsPerFrame = MaxSubstepsPerFrame,
+            ExpectedSpeed = expectedSpeed,
+            Gravity = EffectiveGravity,
+            BodyForce = bodyForce,
+            Boundaries = boundaries,
+            VelocityField = VelocityField,
+            Seed = seed,
+            StartJitter = startJitter,
+            StartRelaxation = startRelaxation,
+        };
 
         internal CollisionScene Collision => run?.Collision;
 
@@ -208,8 +228,9 @@ namespace SphFluid
             wanted = true;
             Release();
             messages.Clear();
-            run = FluidReports.TryStart(this, Report);
-            failed = run == null ? Given : ((FluidStartKey, FluidLiveKey)?)null;
+            if (FluidReports.NotPlaying(this) is FluidMessage obstacle) Report(obstacle);
+            else run = FluidStarter.TryStart(Spec, FluidScene.Volumes(this), Watch, Report);
+            failed = run == null ? KeysOf(Spec) : ((FluidStartKey, FluidLiveKey)?)null;
             if (run != null) Started?.Invoke(this);
             return run != null;
         }
@@ -230,7 +251,7 @@ namespace SphFluid
 
         /// <summary>Checks the settings, the liquid and the colliders, of a prefab asset only the settings; changes nothing and logs nothing.</summary>
         /// <returns>What is wrong or worth knowing, errors first.</returns>
-        public IReadOnlyList<FluidMessage> Validate() => FluidValidation.Validate(this);
+        public IReadOnlyList<FluidMessage> Validate() => FluidChecks.Preview(Spec, FluidScene.Volumes(this), out _);
 
         /// <summary>Waits for the GPU and reads the particles, in simulation space, sorted by cell, without those that left the domain; for tools and tests.</summary>
         /// <param name="particles">Receives the particles.</param>
@@ -241,7 +262,7 @@ namespace SphFluid
         /// <param name="count">Wanted number of particles, 1 or more.</param>
         /// <returns>The spacing; <see cref="Spacing"/> is not changed.</returns>
         /// <exception cref="InvalidOperationException">There is no liquid to measure, or this is a prefab asset, which has none around it.</exception>
-        public float SpacingForParticleCount(int count) => ParticleCountFit.Spacing(this, count);
+        public float SpacingForParticleCount(int count) => ParticleCountFit.Spacing(Spec, FluidScene.Volumes(this), count);
 
         internal void Report(FluidMessage message)
         {
@@ -267,14 +288,28 @@ namespace SphFluid
         void LateUpdate()
         {
             if (!wanted) return;
-            if (run == null || !run.Key.Equals(FluidStartKey.Of(this)))
+            FluidSpec spec = Spec;
+            if (run == null || !run.Key.Equals(FluidStartKey.Of(spec)))
             {
-                if (failed == null || !failed.Value.Equals(Given)) StartSimulation();
+                if (failed == null || !failed.Value.Equals(KeysOf(spec))) StartSimulation();
                 return;
             }
-            if (FluidReports.TryAdvance(this, run, Time.deltaTime)) return;
+            if (run.TryAdvance(spec, Time.deltaTime, out FluidMessage failure)) return;
+            foreach (FluidMessage message in FluidReports.ErrorsOf(Validate(), failure)) Report(message);
             Release();
-            failed = Given;
+            failed = KeysOf(Spec);
+        }
+
+        // After a failure the next try comes with the next change.
+        static (FluidStartKey, FluidLiveKey) KeysOf(in FluidSpec spec) => (FluidStartKey.Of(spec), FluidLiveKey.AsGiven(spec));
+
+        StartWatch Watch
+        {
+            get
+            {
+                IFluidStartWatcher watcher = StartWatcher;
+                return watcher == null ? default : new StartWatch(progress => watcher.Continue(this, progress), () => watcher.Ended(this));
+            }
         }
 
         void Release()

@@ -1,0 +1,76 @@
+using System;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// What a simulation is to be, as of one moment: the values of its component, its profile and its transform. Everything below the
+    /// components takes this in their place.
+    /// </summary>
+    internal struct FluidSpec
+    {
+        /// <summary>The component: the context of messages, and what is in the scene that is searched. Nothing else is read from it.</summary>
+        public Component Owner;
+
+        /// <summary>World position of the domain's centre [m].</summary>
+        public Vector3 Position;
+
+        /// <summary>World rotation of the domain.</summary>
+        public Quaternion Rotation;
+
+        /// <summary>World scale of the owner; the liquid needs 1.</summary>
+        public Vector3 Scale;
+
+        /// <summary>What the liquid is; all zero without a profile.</summary>
+        public ProfileSpec Profile;
+
+        public Vector3 DomainSize;
+        public float Spacing;
+        public FluidMethodKind Method;
+        public LayerMask ColliderLayers;
+        public FluidTimeStepMode TimeStepMode;
+        public float FixedTimeStep;
+        public int MaxSubstepsPerFrame;
+        public float ExpectedSpeed;
+
+        /// <summary>Gravity that acts, in world space [m/s²].</summary>
+        public Vector3 Gravity;
+
+        public FluidBodyForce BodyForce;
+        public FluidBoundaries Boundaries;
+        public Func<Vector3, Vector3> VelocityField;
+        public int Seed;
+        public float StartJitter;
+        public FluidStartRelaxation StartRelaxation;
+
+        /// <summary>The owner's name; read when asked for, as Unity makes a new string each time.</summary>
+        public readonly string Name => Owner.name;
+
+        /// <summary>Whether there is a profile.</summary>
+        public readonly bool HasProfile => !(Profile.Asset is null);
+
+        /// <summary>Gravity in simulation space [m/s²].</summary>
+        public readonly Vector3 LocalGravity => Quaternion.Inverse(Rotation) * Gravity;
+
+        /// <summary>Simulation space to world space.</summary>
+        public readonly Matrix4x4 LocalToWorld => DomainSpace.ToWorld(Position, Rotation);
+
+        /// <summary>World space to simulation space.</summary>
+        public readonly Matrix4x4 WorldToLocal => DomainSpace.FromWorld(Position, Rotation);
+
+        /// <summary>Where to look for colliders; for an owner that is in a scene.</summary>
+        public readonly CollisionQuery Query() => new CollisionQuery
+        {
+            Owner = Owner,
+            Scene = Owner.gameObject.scene.GetPhysicsScene(),
+            Position = Position,
+            Rotation = Rotation,
+            DomainSize = DomainSize,
+            Layers = ColliderLayers,
+            Spacing = Spacing,
+            Method = Method,
+            Periodic = Boundaries.Periodic,
+            SupportRatio = HasProfile ? Profile.SupportRatio : FluidRuleInput.Water.SupportRatio,
+        };
+    }
+}

@@ -1,0 +1,30 @@
+using System.Collections.Generic;
+
+namespace SphFluid
+{
+    /// <summary>First particles of a simulation and how far and fast its liquid can fall.</summary>
+    internal sealed class FluidStart
+    {
+        public FluidStart(List<FluidParticle> particles, long count, LiquidExtent extent, float initialSpeed)
+        {
+            InitialSpeed = initialSpeed;
+            Particles = particles;
+            Count = count;
+            Extent = extent;
+        }
+
+        /// <summary>The particles; empty when only a check was asked for.</summary>
+        public List<FluidParticle> Particles { get; }
+
+        /// <summary>Their number.</summary>
+        public long Count { get; }
+
+        public LiquidExtent Extent { get; }
+
+        /// <summary>Largest speed of a particle at the start [m/s].</summary>
+        public float InitialSpeed { get; }
+
+        /// <summary>The solver's constants with the present settings.</summary>
+        public FluidSolverSettings Constants { get; set; }
+    }
+}

@@ -1,0 +1,41 @@
+using System;
+using System.Collections.Generic;
+
+namespace SphFluid
+{
+    /// <summary>Starts a simulation.</summary>
+    internal static class FluidStarter
+    {
+        /// <summary>Checks the simulation and starts it.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="volumes">Its liquid volumes, in hierarchy order.</param>
+        /// <param name="watch">Watches a start that takes long.</param>
+        /// <param name="report">Receives what is wrong or worth knowing.</param>
+        /// <returns>Null when an error was reported.</returns>
+        public static FluidRun TryStart(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, in StartWatch watch, Action<FluidMessage> report)
+        {
+            var collision = new CollisionScene();
+            List<FluidMessage> found = FluidChecks.Check(spec, volumes, collision, FluidSpawner.Fill, out FluidStart start);
+            foreach (FluidMessage message in found) report(message);
+            if (start != null)
+            {
+                try
+                {
+                    return new FluidRun(spec, start, collision, watch, report);
+                }
+                catch (Exception exception) when (exception is ArgumentException || exception is FluidDeviceException)
+                {
+                    report(FluidReports.Failure(spec.Owner, exception));
+                }
+                catch (OperationCanceledException)
+                {
+                    report(new FluidMessage(FluidSeverity.Warning, FluidIssue.StartRelaxation, spec.Owner,
+                        "The start was ended before the liquid came to rest, so it does not run.",
+                        "Start it again, or set Start Relaxation to None."));
+                }
+            }
+            collision.Dispose();
+            return null;
+        }
+    }
+}
