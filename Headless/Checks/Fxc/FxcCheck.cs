@@ -24,9 +24,10 @@ internal sealed class FxcCheck(ProjectPackages packages, string cacheFolder)
         var folder = Directory.CreateTempSubdirectory("fxc");
         try
         {
-            var lines = (jobs with { Jobs = [.. jobs.Jobs, FxcYardstick.Job] }).Write(folder.FullName, profile => profile);
+            var all = jobs with { Jobs = [.. jobs.Jobs, FxcYardstick.Job] };
+            var lines = all.Write(folder.FullName, profile => profile);
             var compiled = toolchain.Run(folder.FullName, FxcYardstick.Among(lines.SkipLast(1), lines[^1]))
-                .Select(line => FxcResult.Parse(line, [.. jobs.Jobs, FxcYardstick.Job])).ToList();
+                .Select(line => FxcResult.Parse(line, all.Jobs)).ToList();
             if (compiled.Find(r => r.Job == FxcYardstick.Job && !r.Ok) is { } lost) report.Findings.Add($"{lost.Job.Name} does not compile: {lost.Messages}");
             var results = FxcYardstick.Scale(compiled);
             foreach (var result in results) Check(result, report);
