@@ -13,7 +13,7 @@ internal sealed record Options
           --shaders N           changes of kernels                      125
           --scripts N           changes of C#                           40
           --seed N              which changes                           1
-          --files REGEX         files to draw the sample from           shaders of kernels; C# of Methods, Collision, Setup, Surface and Neighbours
+          --files REGEX         files to draw the sample from           shaders of kernels; C# of Solver, Collision, Simulation and Surface
           --only REGEX          files of the sample to change this time all
           --map                 records anew which test covers what (all tests once: minutes)
           --map-filter TEXT     of these tests only, as sphplayer test --filter; the map keeps the others
@@ -29,7 +29,7 @@ internal sealed record Options
     public int Shaders { get; init; } = 125;
     public int Scripts { get; init; } = 40;
     public int Seed { get; init; } = 1;
-    public string Files { get; init; } = "^Shaders/|^Runtime/(Methods|Collision|Setup|Surface|Neighbours)/";
+    public string Files { get; init; } = "^Shaders/|^Runtime/(Solver|Collision|Simulation|Surface)/";
     public string Only { get; init; } = "";
     public bool Map { get; init; }
     public string MapFilter { get; init; } = "";

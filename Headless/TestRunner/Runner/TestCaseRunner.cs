@@ -53,7 +53,7 @@ sealed class TestCaseRunner
         foreach (MethodInfo method in methods.UnityTearDown) Guard(context, () => driver.Run((IEnumerator)FixtureMethods.Call(method, fixture)!, Check));
         foreach (IOuterUnityTestAction action in outer.Reverse()) Guard(context, () => driver.Run(action.AfterTest(test), Check));
         ReportOutOfBounds();
-        JudgeLog(context, log);
+        CheckLog(context, log);
     }
 
     /// <summary>An access outside a buffer or array is an error of the test in which a shader made it.</summary>
@@ -63,7 +63,7 @@ sealed class TestCaseRunner
         foreach (string line in GraphicsDevice.Device.TakeOutOfBounds()) UnityEngine.Debug.LogError(line);
     }
 
-    static void JudgeLog(TestExecutionContext context, LogScope log)
+    static void CheckLog(TestExecutionContext context, LogScope log)
     {
         if (context.CurrentResult.ResultState.Status != TestStatus.Passed) return;
         try

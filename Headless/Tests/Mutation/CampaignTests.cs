@@ -12,14 +12,14 @@ public class CampaignTests
     {
         string project = Path.GetFullPath(Path.Combine(PlayerProcess.ProjectsFolder, "../../.."));
         string folder = Directory.CreateTempSubdirectory("mutation").FullName;
-        const string kernel = "Packages/com.sphfluid/Shaders/Methods/Thesis/CalculateDensity.compute";
+        const string kernel = "Packages/com.sphfluid/Shaders/Solver/Thesis/CalculateDensity.compute";
         string before = File.ReadAllText(Path.Combine(project, kernel));
         try
         {
             new Campaign(Options.Parse(
             [
                 project, "--work", Path.Combine(folder, "work"), "--out", folder, "--shaders", "2", "--scripts", "1",
-                "--files", "CalculateDensity.compute|WendlandKernel.cs", "--map-filter", "DensityTests.AgreesWithDoublePrecision(257);WendlandKernelTests",
+                "--files", "CalculateDensity.compute|WendlandKernel.cs", "--map-filter", "CalculateDensityTests.AgreesWithDoublePrecision(257);WendlandKernelTests",
             ])).Run();
             List<Row> rows = Table.Read(Path.Combine(folder, "mutants.csv"));
             rows.RemoveAll(r => r.IsDropped);

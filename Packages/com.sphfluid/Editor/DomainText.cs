@@ -37,6 +37,6 @@ namespace SphFluid.Editor
             removed == 0 ? Invariant($"{count:N0}") : Invariant($"{count - removed:N0}; {removed:N0} left the domain");
 
         static (string, string) Cells(in FluidSolverSettings settings) =>
-            ("Cells", Invariant($"{CellRules.Needed(settings):N0} of {CellRules.Most(settings.Method):N0} at most"));
+            ("Cells", Invariant($"{CellChecks.Needed(settings):N0} of {CellChecks.Most(settings.Method):N0} at most"));
     }
 }

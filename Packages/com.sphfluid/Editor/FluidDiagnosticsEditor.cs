@@ -29,21 +29,21 @@ namespace SphFluid.Editor
             if (Diagnostics.Findings.Count == 0) EditorGUILayout.LabelField(Diagnostics.MeasurementCount > 0 ? "none" : "nothing measured yet");
             foreach (FluidFinding finding in Diagnostics.Findings)
                 EditorGUILayout.HelpBox($"{ObjectNames.NicifyVariableName(finding.Failure.ToString())}: {finding.Text} {finding.Cure}", MessageType.Warning);
-            if (Diagnostics.MeasurementCount > 0) DrawVitals(Diagnostics.Vitals);
+            if (Diagnostics.MeasurementCount > 0) DrawStatistics(Diagnostics.Statistics);
         }
 
-        static void DrawVitals(in FluidVitals vitals)
+        static void DrawStatistics(in FluidStatistics statistics)
         {
             EditorGUILayout.Space();
-            EditorGUILayout.LabelField("Vitals", EditorStyles.boldLabel);
-            EditorGUILayout.LabelField("At", $"{vitals.Time:0.000} s");
-            EditorGUILayout.LabelField("Energy", $"{vitals.Energy:G4} J (kinetic {vitals.KineticEnergy:G3}, elastic {vitals.ElasticEnergy:G3})");
-            EditorGUILayout.LabelField("Fastest", $"{vitals.MaxSpeed:G3} m/s");
-            EditorGUILayout.LabelField("Density / rest density", $"{vitals.MinDensityRatio:0.00} to {vitals.MaxDensityRatio:0.00}");
-            EditorGUILayout.LabelField("Mean compression", $"{100.0 * vitals.MeanCompression:0.0} %");
-            EditorGUILayout.LabelField("Most neighbours", vitals.MaxNeighbours.ToString());
-            EditorGUILayout.LabelField("Clumped, escaped", $"{vitals.Clumped}, {vitals.Escaped}");
-            EditorGUILayout.LabelField("Not finite", vitals.NonFinite.ToString());
+            EditorGUILayout.LabelField("Statistics", EditorStyles.boldLabel);
+            EditorGUILayout.LabelField("At", $"{statistics.Time:0.000} s");
+            EditorGUILayout.LabelField("Energy", $"{statistics.Energy:G4} J (kinetic {statistics.KineticEnergy:G3}, elastic {statistics.ElasticEnergy:G3})");
+            EditorGUILayout.LabelField("Fastest", $"{statistics.MaxSpeed:G3} m/s");
+            EditorGUILayout.LabelField("Density / rest density", $"{statistics.MinDensityRatio:0.00} to {statistics.MaxDensityRatio:0.00}");
+            EditorGUILayout.LabelField("Mean compression", $"{100.0 * statistics.MeanCompression:0.0} %");
+            EditorGUILayout.LabelField("Most neighbours", statistics.MaxNeighbours.ToString());
+            EditorGUILayout.LabelField("Clumped, escaped", $"{statistics.Clumped}, {statistics.Escaped}");
+            EditorGUILayout.LabelField("Not finite", statistics.NonFinite.ToString());
         }
     }
 }

@@ -46,7 +46,7 @@ namespace SphFluid.Editor
                     return Change(simulation, "Fit Spacing", () => simulation.Spacing = FittingSpacing(simulation));
                 case FluidIssue.TimeStepInvalid:
                     return Change(simulation, "Use Automatic", () => simulation.TimeStepMode = FluidTimeStepMode.Automatic);
-                case FluidIssue.BoundariesInvalid when BoundaryRules.FacesAreWrong(simulation.Spec):
+                case FluidIssue.BoundariesInvalid when BoundaryChecks.FacesAreWrong(simulation.Spec):
                     return Change(simulation, "Use Plain Walls", () => simulation.Boundaries = default);
                 case FluidIssue.BoundariesInvalid:
                     return Change(simulation, "Remove Body Force", () => simulation.BodyForce = default);
@@ -57,7 +57,7 @@ namespace SphFluid.Editor
                 case FluidIssue.TooManyParticles when simulation.Profile != null:
                     return Change(simulation, "Coarsen Spacing", () => Coarsen(simulation));
                 case FluidIssue.TooManyCells:
-                    return Change(simulation, "Coarsen Spacing", () => simulation.Spacing = CellRules.FittingSpacing(simulation.Spec));
+                    return Change(simulation, "Coarsen Spacing", () => simulation.Spacing = CellChecks.FittingSpacing(simulation.Spec));
                 case FluidIssue.VolumeSizeInvalid when context is FluidVolume volume && !(Smallest(volume.Size) > 0f):
                     return Change(volume, "Make Positive", () => volume.Size = Positive(volume.Size));
                 case FluidIssue.MeshNotReadable when context is MeshCollider collider:

@@ -42,7 +42,7 @@ namespace SphFluid.Editor
             double now = EditorApplication.timeSinceStartup;
             if (now < nextCheck) return;
             nextCheck = now + LeastInterval; // should the check throw, it does not do so at every repaint
-            List<FluidMessage> found = FluidValidation.Preview(simulation, out constants);
+            List<FluidMessage> found = FluidSimulationChecks.Preview(simulation, out constants);
             if (ViewRules.Check(simulation) is FluidMessage unseen) found.Add(unseen);
             messages = found;
             double took = EditorApplication.timeSinceStartup - now;

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>The energies of a state [J], summed on the CPU; <see cref="FluidVitals"/> has the same sums from the GPU.</summary>
+    /// <summary>The energies of a state [J], summed on the CPU; <see cref="FluidStatistics"/> has the same sums from the GPU.</summary>
     public readonly struct LiquidEnergy
     {
         LiquidEnergy(double kinetic, double potential, double elastic)

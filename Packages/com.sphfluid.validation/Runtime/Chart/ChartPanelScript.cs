@@ -9,7 +9,7 @@ namespace SphFluid.Validation
     sealed class ChartPanelScript
     {
         const int CautionWidth = 88;
-        const double RoomForFailures = 0.12, RoomForLabels = 0.15; // parts of the axis
+        const double FailureRowHeight = 0.12, LabelRowHeight = 0.15; // parts of the axis
         const double FailureHeight = 0.96; // part of the panel's height
         const double Smallest = 1e-7;
 
@@ -31,7 +31,7 @@ namespace SphFluid.Validation
             bool failures = group.Any(p => p.Points.Any(q => q.Failures > 0));
             y = ChartAxis.Of(group.SelectMany(p => p.Points).Where(p => p.Error.HasValue)
                 .SelectMany(p => new[] { Shown(p.Error.Value.Minimum), Shown(p.Error.Value.Maximum) }).Append(0.7 * panel.Case.Floor),
-                RoomForLabels, failures ? RoomForFailures : 0.0);
+                LabelRowHeight, failures ? FailureRowHeight : 0.0);
         }
 
         /// <summary>The caution below the panel, line by line.</summary>

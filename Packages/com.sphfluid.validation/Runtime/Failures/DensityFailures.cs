@@ -94,7 +94,7 @@ namespace SphFluid.Validation
             FluidParticle[] At(float x) => FailureBlocks.Join(first, FailureBlocks.Lattice(counts, dx, dx * new Vector3(x, -5.6f, -5.5f), 0.01 * dx, 0.5f * domain, 2));
             var run = new FailureRun { Settings = FailureBlocks.Settings(domain), Steps = 10, Samples = 10 };
             return new FailureExperiment("overlapping-start", FluidFailure.OverlappingStart, run.From(At(-3.3f)), run.From(At(0f)),
-                "fastest particle of the first 10 steps over c", r => r.Vitals.Max(v => v.MaxSpeed) / r.Settings.SoundSpeed);
+                "fastest particle of the first 10 steps over c", r => r.Statistics.Max(v => v.MaxSpeed) / r.Settings.SoundSpeed);
         }
 
         // Highest layer over lowest, and a layer's own height.

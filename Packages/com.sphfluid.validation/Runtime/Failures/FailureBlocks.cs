@@ -106,7 +106,7 @@ namespace SphFluid.Validation
         public static void SetCourant(ref FluidSolverSettings settings, double courant)
         {
             settings.TimeStep = (float)(courant * settings.SupportRadius / Math.Sqrt(settings.Stiffness));
-            settings.AccelerationLimit = FluidRules.EmergencyLimit(settings.Spacing, settings.TimeStep);
+            settings.AccelerationLimit = ThesisRules.EmergencyLimit(settings.Spacing, settings.TimeStep);
         }
 
         /// <summary>Viscosity of a kinematic viscosity [m²/s].</summary>

@@ -7,7 +7,7 @@ namespace SphFluid.Validation
     public sealed class FailureResult
     {
         readonly Dictionary<FluidFailure, FluidFinding> findings = new Dictionary<FluidFailure, FluidFinding>();
-        readonly List<FluidVitals> vitals = new List<FluidVitals>();
+        readonly List<FluidStatistics> statistics = new List<FluidStatistics>();
         readonly List<FluidSnapshot> states = new List<FluidSnapshot>();
 
         internal FailureResult(FailureRun run) => Run = run;
@@ -21,8 +21,8 @@ namespace SphFluid.Validation
         /// <summary>What the detectors said, before the start or at any sample: the first finding of each failure.</summary>
         public IReadOnlyCollection<FluidFinding> Findings => findings.Values;
 
-        /// <summary>Vitals at the start and at each sample.</summary>
-        public IReadOnlyList<FluidVitals> Vitals => vitals;
+        /// <summary>Statistics at the start and at each sample.</summary>
+        public IReadOnlyList<FluidStatistics> Statistics => statistics;
 
         /// <summary>The particles at the start and at each sample, ordered by id.</summary>
         public IReadOnlyList<FluidSnapshot> States => states;
@@ -30,8 +30,8 @@ namespace SphFluid.Validation
         /// <summary>The particles at the end.</summary>
         public FluidSnapshot End => states[states.Count - 1];
 
-        /// <summary>Vitals at the end.</summary>
-        public FluidVitals EndVitals => vitals[vitals.Count - 1];
+        /// <summary>Statistics at the end.</summary>
+        public FluidStatistics EndStatistics => statistics[statistics.Count - 1];
 
         /// <summary>The guards' counts at the end.</summary>
         public FluidCounters Counters { get; internal set; }
@@ -58,9 +58,9 @@ namespace SphFluid.Validation
             }
         }
 
-        internal void Add(in FluidVitals now, FluidSnapshot state)
+        internal void Add(in FluidStatistics now, FluidSnapshot state)
         {
-            vitals.Add(now);
+            statistics.Add(now);
             states.Add(state);
         }
     }

@@ -13,7 +13,7 @@ namespace SphFluid.Validation
         readonly FluidShaderSet shaders;
         readonly ComputeShader audit;
         readonly FluidSolver solver;
-        readonly FluidVitalsMeter meter;
+        readonly FluidStatisticsMeter meter;
         readonly FluidDetectors detectors;
         readonly CaseObstacles sheets;
 
@@ -23,7 +23,7 @@ namespace SphFluid.Validation
             this.shaders = shaders;
             this.audit = audit;
             solver = new FluidSolver(run.Settings, shaders, run.Start);
-            meter = new FluidVitalsMeter(shaders, solver);
+            meter = new FluidStatisticsMeter(shaders, solver);
             detectors = new FluidDetectors(run.Settings, realViscosity: run.RealViscosity);
             sheets = new CaseObstacles(run.Sheets, false);
             sheets.GiveTo(solver);
@@ -66,7 +66,7 @@ namespace SphFluid.Validation
 
         void Look(FailureResult result)
         {
-            FluidVitals now = meter.MeasureNow();
+            FluidStatistics now = meter.MeasureNow();
             result.Note(detectors.Note(now, solver.ReadCountersNow()));
             result.Add(now, FluidSnapshot.Read(solver));
         }

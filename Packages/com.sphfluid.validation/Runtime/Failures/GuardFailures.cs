@@ -24,7 +24,7 @@ namespace SphFluid.Validation
             printed.AccelerationLimit = ThesisAccelerationLimit.AsPrinted;
             printed.OctantSearch = false;
             return new FailureExperiment("clamp", FluidFailure.ClampActs, cured.With(cured.Settings.With(printed)), cured,
-                "change of Σmv over Σm|v|", r => (r.EndVitals.Momentum - r.Vitals[0].Momentum).magnitude / r.Vitals[0].MomentumScale);
+                "change of Σmv over Σm|v|", r => (r.EndStatistics.Momentum - r.Statistics[0].Momentum).magnitude / r.Statistics[0].MomentumScale);
         }
 
         /// <summary>Five times as many particles in one place as fit there.</summary>
@@ -44,7 +44,7 @@ namespace SphFluid.Validation
                 };
             }
             return new FailureExperiment("overflow", FluidFailure.Overflow, Dump(5.0), Dump(1.0),
-                "most neighbours of a particle", r => r.Vitals.Max(v => v.MaxNeighbours))
+                "most neighbours of a particle", r => r.Statistics.Max(v => v.MaxNeighbours))
             { Survived = true };
         }
     }

@@ -60,8 +60,8 @@ namespace SphFluid.Validation
                 "v_rms/√k at t = 200 R/√k", r => RmsSpeed(r) / Math.Sqrt(r.Settings.Stiffness));
         }
 
-        static double Clumped(FailureResult result) => result.EndVitals.Clumped / (double)result.Run.Start.Length;
+        static double Clumped(FailureResult result) => result.EndStatistics.Clumped / (double)result.Run.Start.Length;
 
-        static double RmsSpeed(FailureResult result) => result.EndVitals.RmsSpeed(result.Settings.ParticleMass);
+        static double RmsSpeed(FailureResult result) => result.EndStatistics.RmsSpeed(result.Settings.ParticleMass);
     }
 }

@@ -14,7 +14,7 @@ namespace SphFluid.Validation
         public static FailureExperiment TimeStep(double failing = 1.45, double cured = 1.25)
         {
             return new FailureExperiment("time-step", FluidFailure.TimeStepTooLong, At(failing), At(cured),
-                "v_rms/c after 150 steps", r => r.EndVitals.RmsSpeed(r.Settings.ParticleMass) / r.Settings.SoundSpeed);
+                "v_rms/c after 150 steps", r => r.EndStatistics.RmsSpeed(r.Settings.ParticleMass) / r.Settings.SoundSpeed);
 
             FailureRun At(double courant)
             {
@@ -30,7 +30,7 @@ namespace SphFluid.Validation
         public static FailureExperiment Viscosity(double failing = 0.14, double cured = 0.06)
         {
             return new FailureExperiment("viscosity", FluidFailure.ViscosityTooStiff, At(failing), At(cured),
-                "growth of v_rms over the last 50 of 100 steps", r => RmsSpeed(r, r.EndVitals) / RmsSpeed(r, r.Vitals[r.Vitals.Count / 2]));
+                "growth of v_rms over the last 50 of 100 steps", r => RmsSpeed(r, r.EndStatistics) / RmsSpeed(r, r.Statistics[r.Statistics.Count / 2]));
 
             FailureRun At(double ratio)
             {
@@ -77,13 +77,13 @@ namespace SphFluid.Validation
         public static double DecayViscosity(FailureResult result)
         {
             double wave = 2.0 * Math.PI / result.Settings.DomainSize.y;
-            double time = result.EndVitals.Time - result.Vitals[1].Time;
+            double time = result.EndStatistics.Time - result.Statistics[1].Time;
             return Math.Log(Amplitude(result.States[1], wave) / Amplitude(result.End, wave)) / (wave * wave * time);
         }
 
         static double Amplitude(FluidSnapshot state, double wave) =>
             2.0 * Enumerable.Range(0, state.Count).Average(i => state.Velocities[i].x * Math.Sin(wave * state.LocalPositions[i].y));
 
-        static double RmsSpeed(FailureResult result, in FluidVitals vitals) => vitals.RmsSpeed(result.Settings.ParticleMass);
+        static double RmsSpeed(FailureResult result, in FluidStatistics statistics) => statistics.RmsSpeed(result.Settings.ParticleMass);
     }
 }

@@ -48,7 +48,7 @@ namespace SphFluid.Validation
             soft.WallStiffness *= 0.01f;
             soft.WallDamping *= 0.1f;
             return new FailureExperiment("wall-stacking", FluidFailure.WallStacking, cured.With(soft), cured,
-                "share of particles nearer to a wall than dx/10", r => r.EndVitals.AtWalls / (double)r.Run.Start.Length);
+                "share of particles nearer to a wall than dx/10", r => r.EndStatistics.AtWalls / (double)r.Run.Start.Length);
         }
 
         // A square about the origin, its front up.

@@ -12,7 +12,7 @@ namespace SphFluid.Validation
         const int RestFrames = 6;
 
         readonly LeakScene scene;
-        readonly LeakJudge judge;
+        readonly LeakDetector judge;
         readonly LeakSurface surface;
         readonly FluidSolver solver;
         readonly int stepsPerFrame;
@@ -23,7 +23,7 @@ namespace SphFluid.Validation
         public LeakRun(LeakScene scene, FluidShaderSet shaders)
         {
             this.scene = scene;
-            judge = LeakJudge.Of(scene);
+            judge = LeakDetector.Of(scene);
             stepsPerFrame = (int)Math.Ceiling(1.0 / LeakScene.FrameRate / scene.Settings.TimeStep);
             solver = new FluidSolver(scene.Settings, shaders, scene.Particles);
             surface = new LeakSurface(scene);

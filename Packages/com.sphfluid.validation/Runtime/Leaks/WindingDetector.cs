@@ -8,7 +8,7 @@ namespace SphFluid.Validation
     /// For closed surfaces that stretch: a particle whose winding number, rounded, is another than at the start has escaped. A place
     /// that is not finite has.
     /// </summary>
-    sealed class WindingDetector : LeakJudge
+    sealed class WindingDetector : LeakDetector
     {
         readonly WindingNumber winding;
         readonly List<double> start = new List<double>();

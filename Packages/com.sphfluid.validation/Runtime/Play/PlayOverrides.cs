@@ -53,7 +53,7 @@ namespace SphFluid.Validation
         // Before a lattice is made: one of far too many sites would take minutes.
         static void SetParticles(FluidSimulation simulation, int count)
         {
-            long most = LiquidRules.MostParticles(simulation.Spec, out string owner);
+            long most = LiquidChecks.MostParticles(simulation.Spec, out string owner);
             if (count > most)
             {
                 throw new CommandLineException(FormattableString.Invariant(

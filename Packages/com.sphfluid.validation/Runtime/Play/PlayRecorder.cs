@@ -54,7 +54,7 @@ namespace SphFluid.Validation
 
         void Record(int index, FluidSimulation simulation)
         {
-            FluidStatistics s = FluidStatistics.Of(FluidSnapshot.Read(simulation), simulation.Solver.Settings);
+            SnapshotStatistics s = SnapshotStatistics.Of(FluidSnapshot.Read(simulation), simulation.Solver.Settings);
             record.Add(simulation.SimulatedTime, index, simulation.StepCount, s.MaxSpeed, s.RmsSpeed,
                 s.DensityErrorMean, s.DensityErrorMax, s.KineticEnergy, s.Centre.x, s.Centre.y, s.Centre.z);
         }

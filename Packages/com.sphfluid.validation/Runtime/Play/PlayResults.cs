@@ -63,7 +63,7 @@ namespace SphFluid.Validation
         JsonObject Summary(FluidSimulation simulation, FluidSnapshot snapshot)
         {
             FluidSolverSettings settings = simulation.Solver.Settings;
-            FluidStatistics statistics = FluidStatistics.Of(snapshot, settings);
+            SnapshotStatistics statistics = SnapshotStatistics.Of(snapshot, settings);
             NeighbourCount neighbours = NeighbourCount.Of(snapshot.LocalPositions, settings.SupportRadius);
             ColliderPenetration penetration = ColliderPenetration.Of(simulation, snapshot);
             LiquidVolume volume = LiquidVolume.Of(simulation, snapshot);

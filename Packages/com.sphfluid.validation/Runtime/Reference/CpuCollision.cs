@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace SphFluid.Validation
 {
-    /// <summary>The thesis's CollisionForce (6.3.3) per unit mass [m/s²]: Shaders/Methods/Thesis/CollisionForce.hlsl in double precision.</summary>
+    /// <summary>The thesis's CollisionForce (6.3.3) per unit mass [m/s²]: Shaders/Solver/Thesis/CollisionForce.hlsl in double precision.</summary>
     internal struct CpuCollision
     {
         public double3 HalfSize;

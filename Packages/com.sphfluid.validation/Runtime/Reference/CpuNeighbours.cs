@@ -4,7 +4,7 @@ using Unity.Mathematics;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// The grid and its cell lists: Shaders/Neighbours/FluidGrid.hlsl and ThesisNeighbours.hlsl in double precision.
+    /// The grid and its cell lists: Shaders/Solver/FluidGrid.hlsl and GridNeighbours.hlsl in double precision.
     /// A cell's particles are [First[cell], First[cell + 1]) of the sorted particles.
     /// </summary>
     internal struct CpuNeighbours

@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Walls that hold the liquid next to them: Shaders/Methods/WallDrag.hlsl in double precision.</summary>
+    /// <summary>Walls that hold the liquid next to them: Shaders/Solver/WallDrag.hlsl in double precision.</summary>
     internal struct CpuWallDrag
     {
         public CpuPeriod Period;

@@ -10,10 +10,10 @@ namespace SphFluid.Validation
         public StabilityCriteria Criteria;
 
         /// <summary>Length that the map asks for [s].</summary>
-        public double WantedDuration;
+        public double RequestedDuration;
 
         /// <summary>Whether the run ends before the map's length.</summary>
-        public bool IsCut => Setup.Duration < WantedDuration * (1.0 - 1e-6);
+        public bool IsCut => Setup.Duration < RequestedDuration * (1.0 - 1e-6);
 
         /// <summary>What a cut run's judgement says at its end.</summary>
         public const string CutText = "ended by its budget";
@@ -22,7 +22,7 @@ namespace SphFluid.Validation
         /// <param name="mostSteps">Most steps.</param>
         public StabilityScenario Cut(double mostSteps)
         {
-            WantedDuration = Setup.Duration;
+            RequestedDuration = Setup.Duration;
             Setup.Duration = System.Math.Min(Setup.Duration, mostSteps * Setup.Settings.TimeStep);
             Setup.SampleInterval = System.Math.Max(Setup.Settings.TimeStep, Setup.Duration / 50.0);
             Criteria.SettledFrom = 0.75 * Setup.Duration;

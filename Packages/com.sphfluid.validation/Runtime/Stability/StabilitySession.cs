@@ -90,11 +90,11 @@ namespace SphFluid.Validation
         IEnumerator RunCell(StabilityRun run)
         {
             StabilityScenario scene = run.Build();
-            var judge = new StabilityJudge(scene.Criteria);
+            var judge = new StabilityCriterion(scene.Criteria);
             CaseResult result = null;
             yield return runner(scene.Setup, judge, r => result = r);
             string cut = scene.IsCut
-                ? FormattableString.Invariant($"{StabilityScenario.CutText} of {result.Steps} steps at {scene.Setup.Duration / scene.WantedDuration:P0} of {scene.WantedDuration:G3} s") : "";
+                ? FormattableString.Invariant($"{StabilityScenario.CutText} of {result.Steps} steps at {scene.Setup.Duration / scene.RequestedDuration:P0} of {scene.RequestedDuration:G3} s") : "";
             StabilityOutcome outcome = judge.Conclude(result, cut);
             files.Add(StabilityRow.Of(run, outcome, files.Device, Today));
             if (run.X.Equals(run.Map.X.High))

@@ -36,7 +36,7 @@ namespace SphFluid.Tests
             FluidSnapshot snapshot = FluidSnapshot.FromParticles(particles, new[] { 1020f, 900f, 1000f, 1000f }, new float[4], Matrix4x4.identity);
             var settings = new FluidSolverSettings { DomainSize = Vector3.one, RestDensity = 1000f, ParticleMass = 0.5f };
 
-            FluidStatistics statistics = FluidStatistics.Of(snapshot, settings);
+            SnapshotStatistics statistics = SnapshotStatistics.Of(snapshot, settings);
 
             Assert.That(statistics.NonFiniteCount, Is.EqualTo(2));
             Assert.That(statistics.EscapedCount, Is.EqualTo(1));

@@ -23,7 +23,7 @@ namespace SphFluid.Tests
         static SurfaceStatus Status(uint blocks, bool complete, uint openFaces = 0, uint nonFinite = 0)
         {
             var counters = new uint[SurfaceCounters.Slots];
-            counters[SurfaceCounters.BlocksWanted] = blocks;
+            counters[SurfaceCounters.BlocksRequested] = blocks;
             counters[SurfaceCounters.Complete] = complete ? 1u : 0u;
             counters[SurfaceCounters.OpenFaces] = openFaces;
             counters[SurfaceCounters.NonFinite] = nonFinite;

@@ -37,7 +37,7 @@ namespace SphFluid.Tests
 
             Assert.That(simulation.SimulatedTime, Is.EqualTo(Seconds).Within(2f * FrameTime));
             FluidSnapshot snapshot = FluidSnapshot.Read(simulation);
-            FluidStatistics statistics = FluidStatistics.Of(snapshot, simulation.Solver.Settings);
+            SnapshotStatistics statistics = SnapshotStatistics.Of(snapshot, simulation.Solver.Settings);
             Assert.That(statistics.NonFiniteCount, Is.Zero, "particles that are not finite");
             Assert.That(statistics.EscapedCount, Is.Zero, "particles outside the domain");
             Assert.That(ColliderPenetration.Of(simulation, snapshot).Deep, Is.Zero, "particles deeper in a collider than one spacing");

@@ -110,7 +110,7 @@ namespace SphFluid
                 return;
             }
             solids.Add(solid);
-            ColliderRules.Check(query, solid, messages);
+            ColliderChecks.Check(query, solid, messages);
             if (triangles.Count > first) colliders.Add(RangeOf(first, mesh.IsClosed));
         }
 

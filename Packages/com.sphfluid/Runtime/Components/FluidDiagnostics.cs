@@ -27,7 +27,7 @@ namespace SphFluid
 
         readonly FindingEpisodes episodes = new FindingEpisodes();
         FluidSimulation simulation;
-        FluidVitalsMeter meter;
+        FluidStatisticsMeter meter;
         FluidDetectors detectors;
         FluidSolver refused;
         CommandBuffer commands;
@@ -35,7 +35,7 @@ namespace SphFluid
         long colliderChanges;
 
         /// <summary>Raised on the main thread with each measurement, after <see cref="Findings"/> was brought up to date.</summary>
-        public event Action<FluidVitals> Measured;
+        public event Action<FluidStatistics> Measured;
 
         /// <summary>Raised when a failure is found that was not there before, after it was reported.</summary>
         public event Action<FluidFinding> Found;
@@ -50,7 +50,7 @@ namespace SphFluid
         public bool Runs => RunsIn(Application.isEditor, Debug.isDebugBuild, runInPlayers);
 
         /// <summary>The last measurement; all zero before the first.</summary>
-        public FluidVitals Vitals { get; private set; }
+        public FluidStatistics Statistics { get; private set; }
 
         /// <summary>Measurements of the present run of the simulation.</summary>
         public long MeasurementCount { get; private set; }
@@ -87,7 +87,7 @@ namespace SphFluid
             Forget();
             try
             {
-                meter = new FluidVitalsMeter(simulation.Profile.Shaders, solver);
+                meter = new FluidStatisticsMeter(simulation.Profile.Shaders, solver);
             }
             catch (FluidDeviceException exception)
             {
@@ -113,14 +113,14 @@ namespace SphFluid
             colliderChanges = changes;
         }
 
-        void Receive(FluidVitals vitals, FluidMoment moment)
+        void Receive(FluidStatistics statistics, FluidMoment moment)
         {
             detectors.Apply(moment.Settings);
             if (moment.WorkDone) detectors.Rebase();
-            Vitals = vitals;
+            Statistics = statistics;
             MeasurementCount++;
-            Take(detectors.Note(vitals, meter.Solver.Counters));
-            Measured?.Invoke(vitals);
+            Take(detectors.Note(statistics, meter.Solver.Counters));
+            Measured?.Invoke(statistics);
         }
 
         void Take(IReadOnlyList<FluidFinding> findings)
@@ -130,14 +130,14 @@ namespace SphFluid
             for (int i = 0; i < findings.Count; i++)
             {
                 FluidFinding finding = findings[i];
-                if (!episodes.IsNew(finding.Failure) || !IsTold(finding.Failure)) continue;
+                if (!episodes.IsNew(finding.Failure) || !IsReported(finding.Failure)) continue;
                 simulation.Report(new FluidMessage(FluidSeverity.Warning, FluidIssue.Diagnosis, simulation, finding.Text, finding.Cure));
                 Found?.Invoke(finding);
             }
         }
 
         // True of every thin liquid that the method calms: worth showing, no warning.
-        static bool IsTold(FluidFailure failure) => failure != FluidFailure.NumericalViscosity;
+        static bool IsReported(FluidFailure failure) => failure != FluidFailure.NumericalViscosity;
 
         void Forget()
         {
@@ -147,7 +147,7 @@ namespace SphFluid
             detectors = null;
             countdown = 0;
             MeasurementCount = 0;
-            Vitals = default;
+            Statistics = default;
             Findings = Array.Empty<FluidFinding>();
             episodes.Clear();
         }

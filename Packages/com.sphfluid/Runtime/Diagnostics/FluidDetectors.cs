@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace SphFluid
 {
     /// <summary>
-    /// Names what goes wrong from a liquid's constants and its vitals over time. Pure: no GPU, no scene.
+    /// Names what goes wrong from a liquid's constants and its statistics over time. Pure: no GPU, no scene.
     /// Documentation~/diagnostics.md lists the limits. <see cref="FluidFailure.AsymmetricPairs"/> needs a search by brute force and is not among them.
     /// </summary>
     public sealed class FluidDetectors
@@ -15,7 +15,7 @@ namespace SphFluid
             ModelDetectors.TooLittleViscosity, ModelDetectors.NumericalViscosity,
         };
 
-        static readonly FluidDetector[] OfVitals =
+        static readonly FluidDetector[] OfStatistics =
         {
             StabilityDetectors.NonFinite, StabilityDetectors.EnergyGrowth, StabilityDetectors.TimeStepTooLong,
             StabilityDetectors.ViscosityTooStiff, StabilityDetectors.Tunnelling, StabilityDetectors.ClampActs,
@@ -39,19 +39,19 @@ namespace SphFluid
         /// <returns>The findings; empty when all is well.</returns>
         public IReadOnlyList<FluidFinding> Check() => ofSettings ??= Look(OfSettings, Array.Empty<FluidFinding>());
 
-        /// <summary>Takes note of the vitals, oldest first.</summary>
-        /// <param name="vitals">The liquid now. The first ones are what energies are compared with: measure at the start.</param>
+        /// <summary>Takes note of the statistics, oldest first.</summary>
+        /// <param name="statistics">The liquid now. The first ones are what energies are compared with: measure at the start.</param>
         /// <param name="counters">The guards' counts now; what they gained since the last call counts.</param>
         /// <returns>What is wrong now, the findings of <see cref="Check"/> first; empty when all is well.</returns>
-        public IReadOnlyList<FluidFinding> Note(in FluidVitals vitals, in FluidCounters counters)
+        public IReadOnlyList<FluidFinding> Note(in FluidStatistics statistics, in FluidCounters counters)
         {
             IReadOnlyList<FluidFinding> known = Check();
-            evidence.Note(vitals, counters);
-            return Look(OfVitals, known);
+            evidence.Note(statistics, counters);
+            return Look(OfStatistics, known);
         }
 
         /// <summary>
-        /// The next vitals become what energies are compared with: call it when something gave the liquid energy that is no failure, a moved
+        /// The next statistics become what energies are compared with: call it when something gave the liquid energy that is no failure, a moved
         /// collider or a changed particle. Moving walls of the domain and gravity around a periodic axis are known to do work: energy growth is
         /// then not looked for.
         /// </summary>

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>What the detectors look at: a liquid's constants, its vitals at the start, before and now, and the guards' counts.</summary>
+    /// <summary>What the detectors look at: a liquid's constants, its statistics at the start, before and now, and the guards' counts.</summary>
     internal sealed class FluidEvidence
     {
         // Energy that a liquid may gain before it counts: a twentieth of what it had, and motion at a fiftieth of the speed of sound.
@@ -25,9 +25,9 @@ namespace SphFluid
         public double RealViscosity { get; }
         public ref readonly FluidSolverSettings Settings => ref settings;
         public TimeStepAdvice Advice { get; private set; }
-        public bool HasVitals { get; private set; }
-        public FluidVitals First { get; private set; }
-        public FluidVitals Now { get; private set; }
+        public bool HasStatistics { get; private set; }
+        public FluidStatistics First { get; private set; }
+        public FluidStatistics Now { get; private set; }
 
         /// <summary>Length of the steps in use [s].</summary>
         public double TimeStep { get; private set; }
@@ -54,7 +54,7 @@ namespace SphFluid
         public bool IsDriven { get; private set; }
 
         /// <summary>Energy over that of all liquid at rest in the lowest corner of the domain [J].</summary>
-        public double AvailableEnergy(in FluidVitals vitals) => vitals.Energy - Mass(vitals) * lowestPotential;
+        public double AvailableEnergy(in FluidStatistics statistics) => statistics.Energy - Mass(statistics) * lowestPotential;
 
         /// <summary>Largest energy that is no growth [J].</summary>
         public double EnergyLimit
@@ -66,7 +66,7 @@ namespace SphFluid
             }
         }
 
-        public bool EnergyGrows => HasVitals && !IsDriven && AvailableEnergy(Now) > EnergyLimit;
+        public bool EnergyGrows => HasStatistics && !IsDriven && AvailableEnergy(Now) > EnergyLimit;
 
         public double Share(double particles) => particles / Math.Max(1, Now.ParticleCount);
 
@@ -86,21 +86,21 @@ namespace SphFluid
             return true;
         }
 
-        public void Note(in FluidVitals vitals, in FluidCounters counts)
+        public void Note(in FluidStatistics statistics, in FluidCounters counts)
         {
-            if (HasVitals && vitals.Step > Now.Step) TimeStep = (vitals.Time - Now.Time) / (vitals.Step - Now.Step);
-            else if (!HasVitals && vitals.Step > 0) TimeStep = vitals.Time / vitals.Step;
-            if (!hasFirst) First = vitals;
+            if (HasStatistics && statistics.Step > Now.Step) TimeStep = (statistics.Time - Now.Time) / (statistics.Step - Now.Step);
+            else if (!HasStatistics && statistics.Step > 0) TimeStep = statistics.Time / statistics.Step;
+            if (!hasFirst) First = statistics;
             hasFirst = true;
-            HasVitals = true;
-            Now = vitals;
+            HasStatistics = true;
+            Now = statistics;
             countersBefore = counters;
             counters = counts;
         }
 
         public void Rebase() => hasFirst = false;
 
-        double Mass(in FluidVitals vitals) => settings.ParticleMass * (double)(vitals.ParticleCount - vitals.NonFinite);
+        double Mass(in FluidStatistics statistics) => settings.ParticleMass * (double)(statistics.ParticleCount - statistics.NonFinite);
 
         static bool HasMovingWall(in FluidBoundaries faces) =>
             faces.LowX != Vector3.zero || faces.LowY != Vector3.zero || faces.LowZ != Vector3.zero ||

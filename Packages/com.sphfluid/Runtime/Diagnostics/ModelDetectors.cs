@@ -7,7 +7,7 @@ namespace SphFluid
     /// <summary>Detectors of what the method's equations do wrong with the constants that it was given.</summary>
     internal static class ModelDetectors
     {
-        // α of FluidRules: the least viscosity over c R that keeps a method with two kernels calm.
+        // α of ThesisRules: the least viscosity over c R that keeps a method with two kernels calm.
         const double CalmViscosity = 0.01;
         const double Rounding = 1e-3;
         const double BoilingLimit = 0.05;
@@ -57,7 +57,7 @@ namespace SphFluid
                     "Set Thesis Switches > Self Density in the profile; the Method Thesis instead of Thesis Printed.");
             }
             double bulk = e.Now.MaxDensityRatio;
-            if (!e.HasVitals || e.Now.Step != 0 || !(bulk < DeficientDensity) || e.Now.MaxNeighbours < LatticeNeighbours(e.SupportRatio)) return null;
+            if (!e.HasStatistics || e.Now.Step != 0 || !(bulk < DeficientDensity) || e.Now.MaxNeighbours < LatticeNeighbours(e.SupportRatio)) return null;
             return new FluidFinding(FluidFailure.SelfTermMissing, bulk, DeficientDensity,
                 Invariant($"The liquid starts at {bulk:0.00} of the rest density inside: particles do not count themselves, or their mass is too small for their spacing."),
                 "Derive the particle mass by rule: FluidSolverSettings.FromRules.");

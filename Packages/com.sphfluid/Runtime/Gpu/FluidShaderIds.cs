@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>Property ids of the solver's kernels, one a global of Shaders/Methods and Shaders/Neighbours.</summary>
+    /// <summary>Property ids of the solver's kernels, one a global of Shaders/Solver and Shaders/Solver.</summary>
     internal static class FluidShaderIds
     {
         public static readonly int Particles = Shader.PropertyToID("_Particles");

@@ -29,9 +29,9 @@ namespace SphFluid
         public static string MissingSupport()
         {
             DeviceCapabilities device = DeviceCapabilities.Query();
-            foreach (string lack in KernelNeeds.Drawing.Lacks(device))
+            foreach (string lack in KernelNeeds.Drawing.Shortfalls(device))
                 return lack;
-            foreach (string lack in KernelNeeds.Surface.Lacks(device))
+            foreach (string lack in KernelNeeds.Surface.Shortfalls(device))
                 return lack;
             if (!SystemInfo.supportsIndirectArgumentsBuffer)
                 return $"{device.Name} cannot draw what the GPU has counted, which the surface needs.";

@@ -25,7 +25,7 @@ namespace SphFluid
                 collision.Gather(spec.Query());
                 var shapes = new List<LiquidShape>();
                 foreach (VolumeSpec volume in volumes)
-                    if (VolumeRules.Check(volume, spec, collision, new List<FluidMessage>()) is LiquidShape shape) shapes.Add(shape);
+                    if (VolumeChecks.Check(volume, spec, collision, new List<FluidMessage>()) is LiquidShape shape) shapes.Add(shape);
                 return Spacing(SpawnRequests.For(spec, shapes, collision), count);
             }
         }

@@ -238,7 +238,7 @@ namespace SphFluid.Tests
             string pattern = $"'Fluid': The domain of {size} × {size} × {size} m needs [0-9,]+ cells for the neighbour search at a spacing of 0\\.05 m, but .*{owner}.*" +
                 "Use a smaller Domain Size, or a Particle Spacing of 0\\.[0-9]+ m or more";
             Fails(simulation, FluidIssue.TooManyCells, pattern);
-            simulation.Spacing = CellRules.FittingSpacing(simulation.Spec);
+            simulation.Spacing = CellChecks.FittingSpacing(simulation.Spec);
             Assert.That(simulation.Validate().Select(m => m.Issue), Has.No.Member(FluidIssue.TooManyCells));
         }
 

@@ -23,7 +23,7 @@ namespace SphFluid.Tests
         public IEnumerator MeasuresTheStartAndThenEveryFewFrames()
         {
             FluidDiagnostics diagnostics = Watch(rig.Create(), 3);
-            var measured = new List<FluidVitals>();
+            var measured = new List<FluidStatistics>();
             diagnostics.Measured += measured.Add;
             Assert.That(diagnostics.MeasurementCount, Is.Zero);
             yield return Frames(diagnostics, 12);
@@ -34,7 +34,7 @@ namespace SphFluid.Tests
             Assert.That(measured[2].KineticEnergy, Is.Positive);
             Assert.That(measured[2].Energy - measured[0].Energy, Is.Zero.Within(0.01 * measured[2].KineticEnergy), "a fall");
             Assert.That(diagnostics.MeasurementCount, Is.EqualTo(measured.Count));
-            Assert.That(diagnostics.Vitals, Is.EqualTo(measured.Last()));
+            Assert.That(diagnostics.Statistics, Is.EqualTo(measured.Last()));
         }
 
         [UnityTest]
@@ -85,7 +85,7 @@ namespace SphFluid.Tests
             pusher.transform.position = new Vector3(-0.16f, 0f, 0f);
             FluidDiagnostics diagnostics = Watch(simulation, 1);
             yield return Frames(diagnostics, 3);
-            double energy = diagnostics.Vitals.Energy;
+            double energy = diagnostics.Statistics.Energy;
             for (int frame = 0; frame < 20; frame++)
             {
                 pusher.transform.position += new Vector3(0.006f, 0f, 0f);
@@ -94,7 +94,7 @@ namespace SphFluid.Tests
                 Assert.That(diagnostics.Findings.Select(f => f.Failure), Has.No.Member(FluidFailure.EnergyGrowth));
             }
             double mass = simulation.ParticleCount * (double)simulation.Solver.Settings.ParticleMass;
-            Assert.That(diagnostics.Vitals.Energy - energy, Is.GreaterThan(2.0 * FluidGrowth(simulation, mass)), "it would count if nothing had moved");
+            Assert.That(diagnostics.Statistics.Energy - energy, Is.GreaterThan(2.0 * FluidGrowth(simulation, mass)), "it would count if nothing had moved");
         }
 
         [UnityTest]
@@ -103,7 +103,7 @@ namespace SphFluid.Tests
             FluidSimulation simulation = rig.Create();
             FluidDiagnostics diagnostics = Watch(simulation, 1);
             yield return Frames(diagnostics, 5);
-            Assert.That(diagnostics.Vitals.Step, Is.Positive);
+            Assert.That(diagnostics.Statistics.Step, Is.Positive);
 
             simulation.ResetSimulation();
             yield return null;
@@ -139,9 +139,9 @@ namespace SphFluid.Tests
             falling.Spacing = 0.04f;
             FluidDiagnostics second = Watch(falling, 1);
             yield return Frames(first, 8);
-            Assert.That(first.Vitals.ParticleCount, Is.EqualTo(64));
-            Assert.That(second.Vitals.ParticleCount, Is.EqualTo(125));
-            Assert.That(second.Vitals.KineticEnergy, Is.GreaterThan(10.0 * first.Vitals.KineticEnergy));
+            Assert.That(first.Statistics.ParticleCount, Is.EqualTo(64));
+            Assert.That(second.Statistics.ParticleCount, Is.EqualTo(125));
+            Assert.That(second.Statistics.KineticEnergy, Is.GreaterThan(10.0 * first.Statistics.KineticEnergy));
         }
 
         [UnityTest]
@@ -149,10 +149,10 @@ namespace SphFluid.Tests
         {
             FluidSimulation simulation = rig.Create();
             FluidShaderSet set = Object.Instantiate(rig.Profile.Shaders);
-            set.MeasureVitals = null;
+            set.MeasureStatistics = null;
             rig.Profile.Shaders = set;
             FluidDiagnostics diagnostics = Watch(simulation, 1);
-            LogAssert.Expect(LogType.Warning, new System.Text.RegularExpressions.Regex("MeasureVitals.*without diagnostics"));
+            LogAssert.Expect(LogType.Warning, new System.Text.RegularExpressions.Regex("MeasureStatistics.*without diagnostics"));
             yield return Frames(diagnostics, 5);
             Assert.That(simulation.IsRunning);
             Assert.That(simulation.StepCount, Is.Positive);

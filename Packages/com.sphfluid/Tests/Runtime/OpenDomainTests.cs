@@ -30,7 +30,7 @@ namespace SphFluid.Tests
                 if (!simulation.IsRunning) continue;
                 long removed = simulation.Solver.ReadCountersNow().Removed;
                 Assert.That(SimulationRig.Read(simulation).Length, Is.EqualTo(64 - removed));
-                Assert.That(diagnostics.Vitals.ParticleCount + diagnostics.Vitals.Removed, Is.EqualTo(64).Or.Zero);
+                Assert.That(diagnostics.Statistics.ParticleCount + diagnostics.Statistics.Removed, Is.EqualTo(64).Or.Zero);
                 some |= removed > 0 && removed < 64;
             }
             Assert.That(some, "it leaves little by little");

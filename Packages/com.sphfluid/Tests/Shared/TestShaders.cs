@@ -21,17 +21,17 @@ namespace SphFluid.Tests
             set.CalculateForce = Thesis("CalculateForce");
             set.CalculateAcceleration = Thesis("CalculateAcceleration");
             set.CalculateNewPosition = Thesis("CalculateNewPosition");
-            set.MeasureVitals = Load("Shaders/Diagnostics/MeasureVitals.compute");
-            set.CountCells = Load("Shaders/Methods/Standard/CountCells.compute");
-            set.ScanCells = Load("Shaders/Methods/Standard/ScanCells.compute");
-            set.ScatterParticles = Load("Shaders/Methods/Standard/ScatterParticles.compute");
-            set.StandardDensity = Load("Shaders/Methods/Standard/StandardDensity.compute");
-            set.MoveParticles = Load("Shaders/Methods/Standard/MoveParticles.compute");
-            set.GatherWalls = Load("Shaders/Methods/Standard/GatherWalls.compute");
-            set.FindContacts = Load("Shaders/Methods/Standard/FindContacts.compute");
-            set.ResolveContacts = Load("Shaders/Methods/Standard/ResolveContacts.compute");
-            set.DampVelocities = Load("Shaders/Methods/Standard/DampVelocities.compute");
-            set.PublishParticles = Load("Shaders/Methods/Standard/PublishParticles.compute");
+            set.MeasureStatistics = Load("Shaders/Diagnostics/MeasureStatistics.compute");
+            set.LoadParticles = Load("Shaders/Solver/Standard/LoadParticles.compute");
+            set.ScanCells = Load("Shaders/Solver/Standard/ScanCells.compute");
+            set.ScatterParticles = Load("Shaders/Solver/Standard/ScatterParticles.compute");
+            set.StandardDensity = Load("Shaders/Solver/Standard/StandardDensity.compute");
+            set.MoveParticles = Load("Shaders/Solver/Standard/MoveParticles.compute");
+            set.GatherWalls = Load("Shaders/Solver/Standard/GatherWalls.compute");
+            set.FindContacts = Load("Shaders/Solver/Standard/FindContacts.compute");
+            set.ResolveContacts = Load("Shaders/Solver/Standard/ResolveContacts.compute");
+            set.DampVelocities = Load("Shaders/Solver/Standard/DampVelocities.compute");
+            set.PublishParticles = Load("Shaders/Solver/Standard/PublishParticles.compute");
             return set;
         }
 
@@ -44,7 +44,7 @@ namespace SphFluid.Tests
 
         static ComputeShader Thesis(string block)
         {
-            return Load($"Shaders/Methods/Thesis/{block}.compute");
+            return Load($"Shaders/Solver/Thesis/{block}.compute");
         }
     }
 }

@@ -70,11 +70,11 @@ namespace SphFluid.Tests
             Assert.That(experiment.Survived, Is.True);
             FailureResult stress = experiment.Run(false, shaders);
             Vector3 half = 0.5f * stress.Settings.DomainSize;
-            Assert.That(stress.EndVitals.NonFinite + stress.Counters.NonFinite, Is.Zero, "not finite");
-            Assert.That(stress.EndVitals.ParticleCount, Is.EqualTo(stress.Run.Start.Length));
+            Assert.That(stress.EndStatistics.NonFinite + stress.Counters.NonFinite, Is.Zero, "not finite");
+            Assert.That(stress.EndStatistics.ParticleCount, Is.EqualTo(stress.Run.Start.Length));
             Assert.That(stress.End.LocalPositions.All(p => Mathf.Abs(p.x) <= half.x && Mathf.Abs(p.y) <= half.y && Mathf.Abs(p.z) <= half.z), Is.True, "inside");
             Assert.That(stress.End.Ids.Select((id, i) => id == i).All(same => same), Is.True, "every particle once");
-            Assert.That(stress.Vitals.Max(v => v.MaxNeighbours), Is.EqualTo(MostNeighbours(stress)), "counted");
+            Assert.That(stress.Statistics.Max(v => v.MaxNeighbours), Is.EqualTo(MostNeighbours(stress)), "counted");
         }
 
         static int MostNeighbours(FailureResult result) => result.Settings.PeriodLength == Vector3.zero

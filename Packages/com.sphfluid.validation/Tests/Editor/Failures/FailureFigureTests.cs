@@ -49,7 +49,7 @@ namespace SphFluid.Tests
             FailureExperiment around = StepFailures.Viscosity(0.131, 0.125);
             FailureResult beyond = around.Run(false, shaders);
             Assert.That(beyond.Figure, Is.GreaterThan(5.0), "ν dt/R² = 0.131");
-            Assert.That(beyond.EndVitals.Checkerboard, Is.GreaterThan(0.8), "neighbours move against each other");
+            Assert.That(beyond.EndStatistics.Checkerboard, Is.GreaterThan(0.8), "neighbours move against each other");
             Assert.That(around.Run(true, shaders).Figure, Is.LessThan(1.05), "0.125");
         }
 
@@ -84,8 +84,8 @@ namespace SphFluid.Tests
         public void PairsInTheBulkPartAtAnySupportRadius()
         {
             FailureRun run = InteractionFailures.PairsInTheBulk();
-            FailureResult result = new FailureExperiment("pairs", FluidFailure.Pairing, run, run, "", r => r.EndVitals.Clumped).Run(false, shaders);
-            Assert.That(result.Vitals[0].Clumped, Is.EqualTo(run.Start.Length), "all at the start");
+            FailureResult result = new FailureExperiment("pairs", FluidFailure.Pairing, run, run, "", r => r.EndStatistics.Clumped).Run(false, shaders);
+            Assert.That(result.Statistics[0].Clumped, Is.EqualTo(run.Start.Length), "all at the start");
             Assert.That(result.Names(FluidFailure.Pairing), Is.True, result.Named);
             Assert.That(result.Figure, Is.Zero, "at the end");
         }
@@ -95,7 +95,7 @@ namespace SphFluid.Tests
         {
             FailureRun run = WallFailures.Drop(way, gravity);
             FailureResult result = new FailureExperiment("thrown", FluidFailure.Tunnelling, run, run, "", WallFailures.Behind).Run(false, shaders);
-            Assert.That(result.Vitals[0].MaxSpeed * result.Settings.TimeStep, Is.EqualTo(way * result.Settings.Spacing).Within(1).Percent, "spacings a step");
+            Assert.That(result.Statistics[0].MaxSpeed * result.Settings.TimeStep, Is.EqualTo(way * result.Settings.Spacing).Within(1).Percent, "spacings a step");
             Assert.That(result.States[0].LocalPositions.Max(p => p.y), Is.LessThan(way * result.Settings.Spacing * run.Steps), "all can reach the sheet");
             Assert.That(result.Figure, Is.Zero, "share behind the sheet");
         }

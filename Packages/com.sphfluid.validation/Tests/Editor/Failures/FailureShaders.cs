@@ -5,11 +5,11 @@ namespace SphFluid.Tests
     /// <summary>Shaders of the failure experiments.</summary>
     internal static class FailureShaders
     {
-        /// <summary>The thesis method and the vitals; destroy it after use.</summary>
+        /// <summary>The thesis method and the statistics; destroy it after use.</summary>
         public static FluidShaderSet Create()
         {
             FluidShaderSet set = TestShaders.CreateSet();
-            set.MeasureVitals = TestShaders.Load("Shaders/Diagnostics/MeasureVitals.compute");
+            set.MeasureStatistics = TestShaders.Load("Shaders/Diagnostics/MeasureStatistics.compute");
             return set;
         }
 

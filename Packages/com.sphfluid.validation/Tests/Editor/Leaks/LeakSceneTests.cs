@@ -82,7 +82,7 @@ namespace SphFluid.Tests
         [TestCase("coplanar", 5.0, 6, 0.1)]
         [TestCase("pulse-50", 3.77, 30, 0.1)]
         [TestCase("grow", 1.0, 14, 0.05)]
-        public void TheJudgesSeeWhatGoesThrough(string name, double speed, int frames, double share)
+        public void TheDetectorsSeeWhatGoesThrough(string name, double speed, int frames, double share)
         {
             LeakScene scene = LeakScenes.Find(name).Build(speed);
             scene.Solid = false;

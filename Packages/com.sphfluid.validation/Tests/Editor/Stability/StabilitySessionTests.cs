@@ -122,7 +122,7 @@ namespace SphFluid.Tests
             GpuTest.Require();
             var run = new StabilityRun { Map = StabilityMaps.All[1], Method = CaseMethod.Find(method), X = viscosity, Y = 0.3, Seed = 1, MostSteps = 150 };
             StabilityScenario scene = run.Build();
-            var judge = new StabilityJudge(scene.Criteria);
+            var judge = new StabilityCriterion(scene.Criteria);
             FluidShaderSet shaders = TestShaders.CreateSet();
             try
             {

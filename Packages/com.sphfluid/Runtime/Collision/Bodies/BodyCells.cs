@@ -82,12 +82,12 @@ namespace SphFluid
                     }
                 }
             }
-            while (!MeetsPlane());
+            while (!IntersectsPlane());
             return true;
         }
 
         // A needle's normal is zero: its box decides.
-        bool MeetsPlane()
+        bool IntersectsPlane()
         {
             double dx = cells.Origin.x + (x + 0.5) * cells.Side - triangle.A.x;
             double dy = cells.Origin.y + (y + 0.5) * cells.Side - triangle.A.y;

@@ -125,7 +125,7 @@ namespace SphFluid
         }
 
         /// <summary>Largest displacement of a corner of the box of the triangles in this frame [m].</summary>
-        public float LongestWay(Vector3 min, Vector3 max)
+        public float LongestDisplacement(Vector3 min, Vector3 max)
         {
             float longest = 0f;
             AffineMap stretch0 = Stretch0.Map, stretch1 = Stretch1.Map;

@@ -42,7 +42,7 @@ namespace SphFluid
         public CollisionBodies(in FluidSolverSettings settings)
         {
             reach = settings.SupportRadius;
-            longestStep = MeshContact.LongestWay(settings);
+            longestStep = MeshContact.LongestDisplacement(settings);
             domain = new Bounds(Vector3.zero, settings.DomainSize + 2f * BeyondFaces(settings));
             geometry = new BodyGeometry(reach);
         }
@@ -190,7 +190,7 @@ namespace SphFluid
         // Also where a particle's line in the frame of the triangles bends more than the parts follow that it is looked up in.
         bool IsTooFar(BodyMotion motion, in CollisionBody body)
         {
-            float way = motion.LongestWay(body.BoundsMin, body.BoundsMax);
+            float way = motion.LongestDisplacement(body.BoundsMin, body.BoundsMax);
             if (way > JumpOverReach * reach) return true;
             if (!motion.IsStretched) return false;
             return (way + longestStep) / motion.FrameRange().least * PartsPerMetre(motion) > MostParts - 1.0;
@@ -276,7 +276,7 @@ namespace SphFluid
         static Vector3 BeyondFaces(in FluidSolverSettings settings)
         {
             Vector3 period = settings.PeriodLength;
-            float way = MeshContact.LongestWay(settings);
+            float way = MeshContact.LongestDisplacement(settings);
             return new Vector3(period.x > 0f ? way : 0f, period.y > 0f ? way : 0f, period.z > 0f ? way : 0f);
         }
     }

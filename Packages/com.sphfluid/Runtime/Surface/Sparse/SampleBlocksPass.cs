@@ -29,7 +29,7 @@ namespace SphFluid
             FluidSolverSettings settings = solver.Settings;
             cmd.BeginSample(Marker);
             input.SetGlobals(cmd, kernel);
-            ThesisBindings.SetGrid(cmd, kernel, solver.Grid);
+            GridNeighbours.SetGrid(cmd, kernel, solver.Grid);
             DomainBindings.SetPeriodic(cmd, kernel, settings);
             kernel.SetKeyword(cmd, FilterOnce, input.Field.FilterPasses == 1);
             kernel.SetKeyword(cmd, FilterTwice, input.Field.FilterPasses == 2);

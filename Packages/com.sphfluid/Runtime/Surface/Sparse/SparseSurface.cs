@@ -16,7 +16,7 @@ namespace SphFluid
         readonly SurfaceBlocks blocks = new SurfaceBlocks();
         readonly NumberReadback readback;
         readonly SurfaceWarnings warnings = new SurfaceWarnings();
-        readonly SurfaceRoom room;
+        readonly SurfaceCapacity room;
 
         /// <summary>A surface; buffers are made when it is first recorded.</summary>
         /// <param name="shaders">Shader set with the kernels of the sparse surface.</param>
@@ -31,7 +31,7 @@ namespace SphFluid
             field = new BlockField(shaders);
             polygoniser = new BlockPolygoniser(shaders);
             readback = new NumberReadback(SurfaceCounters.Slots, Take);
-            room = new SurfaceRoom(firstBlocks, firstTriangles);
+            room = new SurfaceCapacity(firstBlocks, firstTriangles);
         }
 
         /// <summary>Vertices, 16 bytes each: Shaders/Surface/Sparse/SurfaceVertices.hlsl. Ask again after each recording: it may have grown.</summary>

@@ -6,7 +6,7 @@ namespace SphFluid
         public const int Slots = 16;
 
         /// <summary>Blocks that want a slot, those of the late round included.</summary>
-        public const int BlocksWanted = 0;
+        public const int BlocksRequested = 0;
 
         /// <summary>Blocks of the first round; 0 where not all fit.</summary>
         public const int BlocksListed = 1;
@@ -21,10 +21,10 @@ namespace SphFluid
         public const int RoundCount = 4;
 
         /// <summary>Vertices of all listed blocks.</summary>
-        public const int VerticesWanted = 5;
+        public const int VerticesRequested = 5;
 
         /// <summary>Indices of all listed blocks.</summary>
-        public const int IndicesWanted = 6;
+        public const int IndicesRequested = 6;
 
         /// <summary>Faces of blocks that the surface crosses towards a block without a slot, after the late round.</summary>
         public const int OpenFaces = 7;

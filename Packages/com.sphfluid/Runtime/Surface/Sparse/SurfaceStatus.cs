@@ -5,10 +5,10 @@ namespace SphFluid
     {
         internal SurfaceStatus(uint[] counters)
         {
-            Blocks = (int)counters[SurfaceCounters.BlocksWanted];
+            Blocks = (int)counters[SurfaceCounters.BlocksRequested];
             LateBlocks = (int)counters[SurfaceCounters.BlocksLate];
-            Vertices = counters[SurfaceCounters.VerticesWanted];
-            Triangles = counters[SurfaceCounters.IndicesWanted] / 3;
+            Vertices = counters[SurfaceCounters.VerticesRequested];
+            Triangles = counters[SurfaceCounters.IndicesRequested] / 3;
             OpenFaces = (int)counters[SurfaceCounters.OpenFaces];
             NonFiniteParticles = (int)counters[SurfaceCounters.NonFinite];
             IsComplete = counters[SurfaceCounters.Complete] != 0;

@@ -6,9 +6,9 @@ namespace SphFluid
     sealed class SurfaceWarnings
     {
         readonly Queue<string> untold = new Queue<string>();
-        bool capTold;
-        bool openTold;
-        bool nonFiniteTold;
+        bool capReported;
+        bool openReported;
+        bool nonFiniteReported;
 
         /// <summary>The next sentence that nobody took; null when there is none.</summary>
         public string Take() => untold.Count > 0 ? untold.Dequeue() : null;
@@ -18,15 +18,15 @@ namespace SphFluid
         public void Check(in SurfaceStatus status, string obstacle)
         {
             if (!status.IsComplete && obstacle != null)
-                Tell(ref capTold, obstacle + " Until then the last complete surface stays.");
+                Tell(ref capReported, obstacle + " Until then the last complete surface stays.");
             if (status.OpenFaces > 0)
             {
-                Tell(ref openTold, $"The surface has gaps at {status.OpenFaces} faces between its blocks, where no particle was found near. Smaller cells close them; " +
+                Tell(ref openReported, $"The surface has gaps at {status.OpenFaces} faces between its blocks, where no particle was found near. Smaller cells close them; " +
                     "please report the scene, as this should not happen.");
             }
             if (status.NonFiniteParticles > 0)
             {
-                Tell(ref nonFiniteTold, $"The surface passes over {status.NonFiniteParticles} particles whose position is not a number. " +
+                Tell(ref nonFiniteReported, $"The surface passes over {status.NonFiniteParticles} particles whose position is not a number. " +
                     "Add a Fluid Diagnostics component to find out why, or choose a smaller time step.");
             }
         }

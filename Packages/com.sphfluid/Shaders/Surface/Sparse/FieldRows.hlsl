@@ -3,8 +3,8 @@
 
 // Sums over the particles at a row of ROW_SAMPLES samples along x, in registers: a particle is read once a row, and no thread writes where another does.
 // A kernel that includes this file defines FLUID_PERIODIC.
-#include "../../Neighbours/FluidGrid.hlsl"
-#include "../../Neighbours/PeriodicAxes.hlsl"
+#include "../../Solver/FluidGrid.hlsl"
+#include "../../Solver/PeriodicAxes.hlsl"
 #include "../SurfaceGrid.hlsl"
 #include "SurfaceParticles.hlsl"
 

@@ -66,13 +66,13 @@ namespace SphFluid.Tests
         public void NoConstantsWhereNothingCanStart()
         {
             simulation.Spacing = 0f;
-            FluidValidation.Preview(simulation, out FluidSolverSettings? constants);
+            FluidSimulationChecks.Preview(simulation, out FluidSolverSettings? constants);
             Assert.That(constants, Is.Null);
         }
 
         TimeStepText Text()
         {
-            FluidValidation.Preview(simulation, out FluidSolverSettings? constants);
+            FluidSimulationChecks.Preview(simulation, out FluidSolverSettings? constants);
             Assert.That(constants, Is.Not.Null);
             return TimeStepText.Before(simulation, constants.Value);
         }

@@ -6,16 +6,16 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Each detector fires on made-up vitals that show its failure, and on no others.</summary>
+    /// <summary>Each detector fires on made-up statistics that show its failure, and on no others.</summary>
     public sealed class FluidDetectorsTests
     {
         const int Sick = 25;
 
-        static readonly (FluidFailure Failure, string Name, Action<VitalsSeries> Make)[] Cases =
+        static readonly (FluidFailure Failure, string Name, Action<StatisticsSeries> Make)[] Cases =
         {
-            (FluidFailure.NonFinite, "vitals", s => s.At(Sick, v => { v.NonFinite = 1; return v; })),
+            (FluidFailure.NonFinite, "statistics", s => s.At(Sick, v => { v.NonFinite = 1; return v; })),
             (FluidFailure.NonFinite, "guard", s => s.Count(Sick, new FluidCounters { NonFinite = 3 })),
-            (FluidFailure.EnergyGrowth, "pumped", s => s.At(Sick, v => { v.PotentialEnergy += 1.06 * s.Available(s.Vitals[0]); return v; })),
+            (FluidFailure.EnergyGrowth, "pumped", s => s.At(Sick, v => { v.PotentialEnergy += 1.06 * s.Available(s.Statistics[0]); return v; })),
             (FluidFailure.Escaped, "outside", s => s.At(Sick, v => { v.Escaped = 9; return v; })),
             (FluidFailure.Escaped, "put back", s => s.Count(Sick, new FluidCounters { DomainClamps = 9 })),
             (FluidFailure.TensileClumping, "suction", s => s.With(x => { x.PressureClamp = false; return x; })
@@ -52,7 +52,7 @@ namespace SphFluid.Tests
         [TestCaseSource(nameof(CaseData))]
         public void FailureIsNamedAndNoOther(int index)
         {
-            VitalsSeries series = VitalsSeries.Healthy();
+            StatisticsSeries series = StatisticsSeries.Healthy();
             Cases[index].Make(series);
             List<FluidFinding> findings = series.Run().SelectMany(found => found).ToList();
             Assert.That(findings.Select(f => f.Failure).Distinct(), Is.EqualTo(new[] { Cases[index].Failure }));
@@ -68,9 +68,9 @@ namespace SphFluid.Tests
         [Test]
         public void TheStandardMethodIsNotAskedForTheThesissSettings()
         {
-            foreach ((FluidFailure failure, string name, Action<VitalsSeries> make) in Cases)
+            foreach ((FluidFailure failure, string name, Action<StatisticsSeries> make) in Cases)
             {
-                VitalsSeries series = VitalsSeries.Healthy().OfStandard();
+                StatisticsSeries series = StatisticsSeries.Healthy().OfStandard();
                 make(series);
                 foreach (FluidFinding finding in series.Run().SelectMany(found => found))
                 {
@@ -86,14 +86,14 @@ namespace SphFluid.Tests
         [TestCase(0.75f, true)]
         public void TheStandardMethodHasItsOwnBorder(float factor, bool named)
         {
-            IEnumerable<FluidFailure> found = VitalsSeries.Healthy().OfStandard().Step(factor).Run().SelectMany(f => f).Select(f => f.Failure);
+            IEnumerable<FluidFailure> found = StatisticsSeries.Healthy().OfStandard().Step(factor).Run().SelectMany(f => f).Select(f => f.Failure);
             Assert.That(found.Contains(FluidFailure.TimeStepTooLong), Is.EqualTo(named));
         }
 
         [Test]
         public void HealthyLiquidHasNoFindings()
         {
-            VitalsSeries series = VitalsSeries.Healthy();
+            StatisticsSeries series = StatisticsSeries.Healthy();
             Assert.That(series.Detectors().Check(), Is.Empty);
             Assert.That(series.Run().SelectMany(found => found).Select(f => f.Text), Is.Empty);
         }
@@ -109,7 +109,7 @@ namespace SphFluid.Tests
         [Test]
         public void FindingsEndWithTheirCause()
         {
-            VitalsSeries series = VitalsSeries.Healthy().Count(Sick, new FluidCounters { AccelerationLimitHits = 5 });
+            StatisticsSeries series = StatisticsSeries.Healthy().Count(Sick, new FluidCounters { AccelerationLimitHits = 5 });
             List<IReadOnlyList<FluidFinding>> found = series.Run();
             Assert.That(found[Sick - 1], Is.Empty);
             Assert.That(found[Sick].Single().Value, Is.EqualTo(5.0));
@@ -119,8 +119,8 @@ namespace SphFluid.Tests
         [Test]
         public void EnergyThatComesNearTheBorderOfStabilityNamesTheStep()
         {
-            VitalsSeries series = VitalsSeries.Healthy().Step(0.9f);
-            series.At(Sick, v => { v.PotentialEnergy += 1.06 * series.Available(series.Vitals[0]); return v; });
+            StatisticsSeries series = StatisticsSeries.Healthy().Step(0.9f);
+            series.At(Sick, v => { v.PotentialEnergy += 1.06 * series.Available(series.Statistics[0]); return v; });
             Assert.That(series.Run()[Sick].Select(f => f.Failure), Is.EquivalentTo(new[] { FluidFailure.EnergyGrowth, FluidFailure.TimeStepTooLong }));
         }
 
@@ -128,8 +128,8 @@ namespace SphFluid.Tests
         [TestCase(1.06, true)]
         public void EnergyMayGrowByATwentieth(double factor, bool named)
         {
-            VitalsSeries series = VitalsSeries.Healthy();
-            double first = series.Available(series.Vitals[0]);
+            StatisticsSeries series = StatisticsSeries.Healthy();
+            double first = series.Available(series.Statistics[0]);
             series.At(Sick, v => { v.PotentialEnergy += factor * first - series.Available(v); return v; });
             double quiet = 0.02 * series.Settings.SoundSpeed;
             series.At(Sick, v => { v.PotentialEnergy += 0.5 * series.Settings.ParticleMass * v.ParticleCount * quiet * quiet; return v; });
@@ -139,35 +139,35 @@ namespace SphFluid.Tests
         [Test]
         public void WorkFromOutsideIsNoGrowth()
         {
-            VitalsSeries Pumped()
+            StatisticsSeries Pumped()
             {
-                VitalsSeries series = VitalsSeries.Healthy();
-                double first = series.Available(series.Vitals[0]);
+                StatisticsSeries series = StatisticsSeries.Healthy();
+                double first = series.Available(series.Statistics[0]);
                 return series.From(Sick, v => { v.PotentialEnergy += 1.1 * first; return v; });
             }
             Assert.That(Pumped().Run()[Sick].Select(f => f.Failure), Is.EqualTo(new[] { FluidFailure.EnergyGrowth }));
 
-            VitalsSeries belt = Pumped().With(x => { x.Boundaries.NoSlip = true; x.Boundaries.LowY = new Vector3(1f, 0f, 0f); return x; });
+            StatisticsSeries belt = Pumped().With(x => { x.Boundaries.NoSlip = true; x.Boundaries.LowY = new Vector3(1f, 0f, 0f); return x; });
             Assert.That(belt.Run().SelectMany(f => f), Is.Empty, "a moving wall does work");
 
-            VitalsSeries channel = Pumped().With(x => { x.Boundaries.Periodic = FluidAxes.X; x.Gravity = new Vector3(1f, -9.81f, 0f); return x; });
+            StatisticsSeries channel = Pumped().With(x => { x.Boundaries.Periodic = FluidAxes.X; x.Gravity = new Vector3(1f, -9.81f, 0f); return x; });
             Assert.That(channel.Run().SelectMany(f => f).Where(f => f.Failure == FluidFailure.EnergyGrowth), Is.Empty, "gravity around a periodic axis does work");
 
-            VitalsSeries lifted = Pumped();
+            StatisticsSeries lifted = Pumped();
             FluidDetectors detectors = lifted.Detectors();
-            for (int i = 0; i < lifted.Vitals.Count; i++)
+            for (int i = 0; i < lifted.Statistics.Count; i++)
             {
                 if (i == Sick) detectors.Rebase();
-                Assert.That(detectors.Note(lifted.Vitals[i], default), Is.Empty, "a moved collider did work");
+                Assert.That(detectors.Note(lifted.Statistics[i], default), Is.Empty, "a moved collider did work");
             }
         }
 
         [Test]
         public void ChangedConstantsAreLookedAtAnew()
         {
-            VitalsSeries series = VitalsSeries.Healthy();
+            StatisticsSeries series = StatisticsSeries.Healthy();
             FluidDetectors detectors = series.Detectors();
-            Assert.That(detectors.Note(series.Vitals[0], default), Is.Empty);
+            Assert.That(detectors.Note(series.Statistics[0], default), Is.Empty);
             detectors.Apply(series.Step(1.4f).Settings);
             Assert.That(detectors.Check().Select(f => f.Failure), Is.EqualTo(new[] { FluidFailure.TimeStepTooLong }));
             detectors.Apply(series.Step(1f / 1.4f).Settings);
@@ -183,7 +183,7 @@ namespace SphFluid.Tests
                 System.Globalization.CultureInfo.CurrentCulture = new System.Globalization.CultureInfo("") { NumberFormat = { NumberDecimalSeparator = "@" } };
                 foreach (var entry in Cases)
                 {
-                    VitalsSeries series = VitalsSeries.Healthy();
+                    StatisticsSeries series = StatisticsSeries.Healthy();
                     entry.Make(series);
                     Assert.That(series.Run().SelectMany(f => f).Where(f => f.Text.Contains('@') || f.Cure.Contains('@')), Is.Empty);
                 }
@@ -196,14 +196,14 @@ namespace SphFluid.Tests
     }
 
     /// <summary>Words of the cases.</summary>
-    static class VitalsSeriesWords
+    static class StatisticsSeriesWords
     {
         /// <summary>Energy over that of liquid in the lowest layer of the domain of 1 m [J].</summary>
-        public static double Available(this VitalsSeries series, FluidVitals vitals) =>
-            vitals.Energy + series.Settings.ParticleMass * (double)vitals.ParticleCount * 9.81 * 0.5;
+        public static double Available(this StatisticsSeries series, FluidStatistics statistics) =>
+            statistics.Energy + series.Settings.ParticleMass * (double)statistics.ParticleCount * 9.81 * 0.5;
 
         /// <summary>The time step as a part of 1.35 R/√k.</summary>
-        public static VitalsSeries Step(this VitalsSeries series, float part)
+        public static StatisticsSeries Step(this StatisticsSeries series, float part)
         {
             float before = series.Settings.TimeStep;
             series.Settings.TimeStep = part * 1.35f * series.Settings.SupportRadius / Mathf.Sqrt(series.Settings.Stiffness);
@@ -212,7 +212,7 @@ namespace SphFluid.Tests
         }
 
         /// <summary>ν dt/R².</summary>
-        public static VitalsSeries Viscosity(this VitalsSeries series, double ratio)
+        public static StatisticsSeries Viscosity(this StatisticsSeries series, double ratio)
         {
             FluidSolverSettings s = series.Settings;
             series.Settings.Viscosity = (float)(ratio * s.SupportRadius * s.SupportRadius / s.TimeStep * s.RestDensity);

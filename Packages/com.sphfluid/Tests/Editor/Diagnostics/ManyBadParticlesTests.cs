@@ -17,14 +17,14 @@ namespace SphFluid.Tests
             FluidShaderSet shaders = TestShaders.CreateSet();
             FluidParticle[] particles = ParticleSets.Random(count, 0.9f * domain, 0f, 7);
             using (var solver = new FluidSolver(settings, shaders, particles))
-            using (var meter = new FluidVitalsMeter(shaders, solver))
+            using (var meter = new FluidStatisticsMeter(shaders, solver))
             {
                 for (int i = 0; i < notFinite; i++)
                     particles[i].Position.y = i % 2 == 0 ? float.NaN : float.NegativeInfinity;
                 for (int i = notFinite; i < notFinite + outside; i++)
                     particles[i].Position = new Vector3(0f, 0f, (i % 2 == 0 ? -1f : 1f) * (0.5f * domain.z + Spacing));
                 solver.Particles.SetData(particles);
-                FluidVitals found = meter.MeasureNow();
+                FluidStatistics found = meter.MeasureNow();
                 Assert.That(found.NonFinite, Is.EqualTo(notFinite));
                 Assert.That(found.Escaped, Is.EqualTo(outside));
             }

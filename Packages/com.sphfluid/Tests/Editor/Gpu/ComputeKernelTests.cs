@@ -43,14 +43,14 @@ namespace SphFluid.Tests
         [Test]
         public void GroupSizeComesFromTheShader()
         {
-            var kernel = new ComputeKernel(TestShaders.Load("Shaders/Methods/Thesis/BitonicSort.compute"), "MatrixTranspose");
+            var kernel = new ComputeKernel(TestShaders.Load("Shaders/Solver/Thesis/BitonicSort.compute"), "MatrixTranspose");
             Assert.That(kernel.GroupSize, Is.EqualTo(new Vector3Int(32, 32, 1)));
         }
 
         [Test]
         public void MissingKernelIsNamed()
         {
-            ComputeShader shader = TestShaders.Load("Shaders/Methods/Thesis/BitonicSort.compute");
+            ComputeShader shader = TestShaders.Load("Shaders/Solver/Thesis/BitonicSort.compute");
             var error = Assert.Throws<FluidDeviceException>(() => new ComputeKernel(shader, "QuickSort"));
             Assert.That(error.Message, Does.Contain("QuickSort"));
         }

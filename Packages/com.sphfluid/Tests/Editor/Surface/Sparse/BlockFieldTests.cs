@@ -189,7 +189,7 @@ namespace SphFluid.Tests
                 rig.Record(field, grid);
                 uint[] counters = rig.Counters();
                 Assert.Greater(counters[SurfaceCounters.BlocksListed], 0u);
-                Assert.AreEqual(counters[SurfaceCounters.BlocksWanted], counters[SurfaceCounters.BlocksListed]);
+                Assert.AreEqual(counters[SurfaceCounters.BlocksRequested], counters[SurfaceCounters.BlocksListed]);
                 Assert.AreEqual(0u, counters[SurfaceCounters.NonFinite]);
                 Compare(rig.Read(), new SurfaceFieldReference(particles, settings, field, grid), tolerance, _ => false);
             }

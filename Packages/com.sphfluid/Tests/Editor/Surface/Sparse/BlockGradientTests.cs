@@ -37,7 +37,7 @@ namespace SphFluid.Tests
                 // Where the surface leaves a block, the count has listed the next one for a late round, which is not run here.
                 rig.Blocks.Table.SetData(table);
                 uint[] counters = GpuTest.Read<uint>(rig.Blocks.Counters, SurfaceCounters.Slots);
-                counters[SurfaceCounters.BlocksWanted] = (uint)active.Count;
+                counters[SurfaceCounters.BlocksRequested] = (uint)active.Count;
                 rig.Blocks.Counters.SetData(counters);
                 GpuTest.Run(rig.RecordEmit);
                 PackedSurfaceVertex[] vertices = GpuTest.Read<PackedSurfaceVertex>(rig.Mesh.Vertices, (int)rig.Status().Vertices);

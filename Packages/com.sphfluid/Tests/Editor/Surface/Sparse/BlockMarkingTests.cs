@@ -68,7 +68,7 @@ namespace SphFluid.Tests
                 rig.Record(field, grid);
                 Assert.IsFalse(rig.Read().ContainsKey(BlockHolding(grid, Vector3.zero)));
                 rig.Record(field, grid, wallsClosed: false);
-                Assert.Less(rig.Counters()[SurfaceCounters.BlocksWanted], rig.Blocks.BlockCount / 4);
+                Assert.Less(rig.Counters()[SurfaceCounters.BlocksRequested], rig.Blocks.BlockCount / 4);
                 Assert.IsFalse(rig.Read().ContainsKey(BlockHolding(grid, new Vector3(0f, -0.49f * Domain.y, 0f))));
             }
         }

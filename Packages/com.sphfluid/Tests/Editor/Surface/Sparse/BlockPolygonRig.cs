@@ -72,7 +72,7 @@ namespace SphFluid.Tests
                 table[number] = ++slots;
             }
             var counters = new uint[SurfaceCounters.Slots];
-            counters[SurfaceCounters.BlocksWanted] = slots;
+            counters[SurfaceCounters.BlocksRequested] = slots;
             counters[SurfaceCounters.BlocksListed] = slots;
             counters[SurfaceCounters.RoundCount] = slots;
             Blocks.Table.SetData(table);

@@ -178,7 +178,7 @@ namespace SphFluid.Tests
         {
             var kernel = new ComputeKernel(shaders.SurfaceDrawArguments, "SurfaceDrawArguments");
             var counted = new uint[SurfaceCounters.Slots];
-            counted[SurfaceCounters.BlocksWanted] = blocks;
+            counted[SurfaceCounters.BlocksRequested] = blocks;
             using (GraphicsBuffer counters = GpuBuffers.Create("Counters", SurfaceCounters.Slots, sizeof(uint)))
             using (var mesh = new BlockMesh())
             {

@@ -22,7 +22,7 @@ namespace SphFluid.Tests
             using (var polygoniser = new BlockPolygoniser(SurfaceTestScene.LoadShaders()))
             using (var made = new SurfaceBlocks())
             {
-                new SurfaceRoom(0, 0).Reserve(made, polygoniser.Mesh, grid, field, particles, default);
+                new SurfaceCapacity(0, 0).Reserve(made, polygoniser.Mesh, grid, field, particles, default);
                 Assert.That(made.Capacity, Is.GreaterThanOrEqualTo(blocks), "blocks");
                 float triangles = 2f * 6f * side * side / (field.CellSize * field.CellSize);
                 Assert.That(polygoniser.Mesh.IndexCapacity / 3f, Is.GreaterThanOrEqualTo(triangles), "two triangles a cube");

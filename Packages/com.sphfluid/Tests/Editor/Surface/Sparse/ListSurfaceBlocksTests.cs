@@ -25,7 +25,7 @@ namespace SphFluid.Tests
             {
                 List<uint> marked = Mark(blocks, blockCount, part, (int)(blockCount * part) + 100);
                 uint[] counters = List(blocks);
-                Assert.AreEqual(marked.Count, (int)counters[SurfaceCounters.BlocksWanted]);
+                Assert.AreEqual(marked.Count, (int)counters[SurfaceCounters.BlocksRequested]);
                 Assert.AreEqual(marked.Count, (int)counters[SurfaceCounters.BlocksListed]);
                 uint[] list = GpuTest.Read<uint>(blocks.List, marked.Count);
                 CollectionAssert.AreEquivalent(marked, list);
@@ -46,7 +46,7 @@ namespace SphFluid.Tests
                 var untouched = Enumerable.Repeat(-7f, 599 * SurfaceBlocks.SamplesPerBlock).ToArray();
                 blocks.Samples.SetData(untouched);
                 uint[] counters = List(blocks);
-                Assert.AreEqual(600u, counters[SurfaceCounters.BlocksWanted]);
+                Assert.AreEqual(600u, counters[SurfaceCounters.BlocksRequested]);
                 Assert.AreEqual(0u, counters[SurfaceCounters.BlocksListed]);
                 Assert.AreEqual(0u, counters[SurfaceCounters.RoundCount]);
                 Assert.AreEqual(0u, GpuTest.Read<uint>(blocks.RoundArguments, 3)[0]);
@@ -63,7 +63,7 @@ namespace SphFluid.Tests
             {
                 Mark(blocks, 5, 1.0, 7);
                 uint[] counters = List(blocks);
-                counters[SurfaceCounters.BlocksWanted] = 8u;
+                counters[SurfaceCounters.BlocksRequested] = 8u;
                 blocks.Counters.SetData(counters);
                 BeginLate(blocks);
                 counters = GpuTest.Read<uint>(blocks.Counters, SurfaceCounters.Slots);
@@ -84,14 +84,14 @@ namespace SphFluid.Tests
             using (var rig = new BlockFieldRig(shaders, settings, ParticleSets.Random(500, domain, 0f, 1)))
             {
                 rig.Record(field, grid);
-                uint wanted = rig.Counters()[SurfaceCounters.BlocksWanted];
+                uint wanted = rig.Counters()[SurfaceCounters.BlocksRequested];
                 using (var small = new BlockFieldRig(shaders, settings, ParticleSets.Random(500, domain, 0f, 1)))
                 {
                     small.Blocks.Reserve(grid.Cells, (int)wanted - 1);
                     var untouched = Enumerable.Repeat(-7f, small.Blocks.Capacity * SurfaceBlocks.SamplesPerBlock).ToArray();
                     small.Blocks.Samples.SetData(untouched);
                     small.Record(field, grid, (int)wanted - 1);
-                    Assert.AreEqual(wanted, small.Counters()[SurfaceCounters.BlocksWanted]);
+                    Assert.AreEqual(wanted, small.Counters()[SurfaceCounters.BlocksRequested]);
                     CollectionAssert.AreEqual(untouched, GpuTest.Read<float>(small.Blocks.Samples, untouched.Length));
                 }
             }

@@ -227,7 +227,7 @@ namespace SphFluid.Tests
             uint last = counters[SurfaceCounters.RoundCount] - 1;
             uint[] table = GpuTest.Read<uint>(blocks.Table, blocks.BlockCount);
             table[GpuTest.Read<uint>(blocks.List, (int)last + 1)[last]] = 0;
-            foreach (int slot in new[] { SurfaceCounters.RoundCount, SurfaceCounters.BlocksListed, SurfaceCounters.BlocksWanted })
+            foreach (int slot in new[] { SurfaceCounters.RoundCount, SurfaceCounters.BlocksListed, SurfaceCounters.BlocksRequested })
                 counters[slot] = last;
             blocks.Table.SetData(table);
             blocks.Counters.SetData(counters);

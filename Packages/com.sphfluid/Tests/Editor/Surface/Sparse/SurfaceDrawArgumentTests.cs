@@ -28,9 +28,9 @@ namespace SphFluid.Tests
         {
             var kernel = new ComputeKernel(SurfaceTestScene.LoadShaders().SurfaceDrawArguments, "SurfaceDrawArguments");
             var counted = new uint[SurfaceCounters.Slots];
-            counted[SurfaceCounters.BlocksWanted] = (uint)blocks;
-            counted[SurfaceCounters.VerticesWanted] = (uint)vertices;
-            counted[SurfaceCounters.IndicesWanted] = (uint)indices;
+            counted[SurfaceCounters.BlocksRequested] = (uint)blocks;
+            counted[SurfaceCounters.VerticesRequested] = (uint)vertices;
+            counted[SurfaceCounters.IndicesRequested] = (uint)indices;
             using (GraphicsBuffer counters = GpuBuffers.Create("Counters", SurfaceCounters.Slots, sizeof(uint)))
             using (var mesh = new BlockMesh())
             {

@@ -1,0 +1,29 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid.Validation
+{
+    /// <summary>
+    /// For closed surfaces: a particle is inside where the crossings of a ray, counted by their direction, sum to more than none. The sides of
+    /// edges are told in double precision, and alike for both triangles of an edge, so no ray slips between two.
+    /// </summary>
+    sealed class InsideDetector : LeakDetector
+    {
+        readonly MeshObstacle obstacle;
+        readonly Dictionary<int, bool> startedInside = new Dictionary<int, bool>();
+
+        public InsideDetector(TriangleMesh mesh) => obstacle = new MeshObstacle(mesh);
+
+        /// <inheritdoc/>
+        public override bool NeedsSteps => false;
+
+        /// <inheritdoc/>
+        protected override bool Passed(int particle, Vector3 place, bool first)
+        {
+            bool inside = obstacle.Contains(place);
+            if (first)
+                startedInside[particle] = inside;
+            return inside != startedInside[particle];
+        }
+    }
+}

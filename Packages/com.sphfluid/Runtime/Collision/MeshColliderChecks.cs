@@ -1,0 +1,40 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Names MeshColliders in the domain whose mesh cannot serve. Physics queries do not return a collider without a
+    /// mesh, so these are looked for by themselves.
+    /// </summary>
+    internal static class MeshColliderChecks
+    {
+        public static void Check(in CollisionQuery query, List<FluidMessage> messages)
+        {
+            Matrix4x4 worldToSimulation = query.WorldToSimulation;
+            foreach (MeshCollider collider in SceneObjects.Find<MeshCollider>(query.Owner))
+            {
+                bool counts = collider.enabled && !collider.isTrigger && (query.Layers & (1 << collider.gameObject.layer)) != 0;
+                if (!counts || !(ColliderTriangles.Problem(collider) is FluidMessage problem)) continue;
+                if (messages.Exists(m => m.Context == collider)) continue;
+                if (ColliderSettings.Of(collider) is IColliderSettings own && !own.AppliesTo(query.Owner)) continue;
+                if (IntersectsDomain(collider, worldToSimulation, query.HalfExtents)) messages.Add(problem);
+            }
+        }
+
+        // A mesh that cannot be read still tells its bounds; one without vertices is where its transform is.
+        static bool IntersectsDomain(MeshCollider collider, in Matrix4x4 worldToSimulation, Vector3 half)
+        {
+            Matrix4x4 toSimulation = worldToSimulation * collider.transform.localToWorldMatrix;
+            Bounds bounds = collider.sharedMesh != null ? collider.sharedMesh.bounds : new Bounds();
+            Vector3 center = toSimulation.MultiplyPoint3x4(bounds.center);
+            Vector3 reach = new Vector3(Row(toSimulation, 0, bounds.extents), Row(toSimulation, 1, bounds.extents), Row(toSimulation, 2, bounds.extents));
+            for (int axis = 0; axis < 3; axis++)
+                if (Mathf.Abs(center[axis]) > half[axis] + reach[axis]) return false;
+            return true;
+        }
+
+        static float Row(in Matrix4x4 m, int row, Vector3 extents) =>
+            Mathf.Abs(m[row, 0]) * extents.x + Mathf.Abs(m[row, 1]) * extents.y + Mathf.Abs(m[row, 2]) * extents.z;
+    }
+}

@@ -1,0 +1,25 @@
+using System.Collections.Generic;
+
+namespace SphFluid
+{
+    /// <summary>The rules that a simulation's settings have to meet. One set serves the inspector, the console and tests.</summary>
+    public static class FluidSimulationChecks
+    {
+        /// <summary>Checks a simulation with its liquid and its colliders, of a prefab asset only the settings; changes nothing.</summary>
+        /// <param name="simulation">The simulation.</param>
+        /// <returns>What is wrong or worth knowing, errors first.</returns>
+        public static List<FluidMessage> Validate(FluidSimulation simulation) => Preview(simulation, out _);
+
+        /// <summary>Whether any message says that the simulation cannot run.</summary>
+        /// <param name="messages">The messages.</param>
+        /// <returns>True when one is an error.</returns>
+        public static bool HasErrors(IReadOnlyList<FluidMessage> messages) => FluidChecks.HasErrors(messages);
+
+        /// <summary>Checks like <see cref="Validate"/> and tells the constants that the simulation would start with.</summary>
+        /// <param name="simulation">The simulation.</param>
+        /// <param name="constants">Null when there is an error.</param>
+        /// <returns>The messages, errors first.</returns>
+        internal static List<FluidMessage> Preview(FluidSimulation simulation, out FluidSolverSettings? constants) =>
+            FluidChecks.Preview(simulation.Spec, FluidScene.Volumes(simulation), out constants);
+    }
+}

@@ -1,0 +1,152 @@
+using System;
+using System.Collections.Generic;
+using Unity.Collections;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Sums a liquid's state on the GPU and brings it to the CPU, without waiting or with. Each group of threads reduces its particles
+    /// in a fixed order and the records are added in double precision: the same state gives the same figures to the last bit.
+    /// </summary>
+    public sealed class FluidStatisticsMeter : IDisposable
+    {
+        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("MeasureStatistics");
+
+        readonly ComputeKernel kernel;
+        readonly FluidSolver solver;
+        readonly Queue<FluidMoment> pending = new Queue<FluidMoment>();
+        readonly Action<AsyncGPUReadbackRequest> received;
+        readonly Vector4[] values;
+        readonly int groups;
+        GraphicsBuffer records;
+
+        /// <summary>A meter for a solver.</summary>
+        /// <param name="shaders">Shader set with MeasureStatistics.</param>
+        /// <param name="solver">The solver; it must outlive the recordings.</param>
+        /// <exception cref="FluidDeviceException">The device cannot run it.</exception>
+        public FluidStatisticsMeter(FluidShaderSet shaders, FluidSolver solver)
+        {
+            if (shaders == null)
+                throw new ArgumentNullException(nameof(shaders), "A statistics meter needs a shader set: assign one in the fluid profile.");
+            this.solver = solver ?? throw new ArgumentNullException(nameof(solver), "A statistics meter needs a running solver.");
+            kernel = new ComputeKernel(shaders.MeasureStatistics, "MeasureStatistics");
+            groups = (solver.ParticleCount + kernel.GroupSize.x - 1) / kernel.GroupSize.x;
+            values = new Vector4[groups * FluidStatisticsRecord.Size];
+            records = GpuBuffers.Create("Statistics", values.Length, 4 * sizeof(float));
+            received = Receive;
+        }
+
+        /// <summary>Raised on the main thread for each asynchronous measurement, oldest first.</summary>
+        public event Action<FluidStatistics> Measured;
+
+        /// <summary>The solver that is measured.</summary>
+        public FluidSolver Solver => solver;
+
+        /// <summary>Bytes of GPU memory that the meter holds.</summary>
+        public long GpuBytes => records == null ? 0 : (long)records.count * records.stride;
+
+        /// <summary>Raised after <see cref="Measured"/> with what was measured.</summary>
+        internal event Action<FluidStatistics, FluidMoment> MeasuredAt;
+
+        /// <summary>Measurements that have not arrived.</summary>
+        internal int UnderWay => pending.Count;
+
+        /// <summary>
+        /// Records a measurement of the present state, and the neighbour setup where it is not fresh: the next step uses it. On devices with
+        /// asynchronous read-back <see cref="Measured"/> follows within a few frames.
+        /// </summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        public void Record(CommandBuffer cmd) => Record(cmd, false);
+
+        /// <summary>Records a measurement, and whether something outside did work on the liquid since the last.</summary>
+        internal void Record(CommandBuffer cmd, bool workDone)
+        {
+            RecordKernel(cmd);
+            if (SystemInfo.supportsAsyncGPUReadback)
+            {
+                pending.Enqueue(new FluidMoment(solver, workDone));
+                cmd.RequestAsyncReadback(records, received);
+            }
+        }
+
+        /// <summary>Measures the present state and waits for the GPU; for tools and tests.</summary>
+        /// <returns>The statistics now.</returns>
+        public FluidStatistics MeasureNow()
+        {
+            using (var cmd = new CommandBuffer { name = "Fluid Statistics" })
+            {
+                RecordKernel(cmd);
+                Graphics.ExecuteCommandBuffer(cmd);
+            }
+            records.GetData(values);
+            return FluidStatisticsRecord.Sum(values, groups, new FluidMoment(solver, false));
+        }
+
+        /// <summary>Frees the GPU memory. Measurements under way are dropped.</summary>
+        public void Dispose() => GpuBuffers.Dispose(ref records);
+
+        void RecordKernel(CommandBuffer cmd)
+        {
+            if (records == null)
+                throw new ObjectDisposedException(nameof(FluidStatisticsMeter));
+            solver.RecordNeighbourSetup(cmd);
+            FluidSolverSettings settings = solver.Settings;
+            cmd.BeginSample(Marker);
+            solver.BindNeighbours(cmd, kernel);
+            kernel.SetBuffer(cmd, FluidShaderIds.Density, solver.Density);
+            kernel.SetBuffer(cmd, FluidShaderIds.Pressure, solver.Pressure);
+            kernel.SetBuffer(cmd, StatisticsShaderIds.Statistics, records);
+            kernel.SetInt(cmd, FluidShaderIds.ParticleCount, solver.ParticleCount);
+            kernel.SetInt(cmd, FluidShaderIds.CellCount, solver.Grid.CellCount);
+            kernel.SetInt(cmd, StatisticsShaderIds.GroupCount, groups);
+            kernel.SetFloat(cmd, FluidShaderIds.RestDensity, settings.RestDensity);
+            kernel.SetFloat(cmd, StatisticsShaderIds.Spacing, settings.Spacing);
+            kernel.SetFloat(cmd, StatisticsShaderIds.HalfStep, 0.5f * solver.LastTimeStep);
+            kernel.SetVector(cmd, StatisticsShaderIds.Potential, AlongWalls(settings.Gravity, settings));
+            kernel.SetVector(cmd, StatisticsShaderIds.PotentialCentre, settings.BodyForce.Centre);
+            kernel.SetVector(cmd, StatisticsShaderIds.PotentialRate, settings.BodyForce.RateSquared);
+            kernel.SetVector(cmd, FluidShaderIds.DomainHalfSize, 0.5f * settings.DomainSize);
+            DomainFaces.Set(cmd, kernel, settings);
+            kernel.DispatchThreads(cmd, solver.ParticleCount);
+            cmd.EndSample(Marker);
+        }
+
+        void Receive(AsyncGPUReadbackRequest request)
+        {
+            if (records == null)
+                return;
+            FluidMoment moment = pending.Dequeue();
+            if (request.hasError)
+                return;
+            NativeArray<Vector4> data = request.GetData<Vector4>();
+            data.CopyTo(values);
+            FluidStatistics statistics = FluidStatisticsRecord.Sum(values, groups, moment);
+            Measured?.Invoke(statistics);
+            MeasuredAt?.Invoke(statistics, moment);
+        }
+
+        static Vector3 AlongWalls(Vector3 value, in FluidSolverSettings settings)
+        {
+            FluidAxes axes = settings.Boundaries.Periodic;
+            return new Vector3(
+                (axes & FluidAxes.X) != 0 ? 0f : value.x,
+                (axes & FluidAxes.Y) != 0 ? 0f : value.y,
+                (axes & FluidAxes.Z) != 0 ? 0f : value.z);
+        }
+    }
+
+    /// <summary>Property ids of Shaders/Diagnostics/MeasureStatistics.compute besides those of <see cref="FluidShaderIds"/>.</summary>
+    internal static class StatisticsShaderIds
+    {
+        public static readonly int Statistics = Shader.PropertyToID("_Statistics");
+        public static readonly int GroupCount = Shader.PropertyToID("_GroupCount");
+        public static readonly int Spacing = Shader.PropertyToID("_Spacing");
+        public static readonly int HalfStep = Shader.PropertyToID("_HalfStep");
+        public static readonly int Potential = Shader.PropertyToID("_Potential");
+        public static readonly int PotentialCentre = Shader.PropertyToID("_PotentialCentre");
+        public static readonly int PotentialRate = Shader.PropertyToID("_PotentialRate");
+    }
+}

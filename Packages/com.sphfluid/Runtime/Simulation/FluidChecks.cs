@@ -1,0 +1,159 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>The rules that a simulation has to meet, by its spec. They look and change nothing; one set serves the inspector, the console and tests.</summary>
+    internal static class FluidChecks
+    {
+        const float ScaleTolerance = 1e-4f;
+
+        /// <summary>Checks a simulation with its liquid and its colliders, of a prefab asset only the settings.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="volumes">Its liquid volumes, in hierarchy order.</param>
+        /// <param name="constants">Those that the simulation would start with; null when there is an error.</param>
+        /// <returns>What is wrong or worth knowing, errors first.</returns>
+        public static List<FluidMessage> Preview(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, out FluidSolverSettings? constants)
+        {
+            using (var collision = new CollisionScene())
+            {
+                List<FluidMessage> messages = Check(spec, volumes, collision, FluidSpawner.Measure, out FluidStart start);
+                constants = start?.Constants;
+                return messages;
+            }
+        }
+
+        /// <summary>Checks a simulation and, when nothing speaks against it, tells its start.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="volumes">Its liquid volumes, in hierarchy order.</param>
+        /// <param name="collision">Receives the colliders.</param>
+        /// <param name="spawn">Makes or counts the first particles.</param>
+        /// <param name="start">How it starts; null when there is an error.</param>
+        /// <returns>The messages, errors first.</returns>
+        public static List<FluidMessage> Check(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, CollisionScene collision,
+            Func<SpawnRequest, SpawnResult> spawn, out FluidStart start)
+        {
+            start = null;
+            var messages = new List<FluidMessage>();
+            CheckDevice(spec, messages);
+            CheckReferences(spec, messages);
+            CheckTransform(spec, messages);
+            bool measurable = CheckNumbers(spec, messages);
+            if (measurable)
+            {
+                if (SceneObjects.IsPrefabAsset(spec.Owner)) messages.Add(Unplaced(spec));
+                else start = CheckScene(spec, volumes, collision, spawn, messages);
+                BoundaryChecks.Check(spec, messages);
+                CellChecks.Check(spec, messages);
+            }
+            if (HasErrors(messages) || !TryDerive(spec, start, messages)) start = null;
+            if (start != null) TimeStepChecks.Check(spec, start.Constants, messages);
+            return messages.OrderByDescending(m => m.Severity).ToList();
+        }
+
+        /// <summary>Whether any message says that the simulation cannot run.</summary>
+        /// <param name="messages">The messages.</param>
+        /// <returns>True when one is an error.</returns>
+        public static bool HasErrors(IReadOnlyList<FluidMessage> messages)
+        {
+            foreach (FluidMessage message in messages)
+                if (message.Severity == FluidSeverity.Error) return true;
+            return false;
+        }
+
+        static void CheckDevice(in FluidSpec spec, List<FluidMessage> messages)
+        {
+            foreach (FluidMessage message in FluidSupport.Query().ErrorsOf(spec.Method))
+                messages.Add(new FluidMessage(message.Severity, message.Issue, spec.Owner, message.Text, message.Cure));
+        }
+
+        static void CheckReferences(in FluidSpec spec, List<FluidMessage> messages)
+        {
+            if (!spec.HasProfile)
+                messages.Add(Error(spec.Owner, FluidIssue.ProfileMissing, "No profile is assigned.",
+                    "Assign a Fluid Profile, for instance WaterProfile from the package's Runtime/Assets, or make one with Assets > Create > SPH Fluid > Fluid Profile."));
+            else if (spec.Profile.Shaders == null)
+                messages.Add(Error(spec.Profile.Asset, FluidIssue.ShadersMissing, "The profile has no shader set.",
+                    "Assign the package's DefaultFluidShaderSet from Runtime/Assets to the profile's Shaders."));
+            else if (spec.Profile.Shaders.MissingFor(spec.Method) is { Count: > 0 } missing)
+                messages.Add(Error(spec.Profile.Shaders, FluidIssue.ShadersMissing, $"The shader set lacks {string.Join(", ", missing)}.",
+                    "Assign the shaders of the same names from the package's Shaders folder, or use the package's DefaultFluidShaderSet."));
+        }
+
+        static void CheckTransform(in FluidSpec spec, List<FluidMessage> messages)
+        {
+            Vector3 scale = spec.Scale;
+            bool unit = Mathf.Abs(scale.x - 1f) <= ScaleTolerance && Mathf.Abs(scale.y - 1f) <= ScaleTolerance &&
+                Mathf.Abs(scale.z - 1f) <= ScaleTolerance;
+            if (!unit)
+                messages.Add(Error(spec.Owner, FluidIssue.TransformScaled,
+                    $"The transform's scale is {FluidMessage.Lengths(scale)}, but the liquid is computed in metres and needs scale 1.",
+                    "Set the scale of this object and its parents to 1 and give the size in Domain Size."));
+        }
+
+        static bool CheckNumbers(in FluidSpec spec, List<FluidMessage> messages)
+        {
+            Vector3 size = spec.DomainSize;
+            float spacing = spec.Spacing;
+            bool sized = AffineMath.IsFinite(size) && size.x > 0f && size.y > 0f && size.z > 0f;
+            bool spaced = AffineMath.IsFinite(spacing) && spacing > 0f;
+            if (!sized)
+                messages.Add(Error(spec.Owner, FluidIssue.DomainSizeInvalid, $"The domain size is {FluidMessage.Lengths(size)} m.",
+                    "Give Domain Size three numbers greater than zero."));
+            if (!spaced)
+                messages.Add(Error(spec.Owner, FluidIssue.SpacingInvalid, $"The particle spacing is {spacing} m.",
+                    "Give Particle Spacing a number greater than zero."));
+            else if (sized && Mathf.Min(size.x, Mathf.Min(size.y, size.z)) < 2f * spacing)
+                messages.Add(Error(spec.Owner, FluidIssue.SpacingInvalid,
+                    $"The domain of {FluidMessage.Lengths(size)} m is less than two particles of {spacing} m wide.",
+                    "Use a smaller Particle Spacing or a larger Domain Size."));
+            if (!AffineMath.IsFinite(spec.Gravity))
+                messages.Add(Error(spec.Owner, FluidIssue.GravityInvalid, "Gravity is not a finite number.", "Give Gravity three finite numbers."));
+            float step = spec.FixedTimeStep;
+            if (spec.TimeStepMode == FluidTimeStepMode.Fixed && !(AffineMath.IsFinite(step) && step > 0f))
+                messages.Add(Error(spec.Owner, FluidIssue.TimeStepInvalid, $"The fixed time step is {step} s.",
+                    "Give Fixed Time Step a number greater than zero, or set Time Step Mode to Automatic."));
+            return sized && spaced && AffineMath.IsFinite(spec.Position);
+        }
+
+        static FluidStart CheckScene(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, CollisionScene collision,
+            Func<SpawnRequest, SpawnResult> spawn, List<FluidMessage> messages)
+        {
+            CollisionQuery query = spec.Query();
+            collision.Gather(query);
+            messages.AddRange(collision.Messages);
+            MeshColliderChecks.Check(query, messages);
+            List<(VolumeSpec, LiquidShape shape)> found = LiquidChecks.Shapes(spec, volumes, collision, messages);
+            if (found.Count == 0) return null;
+            List<LiquidShape> shapes = found.ConvertAll(f => f.shape);
+            SpawnResult result = spawn(SpawnRequests.For(spec, shapes, collision));
+            return LiquidChecks.Check(spec, found, result, collision, messages)
+                ? new FluidStart(result.Particles, result.Needed, LiquidExtent.Of(shapes, spec.DomainSize), result.Fastest)
+                : null;
+        }
+
+        static FluidMessage Unplaced(in FluidSpec spec) => new FluidMessage(
+            FluidSeverity.Info, FluidIssue.PrefabAsset, spec.Owner,
+            "This is a prefab asset: its liquid and colliders are checked once it is in a scene.",
+            "Place it in a scene or open the prefab to check all of it.");
+
+        static bool TryDerive(in FluidSpec spec, FluidStart start, List<FluidMessage> messages)
+        {
+            try
+            {
+                if (start != null) start.Constants = FluidConstants.Derive(spec, start, spec.LocalGravity);
+                return true;
+            }
+            catch (ArgumentException exception)
+            {
+                messages.Add(Error(spec.Owner, FluidIssue.StartFailed, exception.Message, ""));
+                return false;
+            }
+        }
+
+        static FluidMessage Error(UnityEngine.Object context, FluidIssue issue, string text, string cure) =>
+            new FluidMessage(FluidSeverity.Error, issue, context, text, cure);
+    }
+}

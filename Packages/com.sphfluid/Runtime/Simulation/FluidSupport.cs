@@ -1,0 +1,131 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>What the graphics device can do for the fluid, with a reason for each thing it cannot.</summary>
+    public readonly struct FluidSupport
+    {
+        const string OtherDevice = "Use another graphics device or API.";
+
+        readonly DeviceCapabilities device;
+
+        FluidSupport(in DeviceCapabilities device)
+        {
+            this.device = device;
+            Messages = null;
+            Messages = AllMessages();
+        }
+
+        /// <summary>One sentence for each missing capability. It is an error where no method runs.</summary>
+        public IReadOnlyList<FluidMessage> Messages { get; }
+
+        /// <summary>Whether a liquid can be simulated, by one method at least.</summary>
+        public bool Simulation => Supports(FluidMethodKind.Standard) || Supports(FluidMethodKind.Thesis);
+
+        /// <summary>Whether a liquid can be drawn as a surface, by a Fluid Surface Renderer or a Fluid Surface Mesh.</summary>
+        public bool Surface => Runs(KernelNeeds.Surface) && Runs(KernelNeeds.Drawing);
+
+        /// <summary>Whether the thesis's surface can be drawn; the other needs no geometry shader.</summary>
+        public bool GeometrySurface => device.GeometryShaders && Runs(KernelNeeds.GeometrySurface);
+
+        /// <summary>Whether counters reach the CPU without stalling it.</summary>
+        public bool AsyncReadback => device.AsyncReadback;
+
+        /// <summary>Asks the present device.</summary>
+        /// <returns>The report.</returns>
+        public static FluidSupport Query() => From(DeviceCapabilities.Query());
+
+        /// <summary>Whether the device runs the kernels of a method.</summary>
+        /// <param name="method">The method.</param>
+        /// <returns>True when it does.</returns>
+        public bool Supports(FluidMethodKind method) => Runs(NeedsOf(method));
+
+        internal static FluidSupport From(in DeviceCapabilities device) => new FluidSupport(device);
+
+        /// <summary>What keeps a method from running here, as errors.</summary>
+        internal IReadOnlyList<FluidMessage> ErrorsOf(FluidMethodKind method)
+        {
+            var messages = new List<FluidMessage>();
+            if (!device.ComputeShaders)
+                Add(messages, FluidSeverity.Error, NoComputeShaders, ComputeCure);
+            else
+                AddShortfalls(messages, FluidSeverity.Error, NeedsOf(method), CureFor(method));
+            return messages;
+        }
+
+        string NoComputeShaders => $"{device.Name} has no compute shaders, which the liquid is computed with.";
+
+        static string ComputeCure => "Use Direct3D 11 or 12, Vulkan or Metal.";
+
+        static KernelNeeds NeedsOf(FluidMethodKind method) => method == FluidMethodKind.Standard ? KernelNeeds.Standard : KernelNeeds.Thesis;
+
+        bool Runs(KernelNeeds needs)
+        {
+            if (!device.ComputeShaders) return false;
+            foreach (string _ in needs.Shortfalls(device)) return false;
+            return true;
+        }
+
+        string CureFor(FluidMethodKind method)
+        {
+            if (method == FluidMethodKind.Standard)
+                return Runs(KernelNeeds.Thesis) ? "Set the simulation's Method to Thesis, which runs here." : OtherDevice;
+            return Runs(KernelNeeds.Standard) ? "Set the simulation's Method to Standard, which runs here." : OtherDevice;
+        }
+
+        List<FluidMessage> AllMessages()
+        {
+            var messages = new List<FluidMessage>();
+            if (!device.ComputeShaders)
+                Add(messages, FluidSeverity.Error, NoComputeShaders, ComputeCure);
+            else
+            {
+                FluidSeverity severity = Simulation ? FluidSeverity.Info : FluidSeverity.Error;
+                AddShortfalls(messages, severity, KernelNeeds.Standard, CureFor(FluidMethodKind.Standard));
+                AddShortfalls(messages, severity, KernelNeeds.Thesis, CureFor(FluidMethodKind.Thesis));
+                AddShortfalls(messages, FluidSeverity.Info, KernelNeeds.Surface, "Draw the liquid with a Fluid Particle Renderer.");
+                AddShortfalls(messages, FluidSeverity.Info, KernelNeeds.Drawing, OtherDevice);
+                AddShortfalls(messages, FluidSeverity.Info, KernelNeeds.GeometrySurface, "Draw the liquid with a Fluid Surface Renderer.");
+                AddShortfalls(messages, FluidSeverity.Info, KernelNeeds.Diagnostics, "Leave out the Fluid Diagnostics.");
+            }
+            if (!device.GeometryShaders)
+                Add(messages, FluidSeverity.Info, $"{device.Name} has no geometry shaders, which the thesis's surface is made with.",
+                    "Draw the liquid with a Fluid Surface Renderer.");
+            if (!device.AsyncReadback)
+                Add(messages, FluidSeverity.Info, $"{device.Name} has no asynchronous readback, so the simulation's event counters are not shown.", "");
+            return messages;
+        }
+
+        void AddShortfalls(List<FluidMessage> messages, FluidSeverity severity, KernelNeeds needs, string cure)
+        {
+            foreach (string lack in needs.Shortfalls(device)) Add(messages, severity, lack, cure);
+        }
+
+        static void Add(List<FluidMessage> messages, FluidSeverity severity, string text, string cure) =>
+            messages.Add(new FluidMessage(severity, FluidIssue.DeviceUnsupported, null, text, cure));
+    }
+
+    /// <summary>The figures of a graphics device that the fluid asks for.</summary>
+    internal struct DeviceCapabilities
+    {
+        public string Name;
+        public bool ComputeShaders;
+        public bool GeometryShaders;
+        public bool AsyncReadback;
+        public int GroupThreads;
+        public int ComputeBuffers;
+        public int VertexBuffers;
+
+        public static DeviceCapabilities Query() => new DeviceCapabilities
+        {
+            Name = $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType})",
+            ComputeShaders = SystemInfo.supportsComputeShaders,
+            GeometryShaders = SystemInfo.supportsGeometryShaders,
+            AsyncReadback = SystemInfo.supportsAsyncGPUReadback,
+            GroupThreads = SystemInfo.maxComputeWorkGroupSize,
+            ComputeBuffers = SystemInfo.maxComputeBufferInputsCompute,
+            VertexBuffers = SystemInfo.maxComputeBufferInputsVertex,
+        };
+    }
+}

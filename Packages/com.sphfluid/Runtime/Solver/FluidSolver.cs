@@ -1,0 +1,319 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// A running liquid: its particles on the GPU and the order of the steps. Records into the caller's command buffer;
+    /// command buffers must be executed in the order in which they were recorded. Simulation space: metres from the centre
+    /// of the domain box, along its axes.
+    /// </summary>
+    public sealed class FluidSolver : IDisposable
+    {
+        readonly IFluidMethod method;
+        readonly FluidState state;
+        readonly CounterReadback counters;
+        float previousStep;
+        bool loaded;
+        bool neighboursFresh;
+        bool published;
+        bool disposed;
+
+        /// <summary>Uploads the particles and prepares the method.</summary>
+        /// <param name="settings">The physics and its method; <see cref="FluidMethodKind.ThesisPrinted"/> sets its switches as printed.</param>
+        /// <param name="shaders">The compute shaders.</param>
+        /// <param name="initial">Particles at the start, one or more, inside the domain.</param>
+        /// <exception cref="ArgumentException">A constant or the particles cannot be computed with.</exception>
+        /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold a buffer.</exception>
+        public FluidSolver(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> initial)
+        {
+            settings.Validate();
+            FluidParticle[] particles = CheckParticles(settings, initial);
+            method = CreateMethod(settings.Method, shaders);
+            state = new FluidState(AsSwitched(settings), particles.Length);
+            state.SetTriangles(null, null, 0);
+            state.Buffers.Particles.SetData(particles);
+            counters = new CounterReadback(state.Buffers.Counters, settings.RestDensity);
+        }
+
+        /// <summary>The method.</summary>
+        public FluidMethodKind Kind => state.Settings.Method;
+
+        /// <summary>Number of particles.</summary>
+        public int ParticleCount => state.ParticleCount;
+
+        /// <summary>The physics, a copy.</summary>
+        public FluidSolverSettings Settings => state.Settings;
+
+        /// <summary>The neighbour grid.</summary>
+        public FluidGrid Grid => state.Grid;
+
+        /// <summary>FluidParticle a particle, in the order of the last neighbour setup, those that left the domain behind all others. Ask again after each recording: two buffers alternate.</summary>
+        public GraphicsBuffer Particles => state.Buffers.Particles;
+
+        /// <summary>Density [kg/m³], float a particle, in the order of <see cref="Particles"/>, as of the last neighbour setup.</summary>
+        public GraphicsBuffer Density => state.Buffers.Density;
+
+        /// <summary>Pressure [Pa], float a particle, in the order of <see cref="Particles"/>, as of the last neighbour setup.</summary>
+        public GraphicsBuffer Pressure => state.Buffers.Pressure;
+
+        /// <summary>First and end of each cell's particles in <see cref="Particles"/>, uint2 a cell, as of the last neighbour setup.</summary>
+        public GraphicsBuffer GridIndices => state.Buffers.GridIndices;
+
+        /// <summary>Steps recorded since the start.</summary>
+        public long StepCount { get; private set; }
+
+        /// <summary>Time recorded since the start [s].</summary>
+        public double SimulatedTime { get; private set; }
+
+        /// <summary>Length of the last recorded step [s]: velocities are half of it older than positions; 0 before the first.</summary>
+        internal float LastTimeStep => previousStep;
+
+        /// <summary>Events counted on the GPU, as of the last finished read-back.</summary>
+        public FluidCounters Counters => counters.Counters;
+
+        /// <summary>Bytes of GPU memory that the solver holds.</summary>
+        public long GpuBytes => state.Bytes;
+
+        internal FluidState State => state;
+
+        /// <summary>Gives the solver the scene's triangles; the caller keeps them alive and disposes them.</summary>
+        /// <param name="triangles">CollisionTriangle each (Shaders/Collision/CollisionTypes.hlsl); null for none.</param>
+        /// <param name="colliders">CollisionCollider each; null for none.</param>
+        /// <param name="colliderCount">Number of colliders.</param>
+        public void SetTriangles(GraphicsBuffer triangles, GraphicsBuffer colliders, int colliderCount)
+        {
+            ThrowIfDisposed();
+            state.SetTriangles(triangles, colliders, colliderCount);
+        }
+
+        /// <summary>Gives the solver the scene's bodies; the caller keeps them alive, updates them once a frame and disposes them. Standard method only.</summary>
+        internal void SetBodies(CollisionBodies bodies)
+        {
+            ThrowIfDisposed();
+            if (bodies == state.Bodies) return;
+            state.Bodies = bodies;
+            neighboursFresh = false;
+        }
+
+        /// <summary>Changes the physics between steps.</summary>
+        /// <param name="settings">New constants; domain size, support radius, neighbour search and periodic axes must stay, the grid depends on them.</param>
+        /// <exception cref="ArgumentException">A constant is out of range, or the grid would change.</exception>
+        public void ApplySettings(in FluidSolverSettings settings)
+        {
+            ThrowIfDisposed();
+            settings.Validate();
+            FluidSolverSettings switched = AsSwitched(settings);
+            if (switched.Method != Kind)
+            {
+                throw new ArgumentException($"The solver computes by {Kind}, and the settings are for {switched.Method}. Start a new solver for another method.");
+            }
+
+            if (switched.DomainSize != state.Settings.DomainSize || switched.SupportRadius != state.Settings.SupportRadius ||
+                switched.OctantSearch != state.Settings.OctantSearch || switched.Boundaries.Periodic != state.Settings.Boundaries.Periodic)
+            {
+                throw new ArgumentException("DomainSize, SupportRadius, OctantSearch and Boundaries.Periodic cannot change while the liquid runs: " +
+                    "the grid depends on them. Start a new solver.");
+            }
+
+            state.Settings = switched;
+            counters.RestDensity = settings.RestDensity;
+            neighboursFresh = false;
+        }
+
+        /// <summary>Records a number of steps, and a read-back of the counters.</summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        /// <param name="steps">Number of steps; none records nothing.</param>
+        public void RecordSteps(CommandBuffer cmd, int steps)
+        {
+            RecordSteps(cmd, steps, state.Settings.TimeStep);
+        }
+
+        /// <summary>Records a number of steps of another length than the settings have, and a read-back of the counters.</summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        /// <param name="steps">Number of steps; none records nothing.</param>
+        /// <param name="timeStep">Length of each [s], positive. Velocities live between the steps: the first kick after a change is
+        /// the mean of both lengths.</param>
+        /// <exception cref="ArgumentOutOfRangeException">An argument is out of range.</exception>
+        public void RecordSteps(CommandBuffer cmd, int steps, float timeStep)
+        {
+            ThrowIfDisposed();
+            if (steps < 0)
+            {
+                throw new ArgumentOutOfRangeException(nameof(steps), steps, "The number of steps must be zero or more.");
+            }
+
+            if (!(timeStep > 0f) || float.IsInfinity(timeStep))
+            {
+                throw new ArgumentOutOfRangeException(nameof(timeStep), timeStep, "The length of a step must be a positive number of seconds.");
+            }
+
+            if (steps == 0)
+            {
+                return;
+            }
+
+            counters.RecordReset(cmd);
+            if (state.WallsChange()) neighboursFresh = false; // what drawing was given has the walls at rest
+            for (int i = 0; i < steps; i++)
+            {
+                state.BeginBodyStep(i, steps, timeStep);
+                RecordSetup(cmd);
+                method.RecordMotion(cmd, state, new FluidStep(timeStep, StepCount == 0 ? timeStep : previousStep, StepCount == 0));
+                previousStep = timeStep;
+                neighboursFresh = false;
+                StepCount++;
+                SimulatedTime += timeStep;
+            }
+
+            state.EndBodySteps();
+            counters.RecordRequest(cmd);
+        }
+
+        /// <summary>
+        /// Records sort, grid ranges and density at the present positions, so that <see cref="Particles"/>,
+        /// <see cref="Density"/> and <see cref="GridIndices"/> agree for drawing. The next step uses it: nothing is done twice.
+        /// </summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        public void RecordNeighbourSetup(CommandBuffer cmd)
+        {
+            ThrowIfDisposed();
+            RecordSetup(cmd);
+            if (!published)
+            {
+                method.RecordPublish(cmd, state);
+                published = true;
+            }
+        }
+
+        /// <summary>Puts other particles in the place of the present ones. What the GPU still has to do with those is done first.</summary>
+        /// <param name="particles">As many as there are, inside the domain.</param>
+        /// <exception cref="ArgumentException">Their number differs, or one lies outside the domain.</exception>
+        public void SetParticles(IReadOnlyList<FluidParticle> particles)
+        {
+            ThrowIfDisposed();
+            if (particles == null || particles.Count != ParticleCount)
+            {
+                throw new ArgumentException($"The solver holds {ParticleCount} particles, and {particles?.Count ?? 0} are given. Start a new solver for another number.",
+                    nameof(particles));
+            }
+
+            state.Buffers.Particles.SetData(CheckParticles(state.Settings, particles));
+            loaded = false;
+            neighboursFresh = false;
+        }
+
+        /// <summary>Records the globals and the keyword of a kernel that includes Shaders/Solver/GridNeighbours.hlsl.</summary>
+        /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
+        /// <param name="kernel">The kernel.</param>
+        public void BindNeighbours(CommandBuffer cmd, ComputeKernel kernel)
+        {
+            ThrowIfDisposed();
+            method.BindNeighbours(cmd, state, kernel);
+        }
+
+        /// <summary>Waits for the GPU and reads the counters; for tools and tests.</summary>
+        /// <returns>The counters now.</returns>
+        public FluidCounters ReadCountersNow()
+        {
+            ThrowIfDisposed();
+            return counters.ReadNow();
+        }
+
+        /// <summary>Releases the GPU memory.</summary>
+        public void Dispose()
+        {
+            if (!disposed)
+            {
+                disposed = true;
+                counters.Dispose();
+                state.Dispose();
+            }
+        }
+
+        void RecordSetup(CommandBuffer cmd)
+        {
+            if (!loaded)
+            {
+                method.RecordLoad(cmd, state);
+                loaded = true;
+            }
+
+            if (!neighboursFresh)
+            {
+                method.RecordNeighbourSetup(cmd, state);
+                neighboursFresh = true;
+                published = false;
+            }
+        }
+
+        FluidSolverSettings AsSwitched(in FluidSolverSettings settings)
+        {
+            if (settings.Method != FluidMethodKind.ThesisPrinted)
+            {
+                return settings;
+            }
+
+            ThesisSwitches printed = ThesisSwitches.Printed;
+            printed.OctantSearch = settings.OctantSearch; // both searches find the same neighbours
+            return settings.With(printed);
+        }
+
+        static IFluidMethod CreateMethod(FluidMethodKind kind, FluidShaderSet shaders)
+        {
+            if (shaders == null)
+            {
+                throw new ArgumentException("No fluid shader set is given. Assign one in the fluid profile.", nameof(shaders));
+            }
+
+            switch (kind)
+            {
+                case FluidMethodKind.Thesis:
+                case FluidMethodKind.ThesisPrinted:
+                    return new ThesisMethod(shaders);
+                case FluidMethodKind.Standard:
+                    return new StandardMethod(shaders);
+                default:
+                    throw new ArgumentException($"There is no fluid method {kind}.", nameof(kind));
+            }
+        }
+
+        internal static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial)
+        {
+            if (initial == null || initial.Count == 0)
+            {
+                throw new ArgumentException("A fluid needs one particle or more.", nameof(initial));
+            }
+
+            Vector3 half = 0.5f * settings.DomainSize;
+            var particles = new FluidParticle[initial.Count];
+            int outside = 0;
+            for (int i = 0; i < particles.Length; i++)
+            {
+                particles[i] = initial[i];
+                Vector3 p = particles[i].Position;
+                bool inside = Mathf.Abs(p.x) <= half.x && Mathf.Abs(p.y) <= half.y && Mathf.Abs(p.z) <= half.z;
+                outside += inside ? 0 : 1;
+            }
+
+            if (outside > 0)
+            {
+                throw new ArgumentException(
+                    $"{outside} of {particles.Length} particles lie outside the domain of {settings.DomainSize} m. Move the liquid or enlarge the domain.",
+                    nameof(initial));
+            }
+
+            return particles;
+        }
+
+        void ThrowIfDisposed()
+        {
+            if (disposed)
+            {
+                throw new ObjectDisposedException(nameof(FluidSolver));
+            }
+        }
+    }
+}

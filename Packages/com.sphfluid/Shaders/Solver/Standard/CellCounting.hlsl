@@ -1,0 +1,28 @@
+#ifndef SPHFLUID_CELL_COUNTING
+#define SPHFLUID_CELL_COUNTING
+
+#include "../../Gpu/FluidCounters.hlsl"
+#include "CellRows.hlsl"
+#include "../DomainFaces.hlsl"
+
+// The last word of a step on a particle: it is counted into the cell of its new place or, beyond an open face, taken out of the
+// liquid. A particle that left keeps its place and velocity and stands behind all others from then on.
+RWStructuredBuffer<float4> _NewPositionsOut; // w: 1 of a particle that left, else 0
+RWStructuredBuffer<uint> _CellCount;
+RWStructuredBuffer<uint> _RankOut;
+uint _ParticleCount;
+
+void CountInCell(uint id, float3 position)
+{
+    const bool leaves = any(position < _OpenLow) || any(position > _OpenHigh);
+    uint rank;
+    InterlockedAdd(_CellCount[leaves ? RemovedCell() : CellNumber(CellAt(position))], 1u, rank);
+    _RankOut[id] = leaves ? rank + _ParticleCount - LiveCount() : rank; // behind those that left before
+    _NewPositionsOut[id] = float4(position, leaves ? 1.0 : 0.0);
+    if (leaves)
+    {
+        CountEvent(COUNTER_REMOVED);
+    }
+}
+
+#endif
