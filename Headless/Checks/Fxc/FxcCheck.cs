@@ -36,7 +36,7 @@ internal sealed class FxcCheck(ProjectPackages packages, string cacheFolder)
             report.Figures = $"{results.Count} entry points and variants of {jobs.Files} files compiled by d3dcompiler_47, at most {slots} instruction slots";
             new FxcBudget(packages.Product).Check(results, report);
             report.Figures += $"; the yardstick took {yardstick:F0} ms";
-            new KernelNeedsCheck(packages.Product).Check(results, report);
+            new ShaderGroupCheck(packages.Product).Check(results, report);
         }
         finally { folder.Delete(recursive: true); }
     }

@@ -55,7 +55,7 @@ public sealed class FxcCheckTests
 
         Assert.That(Run(kernel, Needs(64, 3, 2, 256)).Findings, Is.Empty);
         Assert.That(Run(kernel, Needs(64, 2, 2, 256)).Findings, Has.One.Contains("64 threads, 3 buffers, 2 written, 256 bytes shared"));
-        Assert.That(Run(kernel, "nothing").Findings, Has.One.Contains("states no needs"));
+        Assert.That(Run(kernel, "nothing").Findings, Has.One.Contains("no shader group"));
     }
 
     [Test]
@@ -106,12 +106,12 @@ public sealed class FxcCheckTests
     }
 
     private static string Needs(int threads, int buffers, int writable, int memory) =>
-        $"new KernelNeeds(\"a part\", \"Shaders\",\n  groupThreads: {threads}, buffers: {buffers}, writableBuffers: {writable}, groupMemory: {memory}, vertexBuffers: 0)";
+        $"new ShaderGroup(\"a part\", \"Shaders\",\n  groupThreads: {threads}, buffers: {buffers}, writableBuffers: {writable}, groupMemory: {memory}, vertexBuffers: 0)";
 
     private static Headless.Checks.CheckReport Run(string source, string? needs = null)
     {
         using var package = new TemporaryPackage().Write("Shaders/K.compute", "#pragma kernel K\n" + source);
-        if (needs is not null) package.Write("Runtime/KernelNeeds.cs", needs);
+        if (needs is not null) package.Write("Runtime/ShaderGroup.cs", needs);
         var report = new FxcCheck(package.Packages, cache).Run();
         if (report.SkippedBecause is { } reason) Assert.Ignore(reason);
         return report;

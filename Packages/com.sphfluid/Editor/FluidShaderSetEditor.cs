@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using UnityEditor;
 using UnityEngine;
 
@@ -20,10 +21,10 @@ namespace SphFluid.Editor
 
         static void DrawMissing(FluidShaderSet set)
         {
-            IReadOnlyList<string> missing = set.Validate();
+            IReadOnlyList<string> missing = set.Missing(ShaderGroup.All.SelectMany(g => g.Shaders));
             if (missing.Count == 0) return;
             var message = new FluidMessage(
-                FluidSeverity.Error, FluidIssue.ShadersMissing, set, $"'{set.name}' lacks {string.Join(", ", missing)}.", "");
+                FluidSeverity.Error, FluidIssue.ShadersMissing, set, $"'{set.name}' has no {string.Join(", ", missing)}.", "");
             EditorGUILayout.HelpBox(message.Text, MessageType.Error);
             if (FluidFix.For(message, null) is FluidFix fix && GUILayout.Button(fix.Label)) fix.Apply();
         }

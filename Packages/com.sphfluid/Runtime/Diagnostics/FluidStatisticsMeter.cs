@@ -32,7 +32,7 @@ namespace SphFluid
             if (shaders == null)
                 throw new ArgumentNullException(nameof(shaders), "A statistics meter needs a shader set: assign one in the fluid profile.");
             this.solver = solver ?? throw new ArgumentNullException(nameof(solver), "A statistics meter needs a running solver.");
-            kernel = new ComputeKernel(shaders.MeasureStatistics, "MeasureStatistics");
+            kernel = shaders.Kernel("MeasureStatistics", "MeasureStatistics");
             groups = (solver.ParticleCount + kernel.GroupSize.x - 1) / kernel.GroupSize.x;
             values = new Vector4[groups * FluidStatisticsRecord.Size];
             records = GpuBuffers.Create("Statistics", values.Length, 4 * sizeof(float));

@@ -83,6 +83,12 @@ namespace SphFluid
             cmd.SetComputeBufferParam(shader, index, id, buffer);
         }
 
+        /// <summary>Records a buffer for the next dispatch, by the name that kernels read it by.</summary>
+        internal void Set(CommandBuffer cmd, FluidBuffer buffer) => SetBuffer(cmd, buffer.Id, buffer);
+
+        /// <summary>Records a buffer for the next dispatch, by the name that kernels write it by.</summary>
+        internal void SetOut(CommandBuffer cmd, FluidBuffer buffer) => SetBuffer(cmd, buffer.OutId, buffer);
+
         /// <summary>Records a number for the next dispatch.</summary>
         /// <param name="cmd">Command buffer.</param>
         /// <param name="id">Property id.</param>

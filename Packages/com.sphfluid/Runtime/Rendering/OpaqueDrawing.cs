@@ -7,7 +7,7 @@ namespace SphFluid
     {
         /// <exception cref="FluidDeviceException">The shader is missing, or the device cannot run it.</exception>
         public OpaqueDrawing(FluidShaderSet shaders)
-            : base(shaders.SurfaceShader, "surfaceShader")
+            : base(shaders, "SPH Fluid/Surface")
         {
         }
 

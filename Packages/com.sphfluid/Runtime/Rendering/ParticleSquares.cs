@@ -21,7 +21,7 @@ namespace SphFluid
                 throw new FluidDeviceException(
                     $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) cannot read a buffer in the vertex shader; particles cannot be drawn.");
             }
-            material = DrawMaterial.Create(shaders.ParticleShader, "particleShader");
+            material = DrawMaterial.Create(shaders, "SPH Fluid/Particles");
             roundSprite = RoundSprite.Create();
         }
 

@@ -6,18 +6,16 @@ namespace SphFluid
     /// <summary>Draws a sparse surface for every camera of a frame: what its looks have in common.</summary>
     abstract class SurfaceDrawing : IDisposable
     {
-        // The vertices.
-
         readonly SceneLighting lighting = new SceneLighting();
         Material material;
 
         /// <exception cref="FluidDeviceException">The shader is missing, or the device cannot run it.</exception>
-        protected SurfaceDrawing(Shader shader, string field)
+        protected SurfaceDrawing(FluidShaderSet shaders, string shader)
         {
             string lack = MissingSupport();
             if (lack != null)
                 throw new FluidDeviceException(lack);
-            material = DrawMaterial.Create(shader, field);
+            material = DrawMaterial.Create(shaders, shader);
         }
 
         public Material Material => material;
@@ -29,9 +27,9 @@ namespace SphFluid
         public static string MissingSupport()
         {
             DeviceCapabilities device = DeviceCapabilities.Query();
-            foreach (string lack in KernelNeeds.Drawing.Shortfalls(device))
+            foreach (string lack in ShaderGroup.Drawing.Shortfalls(device))
                 return lack;
-            foreach (string lack in KernelNeeds.Surface.Shortfalls(device))
+            foreach (string lack in ShaderGroup.Surface.Shortfalls(device))
                 return lack;
             if (!SystemInfo.supportsIndirectArgumentsBuffer)
                 return $"{device.Name} cannot draw what the GPU has counted, which the surface needs.";

@@ -28,7 +28,7 @@ namespace SphFluid
                     $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) cannot add up half floats in a picture, which the water look needs. " +
                     "Choose the opaque look.");
             }
-            material = DrawMaterial.Create(shaders.WaterThicknessShader, "waterThicknessShader");
+            material = DrawMaterial.Create(shaders, "Hidden/SPH Fluid/Water Thickness");
         }
 
         /// <summary>Red: sum of far depths minus sum of near ones [m]; green: number of far faces minus number of near ones.</summary>

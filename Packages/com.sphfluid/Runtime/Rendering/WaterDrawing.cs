@@ -12,11 +12,11 @@ namespace SphFluid
 
         /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
         public WaterDrawing(FluidShaderSet shaders)
-            : base(shaders.WaterShader, "waterShader")
+            : base(shaders, "SPH Fluid/Water")
         {
             try
             {
-                depth = DrawMaterial.Create(shaders.WaterDepthShader, "waterDepthShader");
+                depth = DrawMaterial.Create(shaders, "Hidden/SPH Fluid/Water Depth");
                 thickness = new ThicknessPass(shaders);
             }
             catch (FluidDeviceException)

@@ -77,9 +77,9 @@ namespace SphFluid
             else if (spec.Profile.Shaders == null)
                 messages.Add(Error(spec.Profile.Asset, FluidIssue.ShadersMissing, "The profile has no shader set.",
                     "Assign the package's DefaultFluidShaderSet from Runtime/Assets to the profile's Shaders."));
-            else if (spec.Profile.Shaders.MissingFor(spec.Method) is { Count: > 0 } missing)
-                messages.Add(Error(spec.Profile.Shaders, FluidIssue.ShadersMissing, $"The shader set lacks {string.Join(", ", missing)}.",
-                    "Assign the shaders of the same names from the package's Shaders folder, or use the package's DefaultFluidShaderSet."));
+            else if (spec.Profile.Shaders.Missing(ShaderGroup.Of(spec.Method).Shaders) is { Count: > 0 } missing)
+                messages.Add(Error(spec.Profile.Shaders, FluidIssue.ShadersMissing, $"The shader set has no {string.Join(", ", missing)}.",
+                    "Add the shaders of these names from the package's Shaders folder, or use the package's DefaultFluidShaderSet."));
         }
 
         static void CheckTransform(in FluidSpec spec, List<FluidMessage> messages)

@@ -24,10 +24,10 @@ namespace SphFluid
         public bool Simulation => Supports(FluidMethodKind.Standard) || Supports(FluidMethodKind.Thesis);
 
         /// <summary>Whether a liquid can be drawn as a surface, by a Fluid Surface Renderer or a Fluid Surface Mesh.</summary>
-        public bool Surface => Runs(KernelNeeds.Surface) && Runs(KernelNeeds.Drawing);
+        public bool Surface => Runs(ShaderGroup.Surface) && Runs(ShaderGroup.Drawing);
 
         /// <summary>Whether the thesis's surface can be drawn; the other needs no geometry shader.</summary>
-        public bool GeometrySurface => device.GeometryShaders && Runs(KernelNeeds.GeometrySurface);
+        public bool GeometrySurface => device.GeometryShaders && Runs(ShaderGroup.GeometrySurface);
 
         /// <summary>Whether counters reach the CPU without stalling it.</summary>
         public bool AsyncReadback => device.AsyncReadback;
@@ -39,7 +39,7 @@ namespace SphFluid
         /// <summary>Whether the device runs the kernels of a method.</summary>
         /// <param name="method">The method.</param>
         /// <returns>True when it does.</returns>
-        public bool Supports(FluidMethodKind method) => Runs(NeedsOf(method));
+        public bool Supports(FluidMethodKind method) => Runs(ShaderGroup.Of(method));
 
         internal static FluidSupport From(in DeviceCapabilities device) => new FluidSupport(device);
 
@@ -50,7 +50,7 @@ namespace SphFluid
             if (!device.ComputeShaders)
                 Add(messages, FluidSeverity.Error, NoComputeShaders, ComputeCure);
             else
-                AddShortfalls(messages, FluidSeverity.Error, NeedsOf(method), CureFor(method));
+                AddShortfalls(messages, FluidSeverity.Error, ShaderGroup.Of(method), CureFor(method));
             return messages;
         }
 
@@ -58,9 +58,7 @@ namespace SphFluid
 
         static string ComputeCure => "Use Direct3D 11 or 12, Vulkan or Metal.";
 
-        static KernelNeeds NeedsOf(FluidMethodKind method) => method == FluidMethodKind.Standard ? KernelNeeds.Standard : KernelNeeds.Thesis;
-
-        bool Runs(KernelNeeds needs)
+        bool Runs(ShaderGroup needs)
         {
             if (!device.ComputeShaders) return false;
             foreach (string _ in needs.Shortfalls(device)) return false;
@@ -70,8 +68,8 @@ namespace SphFluid
         string CureFor(FluidMethodKind method)
         {
             if (method == FluidMethodKind.Standard)
-                return Runs(KernelNeeds.Thesis) ? "Set the simulation's Method to Thesis, which runs here." : OtherDevice;
-            return Runs(KernelNeeds.Standard) ? "Set the simulation's Method to Standard, which runs here." : OtherDevice;
+                return Runs(ShaderGroup.Thesis) ? "Set the simulation's Method to Thesis, which runs here." : OtherDevice;
+            return Runs(ShaderGroup.Standard) ? "Set the simulation's Method to Standard, which runs here." : OtherDevice;
         }
 
         List<FluidMessage> AllMessages()
@@ -82,12 +80,12 @@ namespace SphFluid
             else
             {
                 FluidSeverity severity = Simulation ? FluidSeverity.Info : FluidSeverity.Error;
-                AddShortfalls(messages, severity, KernelNeeds.Standard, CureFor(FluidMethodKind.Standard));
-                AddShortfalls(messages, severity, KernelNeeds.Thesis, CureFor(FluidMethodKind.Thesis));
-                AddShortfalls(messages, FluidSeverity.Info, KernelNeeds.Surface, "Draw the liquid with a Fluid Particle Renderer.");
-                AddShortfalls(messages, FluidSeverity.Info, KernelNeeds.Drawing, OtherDevice);
-                AddShortfalls(messages, FluidSeverity.Info, KernelNeeds.GeometrySurface, "Draw the liquid with a Fluid Surface Renderer.");
-                AddShortfalls(messages, FluidSeverity.Info, KernelNeeds.Diagnostics, "Leave out the Fluid Diagnostics.");
+                AddShortfalls(messages, severity, ShaderGroup.Standard, CureFor(FluidMethodKind.Standard));
+                AddShortfalls(messages, severity, ShaderGroup.Thesis, CureFor(FluidMethodKind.Thesis));
+                AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Surface, "Draw the liquid with a Fluid Particle Renderer.");
+                AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Drawing, OtherDevice);
+                AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.GeometrySurface, "Draw the liquid with a Fluid Surface Renderer.");
+                AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Diagnostics, "Leave out the Fluid Diagnostics.");
             }
             if (!device.GeometryShaders)
                 Add(messages, FluidSeverity.Info, $"{device.Name} has no geometry shaders, which the thesis's surface is made with.",
@@ -97,7 +95,7 @@ namespace SphFluid
             return messages;
         }
 
-        void AddShortfalls(List<FluidMessage> messages, FluidSeverity severity, KernelNeeds needs, string cure)
+        void AddShortfalls(List<FluidMessage> messages, FluidSeverity severity, ShaderGroup needs, string cure)
         {
             foreach (string lack in needs.Shortfalls(device)) Add(messages, severity, lack, cure);
         }

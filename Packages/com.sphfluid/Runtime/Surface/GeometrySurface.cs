@@ -24,7 +24,7 @@ namespace SphFluid
             string lack = MissingSupport();
             if (lack != null)
                 throw new FluidDeviceException(lack);
-            material = DrawMaterial.Create(shaders.SurfaceGeometryShader, "surfaceGeometryShader");
+            material = DrawMaterial.Create(shaders, "SPH Fluid/Surface (Geometry Shader)");
             tables = SurfacePolygoniser.CreateTables();
         }
 

@@ -14,7 +14,7 @@ namespace SphFluid
 
         public ResetMCGridPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.SurfaceField, Name);
+            kernel = shaders.Kernel("SurfaceField", Name);
         }
 
         public void Record(CommandBuffer cmd, SurfaceField field)

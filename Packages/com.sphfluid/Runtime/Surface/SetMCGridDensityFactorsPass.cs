@@ -17,7 +17,7 @@ namespace SphFluid
 
         public SetMCGridDensityFactorsPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.SurfaceField, Name);
+            kernel = shaders.Kernel("SurfaceField", Name);
         }
 
         public void Record(CommandBuffer cmd, SurfaceField field, FluidSolver solver)

@@ -33,8 +33,8 @@ namespace SphFluid
         {
             if (shaders == null)
                 throw new ArgumentNullException(nameof(shaders), "A surface polygoniser needs a shader set: assign one in the fluid profile.");
-            countVertices = new ComputeKernel(shaders.SurfaceMesh, "CountSurfaceVertices");
-            emitVertices = new ComputeKernel(shaders.SurfaceMesh, "EmitSurfaceVertices");
+            countVertices = shaders.Kernel("SurfaceMesh", "CountSurfaceVertices");
+            emitVertices = shaders.Kernel("SurfaceMesh", "EmitSurfaceVertices");
             this.vertexLimit = vertexLimit;
             tables = CreateTables();
             counter = GpuBuffers.Create("SurfaceVertexCount", 1, sizeof(uint), GraphicsBuffer.Target.Raw);

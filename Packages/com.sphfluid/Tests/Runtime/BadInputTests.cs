@@ -45,9 +45,9 @@ namespace SphFluid.Tests
             rig.Profile.Shaders = set;
             FluidSimulation simulation = rig.Create();
             simulation.Method = FluidMethodKind.Thesis;
-            Fails(simulation, FluidIssue.ShadersMissing, "'Half Set': The shader set lacks .*bitonicSort");
+            Fails(simulation, FluidIssue.ShadersMissing, "'Half Set': The shader set has no .*BitonicSort");
             simulation.Method = FluidMethodKind.Standard;
-            Fails(simulation, FluidIssue.ShadersMissing, "'Half Set': The shader set lacks .*moveParticles");
+            Fails(simulation, FluidIssue.ShadersMissing, "'Half Set': The shader set has no .*MoveParticles");
             Object.DestroyImmediate(set);
         }
 

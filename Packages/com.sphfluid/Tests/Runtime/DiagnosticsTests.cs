@@ -148,8 +148,7 @@ namespace SphFluid.Tests
         public IEnumerator MissingShaderIsToldAndTheLiquidRuns()
         {
             FluidSimulation simulation = rig.Create();
-            FluidShaderSet set = Object.Instantiate(rig.Profile.Shaders);
-            set.MeasureStatistics = null;
+            FluidShaderSet set = TestShaders.Without(rig.Profile.Shaders, "MeasureStatistics");
             rig.Profile.Shaders = set;
             FluidDiagnostics diagnostics = Watch(simulation, 1);
             LogAssert.Expect(LogType.Warning, new System.Text.RegularExpressions.Regex("MeasureStatistics.*without diagnostics"));

@@ -25,7 +25,7 @@ namespace SphFluid.Validation
             var shader = SessionAssets.Load<Shader>(ShaderPath);
             if (shader == null)
                 throw new FluidDeviceException($"The shader '{ShaderPath}' was not found: the table of surfaces is measured in the Editor and by the headless player only.");
-            material = DrawMaterial.Create(shader, ShaderPath);
+            material = DrawMaterial.Create(shader);
         }
 
         public Material Material => material;

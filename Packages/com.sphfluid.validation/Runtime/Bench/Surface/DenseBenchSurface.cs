@@ -27,7 +27,7 @@ namespace SphFluid.Validation
         {
             this.cells = cells;
             field = new SurfaceField(shaders, BenchLiquid.SurfaceGrid(cells));
-            emitVertices = new ComputeKernel(shaders.SurfaceMesh, "EmitSurfaceVertices");
+            emitVertices = shaders.Kernel("SurfaceMesh", "EmitSurfaceVertices");
             material = new BenchMeshMaterial(BenchMeshMaterial.TriangleCornersPass);
             tables = SurfacePolygoniser.CreateTables();
             arguments = GpuBuffers.CreateArguments("BenchSurfaceArguments", EmptyArguments.Length);

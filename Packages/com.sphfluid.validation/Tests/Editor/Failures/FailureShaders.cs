@@ -6,12 +6,7 @@ namespace SphFluid.Tests
     internal static class FailureShaders
     {
         /// <summary>The thesis method and the statistics; destroy it after use.</summary>
-        public static FluidShaderSet Create()
-        {
-            FluidShaderSet set = TestShaders.CreateSet();
-            set.MeasureStatistics = TestShaders.Load("Shaders/Diagnostics/MeasureStatistics.compute");
-            return set;
-        }
+        public static FluidShaderSet Create() => TestShaders.CreateSet();
 
         /// <summary>What the neighbour loop finds.</summary>
         public static ComputeShader Audit() =>

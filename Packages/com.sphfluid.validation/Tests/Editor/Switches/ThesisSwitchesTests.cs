@@ -66,7 +66,7 @@ namespace SphFluid.Tests
         [Test]
         public void AKernelWithoutAKeywordIsNamed()
         {
-            var kernel = new ComputeKernel(shaders.ResetGridIndices, "ResetGridIndices");
+            var kernel = shaders.Kernel("ResetGridIndices", "ResetGridIndices");
             Assert.That(() => GpuTest.Run(cmd => kernel.SetKeyword(cmd, "FLUID_PERIODIC", true)),
                 Throws.TypeOf<FluidDeviceException>().With.Message.Contains("multi_compile_local _ FLUID_PERIODIC"));
         }

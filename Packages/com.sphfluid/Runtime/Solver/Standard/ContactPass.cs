@@ -16,8 +16,8 @@ namespace SphFluid
 
         public ContactPass(FluidShaderSet shaders)
         {
-            find = new ComputeKernel(shaders.FindContacts, "FindContacts");
-            resolve = new ComputeKernel(shaders.ResolveContacts, "ResolveContacts");
+            find = shaders.Kernel("FindContacts", "FindContacts");
+            resolve = shaders.Kernel("ResolveContacts", "ResolveContacts");
         }
 
         public void Record(CommandBuffer cmd, FluidState state, float timeStep)

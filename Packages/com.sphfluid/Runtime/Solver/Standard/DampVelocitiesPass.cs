@@ -12,7 +12,7 @@ namespace SphFluid
 
         public DampVelocitiesPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.DampVelocities, "DampVelocities");
+            kernel = shaders.Kernel("DampVelocities", "DampVelocities");
         }
 
         /// <param name="cmd">Command buffer to record into, behind a step.</param>

@@ -14,7 +14,7 @@ namespace SphFluid
 
         public GatherWallsPass(FluidShaderSet shaders)
         {
-            gather = new ComputeKernel(shaders.GatherWalls, "GatherWalls");
+            gather = shaders.Kernel("GatherWalls", "GatherWalls");
         }
 
         public void Record(CommandBuffer cmd, FluidState state)

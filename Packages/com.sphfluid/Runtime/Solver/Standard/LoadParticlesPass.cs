@@ -14,8 +14,8 @@ namespace SphFluid
 
         public LoadParticlesPass(FluidShaderSet shaders)
         {
-            clear = new ComputeKernel(shaders.LoadParticles, "ClearCells");
-            load = new ComputeKernel(shaders.LoadParticles, "LoadParticles");
+            clear = shaders.Kernel("LoadParticles", "ClearCells");
+            load = shaders.Kernel("LoadParticles", "LoadParticles");
         }
 
         public void Record(CommandBuffer cmd, FluidState state)

@@ -15,7 +15,7 @@ namespace SphFluid
 
         public MoveParticlesPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.MoveParticles, "MoveParticles");
+            kernel = shaders.Kernel("MoveParticles", "MoveParticles");
         }
 
         public void Record(CommandBuffer cmd, FluidState state, in FluidStep step)

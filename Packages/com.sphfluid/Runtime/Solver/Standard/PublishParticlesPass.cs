@@ -13,8 +13,8 @@ namespace SphFluid
 
         public PublishParticlesPass(FluidShaderSet shaders)
         {
-            particles = new ComputeKernel(shaders.PublishParticles, "PublishParticles");
-            ranges = new ComputeKernel(shaders.PublishParticles, "PublishCells");
+            particles = shaders.Kernel("PublishParticles", "PublishParticles");
+            ranges = shaders.Kernel("PublishParticles", "PublishCells");
         }
 
         public void Record(CommandBuffer cmd, FluidState state)

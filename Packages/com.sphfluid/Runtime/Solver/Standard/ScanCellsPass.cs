@@ -19,8 +19,8 @@ namespace SphFluid
 
         public ScanCellsPass(FluidShaderSet shaders)
         {
-            reduce = new ComputeKernel(shaders.ScanCells, "ScanReduce");
-            apply = new ComputeKernel(shaders.ScanCells, "ScanApply");
+            reduce = shaders.Kernel("ScanCells", "ScanReduce");
+            apply = shaders.Kernel("ScanCells", "ScanApply");
         }
 
         /// <summary>Groups of a scan over that many state.Cells.</summary>

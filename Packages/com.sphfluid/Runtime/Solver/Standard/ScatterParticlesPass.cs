@@ -14,9 +14,9 @@ namespace SphFluid
 
         public ScatterParticlesPass(FluidShaderSet shaders)
         {
-            scatter = new ComputeKernel(shaders.ScatterParticles, "Scatter");
-            scatterOrder = new ComputeKernel(shaders.ScatterParticles, "ScatterOrder");
-            reorder = new ComputeKernel(shaders.ScatterParticles, "Reorder");
+            scatter = shaders.Kernel("ScatterParticles", "Scatter");
+            scatterOrder = shaders.Kernel("ScatterParticles", "ScatterOrder");
+            reorder = shaders.Kernel("ScatterParticles", "Reorder");
         }
 
         public void Record(CommandBuffer cmd, FluidState state)

@@ -12,7 +12,7 @@ namespace SphFluid
 
         public StandardDensityPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.StandardDensity, "StandardDensity");
+            kernel = shaders.Kernel("StandardDensity", "StandardDensity");
         }
 
         public void Record(CommandBuffer cmd, FluidState state)

@@ -24,9 +24,9 @@ namespace SphFluid
 
         public BitonicSortPass(FluidShaderSet shaders)
         {
-            bitonicSort = new ComputeKernel(shaders.BitonicSort, "BitonicSort");
-            matrixTranspose = new ComputeKernel(shaders.BitonicSort, "MatrixTranspose");
-            bitonicMerge = new ComputeKernel(shaders.BitonicSort, "BitonicMerge");
+            bitonicSort = shaders.Kernel("BitonicSort", "BitonicSort");
+            matrixTranspose = shaders.Kernel("BitonicSort", "MatrixTranspose");
+            bitonicMerge = shaders.Kernel("BitonicSort", "BitonicMerge");
         }
 
         /// <summary>Pairs to sort for a number of particles: the next power of two, a block at least. 5,003 gives 8,192.</summary>

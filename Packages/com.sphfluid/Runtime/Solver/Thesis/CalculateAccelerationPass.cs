@@ -12,7 +12,7 @@ namespace SphFluid
 
         public CalculateAccelerationPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.CalculateAcceleration, "CalculateAcceleration");
+            kernel = shaders.Kernel("CalculateAcceleration", "CalculateAcceleration");
         }
 
         public void Record(CommandBuffer cmd, FluidState state, in FluidStep step)

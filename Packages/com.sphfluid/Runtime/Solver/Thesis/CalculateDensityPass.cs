@@ -15,7 +15,7 @@ namespace SphFluid
 
         public CalculateDensityPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.CalculateDensity, "CalculateDensity");
+            kernel = shaders.Kernel("CalculateDensity", "CalculateDensity");
         }
 
         public void Record(CommandBuffer cmd, FluidState state)

@@ -12,7 +12,7 @@ namespace SphFluid
 
         public CalculateForcePass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.CalculateForce, "CalculateForce");
+            kernel = shaders.Kernel("CalculateForce", "CalculateForce");
         }
 
         public void Record(CommandBuffer cmd, FluidState state)

@@ -12,7 +12,7 @@ namespace SphFluid
 
         public CalculateNewPositionPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.CalculateNewPosition, "CalculateNewPosition");
+            kernel = shaders.Kernel("CalculateNewPosition", "CalculateNewPosition");
         }
 
         public void Record(CommandBuffer cmd, FluidState state, in FluidStep step)

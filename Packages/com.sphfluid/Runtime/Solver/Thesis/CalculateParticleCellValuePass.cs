@@ -12,7 +12,7 @@ namespace SphFluid
 
         public CalculateParticleCellValuePass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.CalculateParticleCellValue, "CalculateParticleCellValue");
+            kernel = shaders.Kernel("CalculateParticleCellValue", "CalculateParticleCellValue");
         }
 
         public void Record(CommandBuffer cmd, FluidState state)

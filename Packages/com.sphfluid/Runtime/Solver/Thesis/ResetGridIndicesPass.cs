@@ -12,7 +12,7 @@ namespace SphFluid
 
         public ResetGridIndicesPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.ResetGridIndices, "ResetGridIndices");
+            kernel = shaders.Kernel("ResetGridIndices", "ResetGridIndices");
         }
 
         public void Record(CommandBuffer cmd, FluidState state)

@@ -12,7 +12,7 @@ namespace SphFluid
 
         public SetGridIndicesPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.SetGridIndices, "SetGridIndices");
+            kernel = shaders.Kernel("SetGridIndices", "SetGridIndices");
         }
 
         public void Record(CommandBuffer cmd, FluidState state)

@@ -12,7 +12,7 @@ namespace SphFluid
 
         public SortParticlesPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.SortParticles, "SortParticles");
+            kernel = shaders.Kernel("SortParticles", "SortParticles");
         }
 
         public void Record(CommandBuffer cmd, FluidState state)

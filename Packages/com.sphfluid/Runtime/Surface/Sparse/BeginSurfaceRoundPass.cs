@@ -18,7 +18,7 @@ namespace SphFluid
 
         public BeginSurfaceRoundPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.ListSurfaceBlocks, Name);
+            kernel = shaders.Kernel("ListSurfaceBlocks", Name);
         }
 
         public void Record(CommandBuffer cmd, SurfaceBlocks blocks, bool late)

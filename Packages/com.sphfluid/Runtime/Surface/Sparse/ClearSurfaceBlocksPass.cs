@@ -14,7 +14,7 @@ namespace SphFluid
 
         public ClearSurfaceBlocksPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.ClearSurfaceBlocks, Name);
+            kernel = shaders.Kernel("ClearSurfaceBlocks", Name);
         }
 
         public void Record(CommandBuffer cmd, SurfaceBlocks blocks)

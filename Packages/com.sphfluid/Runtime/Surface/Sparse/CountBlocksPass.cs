@@ -16,7 +16,7 @@ namespace SphFluid
 
         public CountBlocksPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.CountBlocks, Name);
+            kernel = shaders.Kernel("CountBlocks", Name);
         }
 
         public void Record(CommandBuffer cmd, in BlockPolygons input)

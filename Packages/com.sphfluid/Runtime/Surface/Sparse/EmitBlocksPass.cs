@@ -13,7 +13,7 @@ namespace SphFluid
 
         public EmitBlocksPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.EmitBlocks, Name);
+            kernel = shaders.Kernel("EmitBlocks", Name);
         }
 
         public void Record(CommandBuffer cmd, in BlockPolygons input, BlockMesh mesh)

@@ -13,7 +13,7 @@ namespace SphFluid
 
         public ListSurfaceBlocksPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.ListSurfaceBlocks, Name);
+            kernel = shaders.Kernel("ListSurfaceBlocks", Name);
         }
 
         public void Record(CommandBuffer cmd, SurfaceBlocks blocks)

@@ -46,8 +46,8 @@ namespace SphFluid
 
         public PrepareSurfaceParticlesPass(FluidShaderSet shaders)
         {
-            smooth = new ComputeKernel(shaders.PrepareSurfaceParticles, Name);
-            thesis = new ComputeKernel(shaders.PrepareSurfaceParticles, ThesisName);
+            smooth = shaders.Kernel("PrepareSurfaceParticles", Name);
+            thesis = shaders.Kernel("PrepareSurfaceParticles", ThesisName);
         }
 
         public void Record(CommandBuffer cmd, in BlockFieldInput input)

@@ -20,7 +20,7 @@ namespace SphFluid
 
         public SampleBlocksPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.SampleBlocks, Name);
+            kernel = shaders.Kernel("SampleBlocks", Name);
         }
 
         public void Record(CommandBuffer cmd, in BlockFieldInput input)

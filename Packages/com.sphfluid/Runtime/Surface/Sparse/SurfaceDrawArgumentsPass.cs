@@ -21,7 +21,7 @@ namespace SphFluid
 
         public SurfaceDrawArgumentsPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.SurfaceDrawArguments, Name);
+            kernel = shaders.Kernel("SurfaceDrawArguments", Name);
         }
 
         public void Record(CommandBuffer cmd, SurfaceBlocks blocks, BlockMesh mesh)

@@ -25,7 +25,7 @@ namespace SphFluid
         /// <exception cref="FluidDeviceException">The kernel is missing, or the device cannot run it.</exception>
         public WriteSurfaceMeshPass(FluidShaderSet shaders)
         {
-            kernel = new ComputeKernel(shaders.WriteSurfaceMesh, Name);
+            kernel = shaders.Kernel("WriteSurfaceMesh", Name);
         }
 
         /// <summary>Records the copy.</summary>

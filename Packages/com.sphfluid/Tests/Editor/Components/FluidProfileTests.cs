@@ -1,3 +1,4 @@
+using System.Linq;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
@@ -54,11 +55,20 @@ namespace SphFluid.Tests
             var water = AssetDatabase.LoadAssetAtPath<FluidProfile>(Assets + name + ".asset");
             Assert.That(water, Is.Not.Null);
             Assert.That(water.Shaders, Is.Not.Null);
-            Assert.That(water.Shaders.Validate(), Is.Empty);
+            Assert.That(water.Shaders.Missing(ShaderGroup.All.SelectMany(g => g.Shaders)), Is.Empty);
             Assert.That(water.RestDensity, Is.EqualTo(1000f));
             Assert.That(water.SupportRatio, Is.EqualTo(supportRatio));
             Assert.That(water.ThesisSwitches, Is.EqualTo(ThesisSwitches.Corrected));
             Assert.That(water.Version, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void ThePackagesSetHasEveryComputeShaderOfTheGroupsAndNoOther()
+        {
+            var named = ShaderGroup.All.SelectMany(g => g.Shaders).ToArray();
+            FluidShaderSet package = TestShaders.PackageSet;
+            var held = package.ComputeShaders.Select(s => s.name).Concat(package.Shaders.Select(s => s.name));
+            Assert.That(held, Is.EquivalentTo(named));
         }
 
         [Test]
@@ -67,9 +77,10 @@ namespace SphFluid.Tests
             var set = ScriptableObject.CreateInstance<FluidShaderSet>();
             try
             {
-                Assert.That(set.MissingFor(FluidMethodKind.Thesis), Does.Contain("bitonicSort").And.Contain("calculateNewPosition").And.Not.Contain("moveParticles"));
-                Assert.That(set.MissingFor(FluidMethodKind.Standard), Does.Contain("moveParticles").And.Not.Contain("bitonicSort").And.Not.Contain("particleShader"));
-                Assert.That(set.Validate(), Does.Contain("particleShader").And.Contain("surfaceMesh"));
+                Assert.That(set.Missing(ShaderGroup.Thesis.Shaders), Is.EqualTo(ShaderGroup.Thesis.Shaders).And.Contain("BitonicSort"));
+                set.ComputeShaders = new[] { TestShaders.Load("Shaders/Solver/Thesis/BitonicSort.compute"), null };
+                Assert.That(set.Missing(ShaderGroup.Thesis.Shaders), Does.Contain("CalculateNewPosition").And.Not.Contain("BitonicSort"));
+                Assert.That(set.Missing(ShaderGroup.Drawing.Shaders), Does.Contain("SPH Fluid/Particles"));
             }
             finally
             {

@@ -145,7 +145,7 @@ namespace SphFluid.Tests
         // Of what the files of the package say, comments left out.
         static string Text(string file)
         {
-            string path = AssetDatabase.GetAssetPath(SurfaceTestScene.LoadShaders().ParticleShader);
+            string path = AssetDatabase.GetAssetPath(SurfaceTestScene.LoadShaders().Find("SPH Fluid/Particles"));
             string folder = Path.GetFullPath(Path.Combine(Path.GetDirectoryName(path), ".."));
             return Regex.Replace(File.ReadAllText(Path.Combine(folder, file)), "//.*", "");
         }

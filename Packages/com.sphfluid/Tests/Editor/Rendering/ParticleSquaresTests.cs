@@ -88,7 +88,7 @@ namespace SphFluid.Tests
             try
             {
                 var exception = Assert.Throws<FluidDeviceException>(() => new ParticleSquares(empty).Dispose());
-                StringAssert.Contains("particleShader", exception.Message);
+                StringAssert.Contains("SPH Fluid/Particles", exception.Message);
             }
             finally
             {

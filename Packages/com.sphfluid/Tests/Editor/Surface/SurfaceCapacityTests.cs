@@ -35,7 +35,7 @@ namespace SphFluid.Tests
             const int capacity = 100, held = 400;
             FluidShaderSet shaders = SurfaceTestScene.LoadShaders();
             var grid = new SurfaceGrid(-0.5f * Vector3.one, Vector3.one, 16);
-            var kernel = new ComputeKernel(shaders.SurfaceMesh, "EmitSurfaceVertices");
+            var kernel = shaders.Kernel("SurfaceMesh", "EmitSurfaceVertices");
             var untouched = new float[held * EmittedVertex.Stride / sizeof(float)];
             System.Array.Fill(untouched, -7f);
             using (SurfaceField field = SurfaceTestScene.Field(shaders, grid, p => 0.8f - p.magnitude))

@@ -83,11 +83,10 @@ namespace SphFluid.Tests
         public void ShaderSetWithoutTheShaderIsNamedOnceAndDrawingStops()
         {
             FluidSimulation simulation = StartLiquid();
-            FluidShaderSet incomplete = Object.Instantiate(rig.Profile.Shaders);
-            incomplete.ParticleShader = null;
+            FluidShaderSet incomplete = TestShaders.Without(rig.Profile.Shaders, "SPH Fluid/Particles");
             rig.Profile.Shaders = incomplete;
             var drawing = simulation.gameObject.AddComponent<FluidParticleRenderer>();
-            LogAssert.Expect(LogType.Error, new Regex("'Fluid'.*particleShader.*not drawn"));
+            LogAssert.Expect(LogType.Error, new Regex("'Fluid'.*SPH Fluid/Particles.*not drawn"));
             drawing.DrawFrame();
             drawing.DrawFrame();
             LogAssert.NoUnexpectedReceived();
@@ -98,11 +97,10 @@ namespace SphFluid.Tests
         public void WaterWithoutItsShaderIsNamedOnce()
         {
             FluidSimulation simulation = StartLiquid();
-            FluidShaderSet incomplete = Object.Instantiate(rig.Profile.Shaders);
-            incomplete.WaterThicknessShader = null;
+            FluidShaderSet incomplete = TestShaders.Without(rig.Profile.Shaders, "Hidden/SPH Fluid/Water Thickness");
             rig.Profile.Shaders = incomplete;
             var drawing = simulation.gameObject.AddComponent<FluidSurfaceRenderer>();
-            LogAssert.Expect(LogType.Error, new Regex("'Fluid'.*waterThicknessShader.*not drawn"));
+            LogAssert.Expect(LogType.Error, new Regex("'Fluid'.*SPH Fluid/Water Thickness.*not drawn"));
             drawing.DrawFrame();
             drawing.DrawFrame();
             LogAssert.NoUnexpectedReceived();

@@ -17,7 +17,7 @@ namespace SphFluid.Tests
         public void SetUp()
         {
             rig = new SimulationRig();
-            material = new Material(rig.Profile.Shaders.SurfaceShader);
+            material = new Material(rig.Profile.Shaders.Find("SPH Fluid/Surface"));
         }
 
         [TearDown]
@@ -198,8 +198,7 @@ namespace SphFluid.Tests
         {
             FluidSimulation simulation = rig.Create();
             Assert.IsTrue(simulation.StartSimulation(), simulation.StatusMessage);
-            FluidShaderSet incomplete = Object.Instantiate(rig.Profile.Shaders);
-            incomplete.WriteSurfaceMesh = null;
+            FluidShaderSet incomplete = TestShaders.Without(rig.Profile.Shaders, "WriteSurfaceMesh");
             rig.Profile.Shaders = incomplete;
             FluidSurfaceMesh handed = Add(simulation.gameObject);
             LogAssert.Expect(LogType.Error, new Regex("'Fluid'.*WriteSurfaceMesh.*not drawn"));

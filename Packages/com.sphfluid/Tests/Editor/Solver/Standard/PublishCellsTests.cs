@@ -17,7 +17,7 @@ namespace SphFluid.Tests
             var starts = Enumerable.Range(0, cells.CellCount + 2).Select(i => 3u * (uint)i).ToArray();
             var untouched = new Vector2Int(-1, -1);
             FluidShaderSet shaders = TestShaders.CreateSet();
-            var kernel = new ComputeKernel(shaders.PublishParticles, "PublishCells");
+            var kernel = shaders.Kernel("PublishParticles", "PublishCells");
             int stride = 2 * sizeof(uint);
             using (var cellStart = new GraphicsBuffer(GraphicsBuffer.Target.Structured, starts.Length, sizeof(uint)))
             using (var ranges = new GraphicsBuffer(GraphicsBuffer.Target.Structured, grid.CellCount + 1, stride))

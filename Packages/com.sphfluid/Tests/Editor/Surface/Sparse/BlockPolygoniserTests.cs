@@ -176,7 +176,7 @@ namespace SphFluid.Tests
         [TestCase(65537u, 65535u, 2u)]
         public void GroupsContinueInASecondRow(uint blocks, uint x, uint y)
         {
-            var kernel = new ComputeKernel(shaders.SurfaceDrawArguments, "SurfaceDrawArguments");
+            var kernel = shaders.Kernel("SurfaceDrawArguments", "SurfaceDrawArguments");
             var counted = new uint[SurfaceCounters.Slots];
             counted[SurfaceCounters.BlocksRequested] = blocks;
             using (GraphicsBuffer counters = GpuBuffers.Create("Counters", SurfaceCounters.Slots, sizeof(uint)))

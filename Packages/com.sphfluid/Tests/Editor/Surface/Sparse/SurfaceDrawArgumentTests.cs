@@ -26,7 +26,7 @@ namespace SphFluid.Tests
         [TestCase(10, 20, 31, false)]
         public void ASurfaceFitsUpToTheLastBlockVertexAndIndex(int blocks, int vertices, int indices, bool fits)
         {
-            var kernel = new ComputeKernel(SurfaceTestScene.LoadShaders().SurfaceDrawArguments, "SurfaceDrawArguments");
+            var kernel = SurfaceTestScene.LoadShaders().Kernel("SurfaceDrawArguments", "SurfaceDrawArguments");
             var counted = new uint[SurfaceCounters.Slots];
             counted[SurfaceCounters.BlocksRequested] = (uint)blocks;
             counted[SurfaceCounters.VerticesRequested] = (uint)vertices;

@@ -3,19 +3,19 @@ using System.Text.RegularExpressions;
 
 namespace Headless.Checks.Fxc;
 
-/// <summary>Holds the numbers of Runtime/KernelNeeds.cs, which decide what devices the package runs on, against FXC's listings.</summary>
-internal sealed partial class KernelNeedsCheck(string packageRoot)
+/// <summary>Holds the numbers of the package's shader groups, which decide what devices it runs on, against FXC's listings.</summary>
+internal sealed partial class ShaderGroupCheck(string packageRoot)
 {
-    private const string Source = "Runtime/KernelNeeds.cs";
+    private const string Source = "a shader group of Runtime";
 
     private sealed record Needs(string Folder, int GroupThreads, int Buffers, int WritableBuffers, int GroupMemory, int VertexBuffers);
 
     public void Check(IReadOnlyList<FxcResult> results, CheckReport report)
     {
-        var path = Path.Combine(packageRoot, Source);
-        if (!File.Exists(path)) return;
-        var stated = Stated().Matches(File.ReadAllText(path)).Select(Read).ToList();
-        if (stated.Count == 0) { report.Findings.Add($"{Source} states no needs that this check can read"); return; }
+        var runtime = Path.Combine(packageRoot, "Runtime");
+        if (!Directory.Exists(runtime)) return;
+        var stated = Directory.GetFiles(runtime, "*.cs", SearchOption.AllDirectories).SelectMany(f => Stated().Matches(File.ReadAllText(f))).Select(Read).ToList();
+        if (stated.Count == 0) { report.Findings.Add("Runtime has no shader group that this check can read"); return; }
         var parts = results.GroupBy(r => FolderOf(r.Job.File, stated));
         foreach (var part in parts.Where(p => p.Key is not null))
         {
@@ -51,6 +51,6 @@ internal sealed partial class KernelNeedsCheck(string packageRoot)
     private static string Show(Needs needs) =>
         $"{needs.GroupThreads} threads, {needs.Buffers} buffers, {needs.WritableBuffers} written, {needs.GroupMemory} bytes shared, {needs.VertexBuffers} buffers of a vertex shader";
 
-    [GeneratedRegex(@"new KernelNeeds\(""[^""]*"",\s*""(?<folder>[^""]*)"",\s*groupThreads: (?<threads>\d+), buffers: (?<buffers>\d+), writableBuffers: (?<writable>\d+), groupMemory: (?<memory>\d+), vertexBuffers: (?<vertex>\d+)\)")]
+    [GeneratedRegex(@"new ShaderGroup\(""[^""]*"",\s*""(?<folder>[^""]*)"",\s*groupThreads: (?<threads>\d+), buffers: (?<buffers>\d+), writableBuffers: (?<writable>\d+), groupMemory: (?<memory>\d+), vertexBuffers: (?<vertex>\d+)\b")]
     private static partial Regex Stated();
 }

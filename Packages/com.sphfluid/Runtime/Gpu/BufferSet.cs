@@ -1,0 +1,47 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>Buffers that are made and released together, each declared once: name, number of elements, bytes of an element.</summary>
+    internal abstract class BufferSet : IDisposable
+    {
+        readonly List<FluidBuffer> buffers = new List<FluidBuffer>();
+
+        /// <summary>Bytes of all buffers.</summary>
+        public long Bytes
+        {
+            get
+            {
+                long bytes = 0;
+                foreach (FluidBuffer buffer in buffers) bytes += GpuBuffers.Size(buffer);
+                return bytes;
+            }
+        }
+
+        /// <summary>Releases the buffers.</summary>
+        public void Dispose()
+        {
+            foreach (FluidBuffer buffer in buffers) buffer.Dispose();
+            buffers.Clear();
+        }
+
+        /// <summary>Makes a buffer that lives as long as the set; when the device has no memory for it, those made before are released.</summary>
+        /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
+        protected FluidBuffer Add(string name, long count, int stride, GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured)
+        {
+            try
+            {
+                var buffer = new FluidBuffer(name, count, stride, target);
+                buffers.Add(buffer);
+                return buffer;
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
+        }
+    }
+}

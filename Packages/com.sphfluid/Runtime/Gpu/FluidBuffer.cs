@@ -1,0 +1,42 @@
+using System;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>A buffer and the names that kernels know it by: of "Positions" that is _Positions to read and _PositionsOut to write.</summary>
+    internal sealed class FluidBuffer
+    {
+        GraphicsBuffer buffer;
+
+        /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
+        public FluidBuffer(string name, long count, int stride, GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured)
+        {
+            Id = Shader.PropertyToID("_" + name);
+            OutId = Shader.PropertyToID("_" + name + "Out");
+            buffer = GpuBuffers.Create(name, count, stride, target);
+        }
+
+        /// <summary>Property id of the buffer where a kernel reads it, or writes a buffer that has one name only.</summary>
+        public int Id { get; }
+
+        /// <summary>Property id where a kernel writes it.</summary>
+        public int OutId { get; }
+
+        /// <summary>Number of elements.</summary>
+        public int Count => buffer.count;
+
+        /// <summary>The buffer.</summary>
+        public static implicit operator GraphicsBuffer(FluidBuffer named) => named.buffer;
+
+        /// <summary>Fills the buffer from the CPU.</summary>
+        public void SetData(Array data) => buffer.SetData(data);
+
+        /// <summary>Reads the buffer back, waiting for the GPU.</summary>
+        public void GetData(Array data) => buffer.GetData(data);
+
+        /// <summary>Two buffers of equal layout exchange their contents; their names stay.</summary>
+        public static void Exchange(FluidBuffer a, FluidBuffer b) => (a.buffer, b.buffer) = (b.buffer, a.buffer);
+
+        internal void Dispose() => GpuBuffers.Dispose(ref buffer);
+    }
+}

@@ -1,0 +1,95 @@
+using System.Collections.Generic;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// The shaders of a part of the package, by name, and the most that any of their kernels asks of a device. The numbers are counted in
+    /// what Microsoft's compiler makes of the kernels, and the checks of the source tree hold them against it.
+    /// </summary>
+    internal sealed class ShaderGroup
+    {
+        public static readonly ShaderGroup Standard = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
+            groupThreads: 256, buffers: 13, writableBuffers: 6, groupMemory: 1024, vertexBuffers: 0,
+            "LoadParticles", "ScanCells", "ScatterParticles", "StandardDensity", "MoveParticles", "GatherWalls", "FindContacts",
+            "ResolveContacts", "DampVelocities", "PublishParticles");
+
+        public static readonly ShaderGroup Thesis = new ShaderGroup("the thesis method", "Shaders/Solver/Thesis",
+            groupThreads: 1024, buffers: 7, writableBuffers: 3, groupMemory: 8192, vertexBuffers: 0,
+            "CalculateParticleCellValue", "BitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles", "CalculateDensity",
+            "CalculateForce", "CalculateAcceleration", "CalculateNewPosition");
+
+        public static ShaderGroup Of(FluidMethodKind method) => method == FluidMethodKind.Standard ? Standard : Thesis;
+
+        /// <summary>All groups.</summary>
+        public static IEnumerable<ShaderGroup> All => new[] { Standard, Thesis, Surface, GeometrySurface, Drawing, Diagnostics };
+
+        /// <summary>The sparse surface.</summary>
+        public static readonly ShaderGroup Surface = new ShaderGroup("the surface", "Shaders/Surface/Sparse",
+            groupThreads: 256, buffers: 8, writableBuffers: 4, groupMemory: 14112, vertexBuffers: 0,
+            "ClearSurfaceBlocks", "PrepareSurfaceParticles", "ListSurfaceBlocks", "SampleBlocks", "CountBlocks", "SurfaceDrawArguments",
+            "EmitBlocks", "WriteSurfaceMesh");
+
+        /// <summary>The thesis's surface on a dense grid, by a geometry shader or its compute twin.</summary>
+        public static readonly ShaderGroup GeometrySurface = new ShaderGroup("the thesis's surface", "Shaders/Surface",
+            groupThreads: 256, buffers: 4, writableBuffers: 2, groupMemory: 0, vertexBuffers: 0,
+            "SurfaceField", "SurfaceMesh", "SPH Fluid/Surface (Geometry Shader)");
+
+        /// <summary>What draws particles and the sparse surface.</summary>
+        public static readonly ShaderGroup Drawing = new ShaderGroup("the drawing", "Shaders/Rendering",
+            groupThreads: 0, buffers: 0, writableBuffers: 0, groupMemory: 0, vertexBuffers: 1,
+            "SPH Fluid/Particles", "SPH Fluid/Surface", "SPH Fluid/Water", "Hidden/SPH Fluid/Water Thickness", "Hidden/SPH Fluid/Water Depth");
+
+        /// <summary>Measurements of a whole liquid.</summary>
+        public static readonly ShaderGroup Diagnostics = new ShaderGroup("the diagnostics", "Shaders/Diagnostics",
+            groupThreads: 256, buffers: 5, writableBuffers: 1, groupMemory: 4096, vertexBuffers: 0,
+            "MeasureStatistics");
+
+        public ShaderGroup(string part, string folder, int groupThreads, int buffers, int writableBuffers, int groupMemory, int vertexBuffers,
+            params string[] shaders)
+        {
+            Part = part;
+            Folder = folder;
+            GroupThreads = groupThreads;
+            Buffers = buffers;
+            WritableBuffers = writableBuffers;
+            GroupMemory = groupMemory;
+            VertexBuffers = vertexBuffers;
+            Shaders = shaders;
+        }
+
+        /// <summary>Name in messages.</summary>
+        public string Part { get; }
+
+        /// <summary>Folder of the kernels below the package; of nested ones the inner counts.</summary>
+        public string Folder { get; }
+
+        /// <summary>Names: of compute shaders their files', of shaders what they declare.</summary>
+        public IReadOnlyList<string> Shaders { get; }
+
+        /// <summary>Threads of a group.</summary>
+        public int GroupThreads { get; }
+
+        /// <summary>Buffers that a kernel reads or writes.</summary>
+        public int Buffers { get; }
+
+        /// <summary>Those that it writes; Direct3D 11.0 has 8. Unity does not say what a device has.</summary>
+        public int WritableBuffers { get; }
+
+        /// <summary>Bytes that the threads of a group share; Vulkan and OpenGL ES 3.1 promise 16,384. Unity does not say what a device has.</summary>
+        public int GroupMemory { get; }
+
+        /// <summary>Buffers that a vertex shader reads.</summary>
+        public int VertexBuffers { get; }
+
+        /// <summary>Limits of a device with compute shaders that are too small, a sentence each.</summary>
+        public IEnumerable<string> Shortfalls(DeviceCapabilities device)
+        {
+            if (device.GroupThreads < GroupThreads)
+                yield return $"{device.Name} runs compute groups of {device.GroupThreads} threads; {Part} needs {GroupThreads}.";
+            if (device.ComputeBuffers < Buffers)
+                yield return $"{device.Name} binds {device.ComputeBuffers} buffers to a compute shader; {Part} needs {Buffers}.";
+            if (device.VertexBuffers < VertexBuffers)
+                yield return $"{device.Name} binds {device.VertexBuffers} buffers to a vertex shader; {Part} needs {VertexBuffers}.";
+        }
+    }
+}
