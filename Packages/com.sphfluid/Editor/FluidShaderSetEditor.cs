@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using System.Linq;
 using UnityEditor;
 using UnityEngine;
 
@@ -21,7 +20,7 @@ namespace SphFluid.Editor
 
         static void DrawMissing(FluidShaderSet set)
         {
-            IReadOnlyList<string> missing = set.Missing(ShaderGroup.All.SelectMany(g => g.Shaders));
+            IReadOnlyList<string> missing = PackageShaders.Missing(set);
             if (missing.Count == 0) return;
             var message = new FluidMessage(
                 FluidSeverity.Error, FluidIssue.ShadersMissing, set, $"'{set.name}' has no {string.Join(", ", missing)}.", "");

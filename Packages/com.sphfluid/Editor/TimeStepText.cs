@@ -25,7 +25,7 @@ namespace SphFluid.Editor
         public static TimeStepText Before(FluidSimulation simulation, in FluidSolverSettings constants)
         {
             double step = simulation.TimeStepMode == FluidTimeStepMode.Adaptive
-                ? TimeStepAdvice.For(constants, constants.MaxSpeed).Step(simulation.Profile.TimeStepFraction)
+                ? FluidRules.Advise(constants, constants.MaxSpeed).Step(simulation.Profile.TimeStepFraction)
                 : constants.TimeStep;
             return Of(constants, constants.MaxSpeed, step);
         }
@@ -41,12 +41,11 @@ namespace SphFluid.Editor
 
         static TimeStepText Of(in FluidSolverSettings settings, float speed, double step)
         {
-            TimeStepAdvice advice = TimeStepAdvice.For(settings, speed);
+            TimeStepAdvice advice = FluidRules.Advise(settings, speed);
             var lines = new List<(string, string)>
             {
                 ("Speed of sound c", FormattableString.Invariant($"{settings.SoundSpeed:G4} m/s")),
                 ("Compression allowed", FormattableString.Invariant($"{100.0 * Compression(settings):G2} % at {settings.MaxSpeed:G3} m/s")),
-                ("Stiffness k", FormattableString.Invariant($"{settings.Stiffness:G4} m²/s²")),
                 ("Viscosity ν", FormattableString.Invariant($"{settings.Viscosity / settings.RestDensity:G3} m²/s")),
                 ("Time step", TimeStepAdvice.Milliseconds(step)),
                 ("Largest stable step", FormattableString.Invariant($"{TimeStepAdvice.Milliseconds(advice.Largest)} at {speed:G3} m/s")),

@@ -79,11 +79,13 @@ namespace SphFluid.Validation
             rules.SupportRatio = SupportRatio;
             rules.LiquidHeight = height;
             rules.LiquidDepth = height;
-            FluidSolverSettings settings = FluidSolverSettings.FromRules(rules);
+            FluidSolverSettings settings = FluidRules.Derive(rules);
             settings.OctantSearch = OctantSearch;
-            settings.StableOrder = StableOrder;
-            settings.NeighbourList = NeighbourList;
-            return settings;
+            return Method != FluidMethodKind.Standard ? settings : settings.WithOwn((ref StandardSettings own) =>
+            {
+                own.StableOrder = StableOrder;
+                own.NeighbourList = NeighbourList;
+            });
         }
     }
 }

@@ -116,7 +116,7 @@ namespace SphFluid.Validation
                 Support = solver.Settings.SupportRadius,
                 NeighboursMean = liquid.State.NeighboursMean(solver.Settings.SupportRadius),
                 CandidatesMean = liquid.State.CandidatesMean(solver),
-                Cells = solver.Kind == FluidMethodKind.Standard ? solver.State.Cells.CellCount : solver.Grid.CellCount,
+                Cells = solver.CellCount,
                 Triangles = liquid.TriangleCount,
                 CopySpeed = copySpeed,
                 Note = limited ? "graphics-limited" : "",
@@ -132,7 +132,7 @@ namespace SphFluid.Validation
             costs.TryGetValue(row, out (double Wall, double Frame) cost);
             yield return sampler.Sample(liquidOf[row], row.Config, cost.Frame);
             row.Dispatches = sampler.Dispatches;
-            row.IsListed = liquidOf[row].Solver.State.Standard?.List?.Length > 0;
+            row.IsListed = liquidOf[row].Solver.ListsNeighbours;
             row.Surface = sampler.FactsOf(row.Config);
             if (keep)
                 Keep(row);

@@ -35,7 +35,7 @@ namespace SphFluid.Validation
                 input.KinematicViscosity = (float)viscosity.Value;
                 input.ViscosityRatio = 0f;
             }
-            FluidSolverSettings settings = FluidSolverSettings.FromRules(input);
+            FluidSolverSettings settings = FluidRules.Derive(input);
             settings.OctantSearch = false; // the same pairs, faster
             if (parameters.Method.Kind == FluidMethodKind.ThesisPrinted)
                 settings = settings.With(ThesisSwitches.Printed);

@@ -124,14 +124,17 @@ namespace SphFluid.Validation
                 read.Add((b + 0.5) * bin / depth, pressure);
                 pushes.Add((b + 0.5) * bin / depth, Share * pressure);
             }
-            return settings.PressureHalf ? new[] { exact, read, pushes } : new[] { exact, read };
+            return HalvesPressure ? new[] { exact, read, pushes } : new[] { exact, read };
         }
 
         // c²/(g H).
         double M => (double)settings.SoundSpeed * settings.SoundSpeed / (gravity * depth);
 
         // Of the pressure as it is read, what pushes.
-        double Share => settings.PressureHalf ? 0.5 : 1.0;
+        double Share => HalvesPressure ? 0.5 : 1.0;
+
+        // Equation (13) of the thesis has ½ (p_i + p_j).
+        bool HalvesPressure => settings.Method != FluidMethodKind.Standard && settings.Own<ThesisSettings>().PressureHalf;
 
         // ρ0 c² (e^x − 1), x = g d/c²: ρ g d of liquid that its own weight compresses. The hyperbolic sine keeps the digits of a small x.
         double Exact(double below)

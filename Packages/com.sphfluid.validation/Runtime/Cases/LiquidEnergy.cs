@@ -54,7 +54,7 @@ namespace SphFluid.Validation
         /// times the acceleration; 1 else.
         /// </summary>
         internal static double ForceFactor(in FluidSolverSettings settings) =>
-            settings.ForceTimesMass ? (double)settings.ParticleMass * settings.RestDensity : 1.0;
+            settings.Method != FluidMethodKind.Standard && settings.Own<ThesisSettings>().ForceTimesMass ? (double)settings.ParticleMass * settings.RestDensity : 1.0;
 
         /// <summary>Speed at which waves run [m/s].</summary>
         internal static double EffectiveSound(in FluidSolverSettings settings) => settings.SoundSpeed * Math.Sqrt(ForceFactor(settings));

@@ -42,8 +42,7 @@ namespace SphFluid.Validation
         {
             FailureRun cured = FailureBlocks.PeriodicBox(6 * Vector3Int.one, ratio, 0.0);
             cured.Settings.ParticleMass = (float)(cured.Settings.RestDensity * Math.Pow(FailureBlocks.Spacing, 3.0));
-            FluidSolverSettings without = cured.Settings;
-            without.SelfDensity = false;
+            FluidSolverSettings without = cured.Settings.WithOwn((ref ThesisSettings own) => own.SelfDensity = false);
             return new FailureExperiment("self-term", FluidFailure.SelfTermMissing, cured.With(without), cured,
                 "ρ/ρ0 of the lattice", r => r.States[0].Densities.Average() / (double)r.Settings.RestDensity);
         }

@@ -20,7 +20,7 @@ namespace SphFluid.Validation
             input.MinSpeed = 0.2f * Sound;
             input.SoundSpeedRatio = 5f;
             input.MaxCompression = 1f;
-            FluidSolverSettings settings = FluidSolverSettings.FromRules(input);
+            FluidSolverSettings settings = FluidRules.Derive(input);
             settings.OctantSearch = false; // the same pairs, faster
             settings.Boundaries.Periodic = periodic;
             return settings;
@@ -59,7 +59,7 @@ namespace SphFluid.Validation
             input.MaxCompression = 1e6f; // c by the ratio alone
             input.ViscosityRatio *= 3f;
             input.SupportRatio = support;
-            FluidSolverSettings settings = FluidSolverSettings.FromRules(input);
+            FluidSolverSettings settings = FluidRules.Derive(input);
             settings.OctantSearch = false;
             settings.Boundaries.Periodic = periodic;
             FluidParticle[] start = Lattice(counts, Spacing, -0.5f * domain, 0.01 * Spacing, 0.5f * domain);
@@ -105,8 +105,9 @@ namespace SphFluid.Validation
         /// <summary>Step of dt √k/R = <paramref name="courant"/>; the emergency limit follows it.</summary>
         public static void SetCourant(ref FluidSolverSettings settings, double courant)
         {
-            settings.TimeStep = (float)(courant * settings.SupportRadius / Math.Sqrt(settings.Stiffness));
-            settings.AccelerationLimit = ThesisRules.EmergencyLimit(settings.Spacing, settings.TimeStep);
+            settings.TimeStep = (float)(courant * settings.SupportRadius / Math.Sqrt(settings.Own<ThesisSettings>().Stiffness));
+            float limit = ThesisRules.EmergencyLimit(settings.Spacing, settings.TimeStep);
+            settings = settings.WithOwn((ref ThesisSettings own) => own.AccelerationLimit = limit);
         }
 
         /// <summary>Viscosity of a kinematic viscosity [m²/s].</summary>

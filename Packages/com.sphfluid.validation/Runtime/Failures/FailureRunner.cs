@@ -85,7 +85,7 @@ namespace SphFluid.Validation
         {
             Execute(cmd => solver.RecordNeighbourSetup(cmd));
             solver.Particles.SetData(run.Later);
-            FluidState state = solver.State;
+            var state = (ThesisState)solver.State;
             Execute(cmd =>
             {
                 new CalculateParticleCellValuePass(shaders).Record(cmd, state);

@@ -52,12 +52,12 @@ namespace SphFluid.Validation
             FailureRun failing = FailureBlocks.PeriodicBox(new Vector3Int(8, 8, 8), 2f, 1e-4);
             failing.Settings.PressureClamp = false;
             FailureBlocks.SetKinematic(ref failing.Settings, 0.0);
-            FailureBlocks.SetCourant(ref failing.Settings, 0.4 * TimeStepAdvice.AcousticBorder);
-            failing.Steps = (int)Math.Round(200.0 / (0.4 * TimeStepAdvice.AcousticBorder));
+            FailureBlocks.SetCourant(ref failing.Settings, 0.4 * ThesisRules.AcousticBorder);
+            failing.Steps = (int)Math.Round(200.0 / (0.4 * ThesisRules.AcousticBorder));
             FluidSolverSettings viscous = failing.Settings;
-            FailureBlocks.SetKinematic(ref viscous, 0.02 * Math.Sqrt(viscous.Stiffness) * viscous.SupportRadius);
+            FailureBlocks.SetKinematic(ref viscous, 0.02 * Math.Sqrt(viscous.Own<ThesisSettings>().Stiffness) * viscous.SupportRadius);
             return new FailureExperiment("kernel-mismatch", FluidFailure.KernelMismatch, failing, failing.With(viscous),
-                "v_rms/√k at t = 200 R/√k", r => RmsSpeed(r) / Math.Sqrt(r.Settings.Stiffness));
+                "v_rms/√k at t = 200 R/√k", r => RmsSpeed(r) / Math.Sqrt(r.Settings.Own<ThesisSettings>().Stiffness));
         }
 
         static double Clumped(FailureResult result) => result.EndStatistics.Clumped / (double)result.Run.Start.Length;

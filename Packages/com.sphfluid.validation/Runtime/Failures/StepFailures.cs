@@ -35,7 +35,7 @@ namespace SphFluid.Validation
             FailureRun At(double ratio)
             {
                 FailureRun run = FailureBlocks.PeriodicBox(8 * Vector3Int.one, 2f, 0.0);
-                run.Settings.Stiffness = 1e-6f;
+                run.Settings = run.Settings.WithOwn((ref ThesisSettings own) => own.Stiffness = 1e-6f);
                 var random = new System.Random(3);
                 float Noise() => 1e-4f * (float)(random.NextDouble() - 0.5);
                 run.Start = FailureBlocks.Moving(run.Start, _ => new Vector3(Noise(), Noise(), Noise()));

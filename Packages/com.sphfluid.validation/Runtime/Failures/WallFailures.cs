@@ -44,9 +44,11 @@ namespace SphFluid.Validation
         {
             FailureRun cured = FailureBlocks.Column(new Vector3Int(6, 10, 6), 9.81f, 25.0, FluidAxes.X | FluidAxes.Z);
             cured.Steps = 150;
-            FluidSolverSettings soft = cured.Settings;
-            soft.WallStiffness *= 0.01f;
-            soft.WallDamping *= 0.1f;
+            FluidSolverSettings soft = cured.Settings.WithOwn((ref ThesisSettings own) =>
+            {
+                own.WallStiffness *= 0.01f;
+                own.WallDamping *= 0.1f;
+            });
             return new FailureExperiment("wall-stacking", FluidFailure.WallStacking, cured.With(soft), cured,
                 "share of particles nearer to a wall than dx/10", r => r.EndStatistics.AtWalls / (double)r.Run.Start.Length);
         }

@@ -79,7 +79,7 @@ namespace SphFluid.Validation
             input.LiquidHeight = height;
             input.LiquidDepth = height;
             input.InitialSpeed = (float)speed;
-            return FluidSolverSettings.FromRules(input);
+            return FluidRules.Derive(input);
         }
     }
 }

@@ -52,14 +52,17 @@ namespace SphFluid.Validation
             input.MinSpeed = (float)Speed;
             input.MaxCompression = 1f;
             input.SoundSpeedRatio = (float)(Sound * theory.WaveSpeedRatio / Speed);
-            FluidSolverSettings settings = FluidSolverSettings.FromRules(input);
+            FluidSolverSettings settings = FluidRules.Derive(input);
             settings.TimeStep = (float)TimeStep;
             if (standard)
                 settings.PressureClamp = !Suction;
             else
                 settings = settings.With(Switches());
             double factor = LiquidEnergy.ForceFactor(settings);
-            settings.Stiffness = (float)(Sound * Sound / factor);
+            float stiffness = (float)(Sound * Sound / factor);
+            settings = standard
+                ? settings.WithSoundSpeed(Mathf.Sqrt(stiffness))
+                : settings.WithOwn((ref ThesisSettings own) => own.Stiffness = stiffness);
             double viscosity = double.IsNaN(Viscosity) ? settings.Viscosity : Viscosity * settings.RestDensity;
             settings.Viscosity = (float)(viscosity / factor);
             settings.Boundaries.Periodic = Periodic;

@@ -104,9 +104,12 @@ namespace SphFluid.Validation
                 Method = method, DomainSize = domain, Support = StabilityTheory.Thesis.SupportRatio, Sound = 0.1, Viscosity = 0.0,
                 TimeStep = step, Speed = 1.0, Gravity = new Vector3(0f, -(float)gravity, 0f),
             }.Settings();
-            settings.WallStiffness = (float)(rate * rate);
-            settings.WallDamping = (float)(2.0 * dampingRatio * rate);
-            settings.WallDistance = (float)distance;
+            settings = settings.WithOwn((ref ThesisSettings own) =>
+            {
+                own.WallStiffness = (float)(rate * rate);
+                own.WallDamping = (float)(2.0 * dampingRatio * rate);
+                own.WallDistance = (float)distance;
+            });
             var positions = new List<Vector3>();
             for (int i = 0; i < side * side; i++)
             {

@@ -29,7 +29,7 @@ namespace SphFluid.Validation
             input.DomainSize = Spacing * domain;
             input.Spacing = Spacing;
             input.LiquidHeight = input.LiquidDepth = height * Spacing;
-            return new SurfaceState { Settings = FluidSolverSettings.FromRules(input) };
+            return new SurfaceState { Settings = FluidRules.Derive(input) };
         }
 
         /// <summary>A state of one frame whose liquid has a spacing cubed for each particle.</summary>

@@ -39,7 +39,7 @@ namespace SphFluid.Validation
         {
             FluidParticle[] start = Block(0.025f, new Vector3Int(9, 9, 9), new Vector3(0.4f, 0.7f, 0.4f), 0.2f, out FluidSolverSettings settings);
             settings.PressureClamp = false;
-            settings.Stiffness *= Calm;
+            settings = settings.WithOwn((ref ThesisSettings own) => own.Stiffness *= Calm);
             return One("free-fall", start, 0.2f, settings, (ref ThesisSwitches s) => s.SelfDensity = false);
         }
 
@@ -48,7 +48,7 @@ namespace SphFluid.Validation
         {
             FluidParticle[] start = Block(0.025f, new Vector3Int(24, 1, 24), new Vector3(0.8f, 0.4f, 0.8f), 0f, out FluidSolverSettings settings);
             settings.Gravity = Vector3.zero;
-            settings.Stiffness *= Calm;
+            settings = settings.WithOwn((ref ThesisSettings own) => own.Stiffness *= Calm);
             SwitchExperiment experiment = One("pressure-clamp", start, 0.2f, settings, (ref ThesisSwitches s) => s.PressureClamp = false);
             experiment.FromAbove = true;
             return experiment;
@@ -139,7 +139,7 @@ namespace SphFluid.Validation
             input.Spacing = spacing;
             input.LiquidHeight = 0.5f * domain.y + height + 0.5f * counts.y * spacing;
             input.LiquidDepth = Math.Min(counts.y * spacing, input.LiquidHeight);
-            settings = FluidSolverSettings.FromRules(input);
+            settings = FluidRules.Derive(input);
             return particles;
         }
     }

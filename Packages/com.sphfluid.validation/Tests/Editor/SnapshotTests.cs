@@ -16,7 +16,7 @@ namespace SphFluid.Tests
             input.DomainSize = new Vector3(0.4f, 0.6f, 0.35f);
             input.Spacing = 0.05f;
             input.LiquidHeight = input.LiquidDepth = 0.4f;
-            FluidSolverSettings settings = FluidSolverSettings.FromRules(input);
+            FluidSolverSettings settings = FluidRules.Derive(input);
             settings.Boundaries.Open = FluidFaces.LowY;
             FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(7, 8, 6), 0.05f, 1e-3f, 5);
             FluidShaderSet shaders = TestShaders.CreateSet();

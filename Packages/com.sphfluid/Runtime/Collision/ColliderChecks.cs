@@ -15,7 +15,7 @@ namespace SphFluid
             Component owner = query.Owner;
             if (owner == null) return;
             Collider collider = solid.State.Collider;
-            if (solid.State.Friction >= 0f && query.Method != FluidMethodKind.Standard)
+            if (solid.State.Friction >= 0f && !query.ColliderFriction)
                 messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.ColliderFrictionUnused, collider,
                     $"Its Fluid Collider has a friction of its own, but '{owner.name}' computes by the thesis's method, where all colliders have the friction of the faces.",
                     "Set the simulation's Method to Standard, or turn Own Friction off."));

@@ -28,8 +28,8 @@ namespace SphFluid
         /// <summary>Particle spacing dx [m]: triangles as near as that to the domain are kept, curved colliders follow their shape to 0.1 dx.</summary>
         public float Spacing;
 
-        /// <summary>Method that computes the liquid.</summary>
-        public FluidMethodKind Method;
+        /// <summary>Whether each collider has a friction of its own.</summary>
+        public bool ColliderFriction;
 
         /// <summary>Periodic axes of the domain.</summary>
         public FluidAxes Periodic;

@@ -117,20 +117,30 @@ namespace SphFluid
         {
             Asset = this,
             Revision = Revision,
-            RestDensity = restDensity,
-            KinematicViscosity = kinematicViscosity,
-            SupportRatio = supportRatio,
-            SoundSpeedRatio = soundSpeedRatio,
-            MaxCompression = maxCompression,
-            TimeStepFraction = timeStepFraction,
-            ViscosityRatio = viscosityRatio,
-            WallDistanceRatio = wallDistanceRatio,
-            WallStiffnessRatio = wallStiffnessRatio,
-            WallDampingRatio = wallDampingRatio,
-            ThesisSwitches = thesisSwitches,
+            Rules = Rules,
             MaxParticles = maxParticles,
             Shaders = shaders,
         };
+
+        FluidRuleInput Rules
+        {
+            get
+            {
+                FluidRuleInput rules = FluidRuleInput.Water;
+                rules.RestDensity = restDensity;
+                rules.KinematicViscosity = kinematicViscosity;
+                rules.SupportRatio = supportRatio;
+                rules.SoundSpeedRatio = soundSpeedRatio;
+                rules.MaxCompression = maxCompression;
+                rules.TimeStepFraction = timeStepFraction;
+                rules.ViscosityRatio = viscosityRatio;
+                rules.WallDistanceRatio = wallDistanceRatio;
+                rules.WallStiffnessRatio = wallStiffnessRatio;
+                rules.WallDampingRatio = wallDampingRatio;
+                rules.Switches = thesisSwitches;
+                return rules;
+            }
+        }
 
         void Touch()
         {

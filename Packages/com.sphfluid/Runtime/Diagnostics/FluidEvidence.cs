@@ -45,8 +45,11 @@ namespace SphFluid
         /// <summary>√(gH) of the fall that the constants are made for [m/s].</summary>
         public double WaveSpeed => settings.MaxSpeed / Math.Sqrt(2.0);
 
-        /// <summary>Müller's density by poly6, pressure by the spiky kernel, which needs viscosity and pairs; and walls that are springs.</summary>
-        public bool IsOfThesis => settings.Method != FluidMethodKind.Standard;
+        /// <summary>Whether the density leaves out the particle's own share.</summary>
+        public bool OmitsOwnDensity => FluidMethods.Of(settings.Method).OmitsOwnDensity(settings);
+
+        /// <summary>Whether the liquid's method has a feature.</summary>
+        public bool Has(FluidMethodFeatures feature) => FluidMethods.Of(settings.Method).Has(feature);
 
         public double ClumpedShare => Share(Now.Clumped);
 
@@ -80,7 +83,7 @@ namespace SphFluid
             if (!energyStays) Rebase();
             settings = now;
             TimeStep = now.TimeStep;
-            Advice = TimeStepAdvice.For(now, 0.0);
+            Advice = FluidRules.Advise(now, 0.0);
             IsDriven = HasMovingWall(now.Boundaries) || Vector3.Scale(now.Gravity, now.PeriodLength) != Vector3.zero;
             lowestPotential = LowestPotential(now);
             return true;
@@ -123,9 +126,8 @@ namespace SphFluid
         // Field by field: ValueType.Equals would box on every measurement.
         static bool Same(in FluidSolverSettings a, in FluidSolverSettings b) =>
             a.DomainSize == b.DomainSize && a.Spacing == b.Spacing && a.SupportRadius == b.SupportRadius && a.RestDensity == b.RestDensity &&
-            a.ParticleMass == b.ParticleMass && a.Stiffness == b.Stiffness && a.Viscosity == b.Viscosity && a.TimeStep == b.TimeStep &&
-            a.Gravity == b.Gravity && a.MaxSpeed == b.MaxSpeed && a.SelfDensity == b.SelfDensity && a.PressureHalf == b.PressureHalf &&
-            a.PressureClamp == b.PressureClamp && a.ForceTimesMass == b.ForceTimesMass && a.Boundaries.Equals(b.Boundaries) &&
-            a.AccelerationLimitEnabled == b.AccelerationLimitEnabled && a.BodyForce.Equals(b.BodyForce);
+            a.ParticleMass == b.ParticleMass && a.Viscosity == b.Viscosity && a.TimeStep == b.TimeStep && a.Gravity == b.Gravity &&
+            a.MaxSpeed == b.MaxSpeed && a.PressureClamp == b.PressureClamp && a.Boundaries.Equals(b.Boundaries) &&
+            a.BodyForce.Equals(b.BodyForce) && a.HasOwnOf(b);
     }
 }

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using Unity.Collections;
-using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -13,9 +12,7 @@ namespace SphFluid
     /// </summary>
     public sealed class FluidStatisticsMeter : IDisposable
     {
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("MeasureStatistics");
-
-        readonly ComputeKernel kernel;
+        readonly MeasureStatisticsPass pass;
         readonly FluidSolver solver;
         readonly Queue<FluidMoment> pending = new Queue<FluidMoment>();
         readonly Action<AsyncGPUReadbackRequest> received;
@@ -32,8 +29,8 @@ namespace SphFluid
             if (shaders == null)
                 throw new ArgumentNullException(nameof(shaders), "A statistics meter needs a shader set: assign one in the fluid profile.");
             this.solver = solver ?? throw new ArgumentNullException(nameof(solver), "A statistics meter needs a running solver.");
-            kernel = shaders.Kernel("MeasureStatistics", "MeasureStatistics");
-            groups = (solver.ParticleCount + kernel.GroupSize.x - 1) / kernel.GroupSize.x;
+            pass = new MeasureStatisticsPass(shaders);
+            groups = pass.Groups(solver.ParticleCount);
             values = new Vector4[groups * FluidStatisticsRecord.Size];
             records = GpuBuffers.Create("Statistics", values.Length, 4 * sizeof(float));
             received = Receive;
@@ -93,25 +90,7 @@ namespace SphFluid
             if (records == null)
                 throw new ObjectDisposedException(nameof(FluidStatisticsMeter));
             solver.RecordNeighbourSetup(cmd);
-            FluidSolverSettings settings = solver.Settings;
-            cmd.BeginSample(Marker);
-            solver.BindNeighbours(cmd, kernel);
-            kernel.SetBuffer(cmd, FluidShaderIds.Density, solver.Density);
-            kernel.SetBuffer(cmd, FluidShaderIds.Pressure, solver.Pressure);
-            kernel.SetBuffer(cmd, StatisticsShaderIds.Statistics, records);
-            kernel.SetInt(cmd, FluidShaderIds.ParticleCount, solver.ParticleCount);
-            kernel.SetInt(cmd, FluidShaderIds.CellCount, solver.Grid.CellCount);
-            kernel.SetInt(cmd, StatisticsShaderIds.GroupCount, groups);
-            kernel.SetFloat(cmd, FluidShaderIds.RestDensity, settings.RestDensity);
-            kernel.SetFloat(cmd, StatisticsShaderIds.Spacing, settings.Spacing);
-            kernel.SetFloat(cmd, StatisticsShaderIds.HalfStep, 0.5f * solver.LastTimeStep);
-            kernel.SetVector(cmd, StatisticsShaderIds.Potential, AlongWalls(settings.Gravity, settings));
-            kernel.SetVector(cmd, StatisticsShaderIds.PotentialCentre, settings.BodyForce.Centre);
-            kernel.SetVector(cmd, StatisticsShaderIds.PotentialRate, settings.BodyForce.RateSquared);
-            kernel.SetVector(cmd, FluidShaderIds.DomainHalfSize, 0.5f * settings.DomainSize);
-            DomainFaces.Set(cmd, kernel, settings);
-            kernel.DispatchThreads(cmd, solver.ParticleCount);
-            cmd.EndSample(Marker);
+            pass.Record(cmd, solver, records);
         }
 
         void Receive(AsyncGPUReadbackRequest request)
@@ -127,26 +106,5 @@ namespace SphFluid
             Measured?.Invoke(statistics);
             MeasuredAt?.Invoke(statistics, moment);
         }
-
-        static Vector3 AlongWalls(Vector3 value, in FluidSolverSettings settings)
-        {
-            FluidAxes axes = settings.Boundaries.Periodic;
-            return new Vector3(
-                (axes & FluidAxes.X) != 0 ? 0f : value.x,
-                (axes & FluidAxes.Y) != 0 ? 0f : value.y,
-                (axes & FluidAxes.Z) != 0 ? 0f : value.z);
-        }
-    }
-
-    /// <summary>Property ids of Shaders/Diagnostics/MeasureStatistics.compute besides those of <see cref="FluidShaderIds"/>.</summary>
-    internal static class StatisticsShaderIds
-    {
-        public static readonly int Statistics = Shader.PropertyToID("_Statistics");
-        public static readonly int GroupCount = Shader.PropertyToID("_GroupCount");
-        public static readonly int Spacing = Shader.PropertyToID("_Spacing");
-        public static readonly int HalfStep = Shader.PropertyToID("_HalfStep");
-        public static readonly int Potential = Shader.PropertyToID("_Potential");
-        public static readonly int PotentialCentre = Shader.PropertyToID("_PotentialCentre");
-        public static readonly int PotentialRate = Shader.PropertyToID("_PotentialRate");
     }
 }

@@ -20,7 +20,7 @@ namespace SphFluid
         public static FluidFinding? TooLittleViscosity(FluidEvidence e)
         {
             double needed = CalmViscosity * e.Settings.SoundSpeed * e.Settings.SupportRadius;
-            if (!e.IsOfThesis || e.KinematicViscosity >= needed * (1.0 - Rounding)) return null;
+            if (!e.Has(FluidMethodFeatures.TwoKernels) || e.KinematicViscosity >= needed * (1.0 - Rounding)) return null;
             return new FluidFinding(FluidFailure.KernelMismatch, e.KinematicViscosity, needed,
                 Invariant($"The kinematic viscosity of {e.KinematicViscosity:G3} m²/s is less than the {needed:G3} m²/s that take out what different kernels for density and force feed in: liquid at rest will boil."),
                 "Raise the profile's Viscosity Ratio to 0.01 or more.");
@@ -29,7 +29,7 @@ namespace SphFluid
         // Noise is what neighbours do not share: a wave has velocity, but its particles move alike.
         public static FluidFinding? Boiling(FluidEvidence e)
         {
-            if (!e.IsOfThesis || e.Now.Step == 0 || e.TimeStep > e.Advice.Acoustic || !(e.Now.Checkerboard > BoilingDisorder)) return null;
+            if (!e.Has(FluidMethodFeatures.TwoKernels) || e.Now.Step == 0 || e.TimeStep > e.Advice.Acoustic || !(e.Now.Checkerboard > BoilingDisorder)) return null;
             double noise = Math.Sqrt(e.Now.Checkerboard) * e.Now.RmsSpeed(e.Settings.ParticleMass);
             double limit = BoilingLimit * e.WaveSpeed;
             if (!(noise > limit)) return null;
@@ -48,7 +48,7 @@ namespace SphFluid
 
         public static FluidFinding? SelfTermMissing(FluidEvidence e)
         {
-            if (!e.Settings.SelfDensity)
+            if (e.OmitsOwnDensity)
             {
                 double self = ThesisKernels.Poly6Factor(e.Settings.SupportRadius) * Math.Pow(e.Settings.SupportRadius, 6.0) *
                     e.Settings.ParticleMass / e.Settings.RestDensity;
@@ -60,12 +60,12 @@ namespace SphFluid
             if (!e.HasStatistics || e.Now.Step != 0 || !(bulk < DeficientDensity) || e.Now.MaxNeighbours < LatticeNeighbours(e.SupportRatio)) return null;
             return new FluidFinding(FluidFailure.SelfTermMissing, bulk, DeficientDensity,
                 Invariant($"The liquid starts at {bulk:0.00} of the rest density inside: particles do not count themselves, or their mass is too small for their spacing."),
-                "Derive the particle mass by rule: FluidSolverSettings.FromRules.");
+                "Derive the particle mass by rule: FluidRules.Derive.");
         }
 
         public static FluidFinding? DensityDeficiency(FluidEvidence e)
         {
-            if (e.Settings.PressureClamp || !e.Settings.SelfDensity || !(e.Now.MinDensityRatio < DeficientDensity)) return null;
+            if (e.Settings.PressureClamp || e.OmitsOwnDensity || !(e.Now.MinDensityRatio < DeficientDensity)) return null;
             return new FluidFinding(FluidFailure.DensityDeficiency, e.Now.MinDensityRatio, DeficientDensity,
                 Invariant($"Particles at surfaces or walls find {e.Now.MinDensityRatio:0.00} of the rest density, and suction acts on them."),
                 "Set Thesis Switches > Pressure Clamp in the profile.");

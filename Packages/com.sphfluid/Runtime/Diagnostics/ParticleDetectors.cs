@@ -37,7 +37,7 @@ namespace SphFluid
 
         public static FluidFinding? Pairing(FluidEvidence e)
         {
-            if (!e.IsOfThesis || !(e.SupportRatio > WideKernel) || !(e.ClumpedShare > ClumpedLimit)) return null;
+            if (!e.Has(FluidMethodFeatures.TwoKernels) || !(e.SupportRatio > WideKernel) || !(e.ClumpedShare > ClumpedLimit)) return null;
             return new FluidFinding(FluidFailure.Pairing, e.ClumpedShare, ClumpedLimit,
                 Invariant($"{100.0 * e.ClumpedShare:0.#} % of the particles have another nearer than half a spacing: a support radius of {e.SupportRatio:0.##} spacings lets them pair."),
                 "Lower the profile's Support Ratio to 2.");
@@ -59,7 +59,7 @@ namespace SphFluid
             if (!(share > EscapedLimit)) return null;
             return new FluidFinding(FluidFailure.Escaped, share, EscapedLimit,
                 Invariant($"{e.Now.Escaped} particles are outside the domain and {e.NewDomainClamps} were put back onto its faces since the last measurement."),
-                e.IsOfThesis ? "Raise Expected Speed, or the profile's Wall Stiffness Ratio." : StiffLiquid);
+                e.Has(FluidMethodFeatures.PenaltyWalls) ? "Raise Expected Speed, or the profile's Wall Stiffness Ratio." : StiffLiquid);
         }
 
         public static FluidFinding? WallStacking(FluidEvidence e)
@@ -68,11 +68,11 @@ namespace SphFluid
             if (share > AtWallsLimit)
                 return new FluidFinding(FluidFailure.WallStacking, share, AtWallsLimit,
                     Invariant($"{100.0 * share:0.#} % of the particles touch the domain's walls, nearer than a tenth of a spacing."),
-                    e.IsOfThesis ? "Raise the profile's Wall Stiffness Ratio or Wall Distance Ratio." : StiffLiquid);
+                    e.Has(FluidMethodFeatures.PenaltyWalls) ? "Raise the profile's Wall Stiffness Ratio or Wall Distance Ratio." : StiffLiquid);
             if (!(e.Now.WallCrowding > CrowdingLimit)) return null;
             return new FluidFinding(FluidFailure.WallStacking, e.Now.WallCrowding, CrowdingLimit,
                 Invariant($"The layer next to the domain's walls holds {e.Now.WallCrowding:0.##} times the particles of one layer: they stack there."),
-                e.IsOfThesis ? "Raise the profile's Viscosity Ratio, and set Thesis Switches > Pressure Clamp." : StiffLiquid);
+                e.Has(FluidMethodFeatures.TwoKernels) ? "Raise the profile's Viscosity Ratio, and set Thesis Switches > Pressure Clamp." : StiffLiquid);
         }
 
         public static FluidFinding? Overflow(FluidEvidence e)

@@ -43,7 +43,7 @@ namespace SphFluid
         public static FluidFinding? ViscosityTooStiff(FluidEvidence e)
         {
             if (!(e.Advice.KinematicViscosity > 0.0)) return null;
-            double border = TimeStepAdvice.ViscousBorder / TimeStepAdvice.ViscousLimit * e.Advice.Viscosity;
+            double border = ThesisRules.ViscousBorder / ThesisRules.ViscousLimit * e.Advice.Viscosity;
             if (!(e.TimeStep > border || (e.EnergyGrows && e.TimeStep > NearBorder * border))) return null;
             return new FluidFinding(FluidFailure.ViscosityTooStiff, e.TimeStep, border,
                 Invariant($"The time step of {1e3 * e.TimeStep:G3} ms is {100.0 * e.TimeStep / border:0} % of the border of stability, {1e3 * border:G3} ms, ") +
@@ -57,8 +57,8 @@ namespace SphFluid
             if (!(way > TimeStepAdvice.SpeedLimit * (1.0 + Rounding))) return null;
             return new FluidFinding(FluidFailure.Tunnelling, way, TimeStepAdvice.SpeedLimit,
                 Invariant($"The fastest particle, at {e.Now.MaxSpeed:G3} m/s, moves {way:0.00} spacings a step: ") +
-                (e.IsOfThesis ? "it can cross a thin wall before the wall pushes." : "colliders hold it, but it is amid other liquid before pressure acts."),
-                e.IsOfThesis ? "Raise Expected Speed to the fastest speed, or shorten the time step; make thin colliders thicker than a spacing."
+                (e.Has(FluidMethodFeatures.PenaltyWalls) ? "it can cross a thin wall before the wall pushes." : "colliders hold it, but it is amid other liquid before pressure acts."),
+                e.Has(FluidMethodFeatures.PenaltyWalls) ? "Raise Expected Speed to the fastest speed, or shorten the time step; make thin colliders thicker than a spacing."
                     : "Raise Expected Speed to the fastest speed, or set Time Step Mode to Adaptive.");
         }
 

@@ -88,6 +88,8 @@ namespace SphFluid
         NotDrawn,
         /// <summary>A collider changed its place or shape so that liquid could not follow, and was put at its new place at once.</summary>
         ColliderJumped,
+        /// <summary>The method is none that this version of the package has.</summary>
+        MethodUnknown,
     }
 
     /// <summary>One thing to tell the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>

@@ -8,21 +8,6 @@ namespace SphFluid
     /// </summary>
     internal sealed class ShaderGroup
     {
-        public static readonly ShaderGroup Standard = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
-            groupThreads: 256, buffers: 13, writableBuffers: 6, groupMemory: 1024, vertexBuffers: 0,
-            "LoadParticles", "ScanCells", "ScatterParticles", "StandardDensity", "MoveParticles", "GatherWalls", "FindContacts",
-            "ResolveContacts", "DampVelocities", "PublishParticles");
-
-        public static readonly ShaderGroup Thesis = new ShaderGroup("the thesis method", "Shaders/Solver/Thesis",
-            groupThreads: 1024, buffers: 7, writableBuffers: 3, groupMemory: 8192, vertexBuffers: 0,
-            "CalculateParticleCellValue", "BitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles", "CalculateDensity",
-            "CalculateForce", "CalculateAcceleration", "CalculateNewPosition");
-
-        public static ShaderGroup Of(FluidMethodKind method) => method == FluidMethodKind.Standard ? Standard : Thesis;
-
-        /// <summary>All groups.</summary>
-        public static IEnumerable<ShaderGroup> All => new[] { Standard, Thesis, Surface, GeometrySurface, Drawing, Diagnostics };
-
         /// <summary>The sparse surface.</summary>
         public static readonly ShaderGroup Surface = new ShaderGroup("the surface", "Shaders/Surface/Sparse",
             groupThreads: 256, buffers: 8, writableBuffers: 4, groupMemory: 14112, vertexBuffers: 0,

@@ -22,8 +22,7 @@ namespace SphFluid
         public static bool FacesAreWrong(FluidSpec spec) => Fault(() => CheckFaces(spec)) != null;
 
         /// <summary>Whether the simulation, with a profile, searches cells of 2R.</summary>
-        public static bool SearchesOctants(in FluidSpec spec) => spec.Method == FluidMethodKind.ThesisPrinted ||
-            spec.Method == FluidMethodKind.Thesis && spec.Profile.ThesisSwitches.OctantSearch;
+        public static bool SearchesOctants(in FluidSpec spec) => FluidMethods.Of(spec.Method).SearchesOctants(spec.Profile.Rules);
 
         static string Fault(FluidSpec spec) =>
             Fault(() => CheckFaces(spec)) ?? Fault(() => spec.BodyForce.Validate(spec.Boundaries.Periodic));
@@ -43,12 +42,12 @@ namespace SphFluid
 
         static void CheckFaces(in FluidSpec spec)
         {
-            spec.Boundaries.Validate(spec.Method);
+            FluidMethods.Of(spec.Method).CheckFaces(spec.Boundaries);
             if (spec.Boundaries.Periodic == FluidAxes.None || !spec.HasProfile) return;
             FluidGrid.For(new FluidSolverSettings
             {
                 DomainSize = spec.DomainSize,
-                SupportRadius = spec.Profile.SupportRatio * spec.Spacing,
+                SupportRadius = spec.Profile.Rules.SupportRatio * spec.Spacing,
                 OctantSearch = SearchesOctants(spec),
                 Boundaries = spec.Boundaries,
             });

@@ -22,7 +22,7 @@ namespace SphFluid
             double needed = Needed(settings);
             long most = Most(settings.Method);
             if (needed <= most) return;
-            string owner = most < MethodLimit(settings.Method) ? $"a buffer of this device ({SystemInfo.graphicsDeviceName}) holds" : $"the method {settings.Method} holds";
+            string owner = most < FluidMethods.Of(settings.Method).MaxCells ? $"a buffer of this device ({SystemInfo.graphicsDeviceName}) holds" : $"the method {settings.Method} holds";
             messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.TooManyCells, spec.Owner,
                 Invariant($"The domain of {FluidMessage.Lengths(spec.DomainSize)} m needs {needed:N0} cells for the neighbour search at a spacing of {spec.Spacing} m, but {owner} {most:N0}."),
                 Invariant($"Use a smaller Domain Size, or a Particle Spacing of {FittingSpacing(spec):G3} m or more.")));
@@ -30,10 +30,10 @@ namespace SphFluid
 
         /// <summary>Cells that a solver of these settings has; along periodic axes that are too short none.</summary>
         public static double Needed(in FluidSolverSettings settings) =>
-            FluidGrid.CountFor(settings, settings.Method == FluidMethodKind.Standard ? CellRows.Border : 0);
+            FluidMethods.Of(settings.Method).CellCount(settings);
 
         /// <summary>Most cells that a method may have on this device.</summary>
-        public static long Most(FluidMethodKind method) => Math.Min(MethodLimit(method), SystemInfo.maxGraphicsBufferSize / CellStride);
+        public static long Most(FluidMethodKind method) => Math.Min(FluidMethods.Of(method).MaxCells, SystemInfo.maxGraphicsBufferSize / CellStride);
 
         /// <summary>Least spacing at which the domain's cells are few enough [m].</summary>
         public static float FittingSpacing(in FluidSpec spec)
@@ -43,14 +43,12 @@ namespace SphFluid
             return (float)(spacing * Margin);
         }
 
-        static long MethodLimit(FluidMethodKind method) => method == FluidMethodKind.Standard ? CellRows.MaxCells : int.MaxValue;
-
         // What the grid depends on.
         static FluidSolverSettings Settings(in FluidSpec spec, float spacing) => new FluidSolverSettings
         {
             Method = spec.Method,
             DomainSize = spec.DomainSize,
-            SupportRadius = spec.Profile.SupportRatio * spacing,
+            SupportRadius = spec.Profile.Rules.SupportRatio * spacing,
             OctantSearch = BoundaryChecks.SearchesOctants(spec),
             Boundaries = spec.Boundaries,
         };

@@ -37,6 +37,12 @@ namespace SphFluid
         {
             start = null;
             var messages = new List<FluidMessage>();
+            if (!FluidMethods.Has(spec.Method))
+            {
+                messages.Add(Error(spec.Owner, FluidIssue.MethodUnknown, $"There is no method {spec.Method}.", "Choose another Method."));
+                return messages;
+            }
+
             CheckDevice(spec, messages);
             CheckReferences(spec, messages);
             CheckTransform(spec, messages);
@@ -77,7 +83,7 @@ namespace SphFluid
             else if (spec.Profile.Shaders == null)
                 messages.Add(Error(spec.Profile.Asset, FluidIssue.ShadersMissing, "The profile has no shader set.",
                     "Assign the package's DefaultFluidShaderSet from Runtime/Assets to the profile's Shaders."));
-            else if (spec.Profile.Shaders.Missing(ShaderGroup.Of(spec.Method).Shaders) is { Count: > 0 } missing)
+            else if (spec.Profile.Shaders.Missing(FluidMethods.Of(spec.Method).Shaders.Shaders) is { Count: > 0 } missing)
                 messages.Add(Error(spec.Profile.Shaders, FluidIssue.ShadersMissing, $"The shader set has no {string.Join(", ", missing)}.",
                     "Add the shaders of these names from the package's Shaders folder, or use the package's DefaultFluidShaderSet."));
         }

@@ -12,11 +12,10 @@ namespace SphFluid
         /// <exception cref="System.ArgumentException">A constant is out of range.</exception>
         public static FluidSolverSettings Derive(in FluidSpec spec, FluidStart start, Vector3 startGravity)
         {
-            ProfileSpec profile = spec.Profile;
             Vector3 gravity = spec.LocalGravity;
             Vector3 fall = startGravity.sqrMagnitude > 0f ? startGravity : gravity;
             float height = start.Extent.FallHeight(fall);
-            FluidRuleInput input = FluidRuleInput.Water;
+            FluidRuleInput input = spec.Profile.Rules;
             input.Method = spec.Method;
             input.DomainSize = spec.DomainSize;
             input.Spacing = spec.Spacing;
@@ -24,23 +23,12 @@ namespace SphFluid
             input.LiquidHeight = height;
             input.LiquidDepth = Mathf.Min(height, DepthAtRest(spec, start, fall));
             input.InitialSpeed = Hypotenuse(start.InitialSpeed, start.Extent.SpeedBy(spec.BodyForce));
-            input.RestDensity = profile.RestDensity;
-            input.KinematicViscosity = profile.KinematicViscosity;
-            input.SupportRatio = profile.SupportRatio;
-            input.SoundSpeedRatio = profile.SoundSpeedRatio;
-            input.MaxCompression = profile.MaxCompression;
-            input.ViscosityRatio = profile.ViscosityRatio;
-            input.TimeStepFraction = profile.TimeStepFraction;
-            input.WallDistanceRatio = profile.WallDistanceRatio;
-            input.WallStiffnessRatio = profile.WallStiffnessRatio;
-            input.WallDampingRatio = profile.WallDampingRatio;
             input.MinSpeed = Mathf.Max(input.MinSpeed, Mathf.Max(spec.ExpectedSpeed, FastestWall(spec.Boundaries)));
-            FluidSolverSettings settings = FluidSolverSettings.FromRules(input);
+            input.FixedTimeStep = spec.TimeStepMode == FluidTimeStepMode.Fixed ? spec.FixedTimeStep : 0f;
+            FluidSolverSettings settings = FluidRules.Derive(input);
             settings.Boundaries = spec.Boundaries;
             settings.BodyForce = spec.BodyForce;
-            // The thesis's acceleration limit is a distance a step: its switches, which set it, come after the step's length.
-            if (spec.TimeStepMode == FluidTimeStepMode.Fixed) settings.TimeStep = spec.FixedTimeStep;
-            return spec.Method == FluidMethodKind.Standard ? settings : settings.With(profile.ThesisSwitches);
+            return settings;
         }
 
         static float FastestWall(in FluidBoundaries faces)

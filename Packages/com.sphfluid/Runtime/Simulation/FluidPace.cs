@@ -29,7 +29,7 @@ namespace SphFluid
         /// <summary>Takes over changed settings. A clock that still fits goes on with the rest it holds.</summary>
         public void Update(in FluidSpec spec)
         {
-            stepFraction = spec.Profile.TimeStepFraction;
+            stepFraction = spec.Profile.Rules.TimeStepFraction;
             double step = solver.Settings.TimeStep;
             int most = spec.MaxSubstepsPerFrame;
             if (spec.TimeStepMode != FluidTimeStepMode.Adaptive)
@@ -56,7 +56,7 @@ namespace SphFluid
         double LongestStep()
         {
             FluidSolverSettings settings = solver.Settings;
-            double step = TimeStepAdvice.For(settings, SpeedMargin * speeds.Speed).Step(stepFraction);
+            double step = FluidRules.Advise(settings, SpeedMargin * speeds.Speed).Step(stepFraction);
             return Math.Max(step, ShortestStep * settings.TimeStep);
         }
     }

@@ -34,7 +34,7 @@ namespace SphFluid
             try
             {
                 pace = new FluidPace(spec, Solver);
-                if (spec.Method == FluidMethodKind.Standard) bodies = new CollisionBodies(Solver.Settings);
+                if (FluidMethods.Of(spec.Method).Has(FluidMethodFeatures.BodyContact)) bodies = new CollisionBodies(Solver.Settings);
                 ShareColliders();
                 FollowBodies();
                 Execute(0);

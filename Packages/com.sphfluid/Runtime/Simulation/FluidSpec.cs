@@ -68,9 +68,9 @@ namespace SphFluid
             DomainSize = DomainSize,
             Layers = ColliderLayers,
             Spacing = Spacing,
-            Method = Method,
+            ColliderFriction = FluidMethods.Has(Method) && FluidMethods.Of(Method).Has(FluidMethodFeatures.ColliderFriction),
             Periodic = Boundaries.Periodic,
-            SupportRatio = HasProfile ? Profile.SupportRatio : FluidRuleInput.Water.SupportRatio,
+            SupportRatio = HasProfile ? Profile.Rules.SupportRatio : FluidRuleInput.Water.SupportRatio,
         };
     }
 }

@@ -21,9 +21,9 @@ namespace SphFluid
         {
             profile = spec.Profile.Asset;
             shaders = spec.Profile.Shaders;
-            supportRatio = spec.Profile.SupportRatio;
+            supportRatio = spec.Profile.Rules.SupportRatio;
             maxParticles = spec.Profile.MaxParticles;
-            octantSearch = spec.Profile.ThesisSwitches.OctantSearch;
+            octantSearch = BoundaryChecks.SearchesOctants(spec);
             method = spec.Method;
             domainSize = spec.DomainSize;
             scale = spec.Scale;

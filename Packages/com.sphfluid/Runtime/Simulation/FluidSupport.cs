@@ -21,7 +21,7 @@ namespace SphFluid
         public IReadOnlyList<FluidMessage> Messages { get; }
 
         /// <summary>Whether a liquid can be simulated, by one method at least.</summary>
-        public bool Simulation => Supports(FluidMethodKind.Standard) || Supports(FluidMethodKind.Thesis);
+        public bool Simulation => Other(null) != null;
 
         /// <summary>Whether a liquid can be drawn as a surface, by a Fluid Surface Renderer or a Fluid Surface Mesh.</summary>
         public bool Surface => Runs(ShaderGroup.Surface) && Runs(ShaderGroup.Drawing);
@@ -39,7 +39,7 @@ namespace SphFluid
         /// <summary>Whether the device runs the kernels of a method.</summary>
         /// <param name="method">The method.</param>
         /// <returns>True when it does.</returns>
-        public bool Supports(FluidMethodKind method) => Runs(ShaderGroup.Of(method));
+        public bool Supports(FluidMethodKind method) => Runs(FluidMethods.Of(method).Shaders);
 
         internal static FluidSupport From(in DeviceCapabilities device) => new FluidSupport(device);
 
@@ -50,7 +50,7 @@ namespace SphFluid
             if (!device.ComputeShaders)
                 Add(messages, FluidSeverity.Error, NoComputeShaders, ComputeCure);
             else
-                AddShortfalls(messages, FluidSeverity.Error, ShaderGroup.Of(method), CureFor(method));
+                AddShortfalls(messages, FluidSeverity.Error, FluidMethods.Of(method).Shaders, CureFor(FluidMethods.Of(method).Shaders));
             return messages;
         }
 
@@ -65,11 +65,30 @@ namespace SphFluid
             return true;
         }
 
-        string CureFor(FluidMethodKind method)
+        string CureFor(ShaderGroup needs) =>
+            Other(needs) is FluidMethod other ? $"Set the simulation's Method to {other.Kind}, which runs here." : OtherDevice;
+
+        // A method that runs here and has other shaders.
+        FluidMethod Other(ShaderGroup needs)
         {
-            if (method == FluidMethodKind.Standard)
-                return Runs(ShaderGroup.Thesis) ? "Set the simulation's Method to Thesis, which runs here." : OtherDevice;
-            return Runs(ShaderGroup.Standard) ? "Set the simulation's Method to Standard, which runs here." : OtherDevice;
+            foreach (FluidMethod method in FluidMethods.All)
+            {
+                if (method.Shaders != needs && Runs(method.Shaders)) return method;
+            }
+
+            return null;
+        }
+
+        // Each once, the default method's first.
+        static IEnumerable<ShaderGroup> MethodGroups()
+        {
+            var groups = new List<ShaderGroup>();
+            foreach (FluidMethod method in FluidMethods.All)
+            {
+                if (!groups.Contains(method.Shaders)) groups.Insert(0, method.Shaders);
+            }
+
+            return groups;
         }
 
         List<FluidMessage> AllMessages()
@@ -80,8 +99,7 @@ namespace SphFluid
             else
             {
                 FluidSeverity severity = Simulation ? FluidSeverity.Info : FluidSeverity.Error;
-                AddShortfalls(messages, severity, ShaderGroup.Standard, CureFor(FluidMethodKind.Standard));
-                AddShortfalls(messages, severity, ShaderGroup.Thesis, CureFor(FluidMethodKind.Thesis));
+                foreach (ShaderGroup needs in MethodGroups()) AddShortfalls(messages, severity, needs, CureFor(needs));
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Surface, "Draw the liquid with a Fluid Particle Renderer.");
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Drawing, OtherDevice);
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.GeometrySurface, "Draw the liquid with a Fluid Surface Renderer.");

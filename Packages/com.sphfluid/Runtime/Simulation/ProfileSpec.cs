@@ -14,17 +14,9 @@ namespace SphFluid
         /// <summary>Grows with each change of the profile.</summary>
         public int Revision;
 
-        public float RestDensity;
-        public float KinematicViscosity;
-        public float SupportRatio;
-        public float SoundSpeedRatio;
-        public float MaxCompression;
-        public float TimeStepFraction;
-        public float ViscosityRatio;
-        public float WallDistanceRatio;
-        public float WallStiffnessRatio;
-        public float WallDampingRatio;
-        public ThesisSwitches ThesisSwitches;
+        /// <summary>Density, viscosity, accuracy and walls as the rules take them; sizes, heights and method are the scene's.</summary>
+        public FluidRuleInput Rules;
+
         public int MaxParticles;
         public FluidShaderSet Shaders;
 

@@ -42,7 +42,7 @@ namespace SphFluid
             slots[next] = slot;
             next = (next + 1) % Delay;
             if (SystemInfo.supportsAsyncGPUReadback)
-                slot.Request = AsyncGPUReadback.Request(solver.State.Buffers.Counters, sizeof(float), CounterReadback.MaxSpeed * sizeof(float), slot.Take);
+                slot.Request = AsyncGPUReadback.Request(solver.State.Published.Counters, sizeof(float), CounterReadback.MaxSpeed * sizeof(float), slot.Take);
             else
                 slot.Take(solver.ReadCountersNow().MaxSpeed);
         }

@@ -10,9 +10,9 @@ namespace SphFluid
         public static void Check(in FluidSpec spec, in FluidSolverSettings settings, List<FluidMessage> messages)
         {
             if (spec.TimeStepMode != FluidTimeStepMode.Fixed) return;
-            TimeStepAdvice advice = TimeStepAdvice.For(settings, settings.MaxSpeed);
+            TimeStepAdvice advice = FluidRules.Advise(settings, settings.MaxSpeed);
             if (settings.TimeStep <= advice.Largest) return;
-            double better = RoundedDown(advice.Step(spec.Profile.TimeStepFraction));
+            double better = RoundedDown(advice.Step(spec.Profile.Rules.TimeStepFraction));
             messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.TimeStepInvalid, spec.Owner,
                 $"The fixed time step of {TimeStepAdvice.Milliseconds(settings.TimeStep)} is above the stability limit of {TimeStepAdvice.Milliseconds(advice.Largest)}, " +
                 $"which {advice.Cause}, so {Consequence(advice.Limit)}.",

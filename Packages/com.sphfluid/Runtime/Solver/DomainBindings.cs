@@ -11,21 +11,35 @@ namespace SphFluid
         // m: no distance to a wall is less.
         const float Nowhere = -1e18f;
 
+        static readonly int PeriodLength = Shader.PropertyToID("_PeriodLength");
+        static readonly int PeriodRate = Shader.PropertyToID("_PeriodRate");
+        static readonly int BodyForceCentre = Shader.PropertyToID("_BodyForceCentre");
+        static readonly int BodyForceRate = Shader.PropertyToID("_BodyForceRate");
+        static readonly int DragSpeed = Shader.PropertyToID("_DragSpeed");
+        static readonly int DragDistance = Shader.PropertyToID("_DragDistance");
+        static readonly int DragStep = Shader.PropertyToID("_DragStep");
+        static readonly int WallLowX = Shader.PropertyToID("_WallLowX");
+        static readonly int WallLowY = Shader.PropertyToID("_WallLowY");
+        static readonly int WallLowZ = Shader.PropertyToID("_WallLowZ");
+        static readonly int WallHighX = Shader.PropertyToID("_WallHighX");
+        static readonly int WallHighY = Shader.PropertyToID("_WallHighY");
+        static readonly int WallHighZ = Shader.PropertyToID("_WallHighZ");
+
         /// <summary>Shaders/Solver/PeriodicAxes.hlsl, for kernels with variants and for those that go by the lengths.</summary>
         public static void SetPeriodic(CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings)
         {
             bool on = settings.Boundaries.Periodic != FluidAxes.None;
             if (kernel.HasKeyword(PeriodicKeyword))
                 kernel.SetKeyword(cmd, PeriodicKeyword, on);
-            kernel.SetVector(cmd, FluidShaderIds.PeriodLength, on ? settings.PeriodLength : Vector3.zero);
-            kernel.SetVector(cmd, FluidShaderIds.PeriodRate, on ? settings.PeriodRate : Vector3.zero);
+            kernel.SetVector(cmd, PeriodLength, on ? settings.PeriodLength : Vector3.zero);
+            kernel.SetVector(cmd, PeriodRate, on ? settings.PeriodRate : Vector3.zero);
         }
 
         /// <summary>Shaders/Solver/BodyForce.hlsl.</summary>
         public static void SetBodyForce(CommandBuffer cmd, ComputeKernel kernel, in FluidBodyForce force)
         {
-            kernel.SetVector(cmd, FluidShaderIds.BodyForceCentre, force.IsOn ? force.Centre : Vector3.zero);
-            kernel.SetVector(cmd, FluidShaderIds.BodyForceRate, force.IsOn ? force.RateSquared : Vector3.zero);
+            kernel.SetVector(cmd, BodyForceCentre, force.IsOn ? force.Centre : Vector3.zero);
+            kernel.SetVector(cmd, BodyForceRate, force.IsOn ? force.RateSquared : Vector3.zero);
         }
 
         /// <summary>Shaders/Solver/WallDrag.hlsl.</summary>
@@ -33,9 +47,9 @@ namespace SphFluid
         {
             float friction = settings.Boundaries.Friction;
             SetWallVelocities(cmd, kernel, settings.Boundaries);
-            kernel.SetFloat(cmd, FluidShaderIds.DragSpeed, friction * settings.Viscosity / (settings.RestDensity * settings.Spacing));
-            kernel.SetFloat(cmd, FluidShaderIds.DragDistance, friction > 0f ? settings.Spacing : Nowhere);
-            kernel.SetFloat(cmd, FluidShaderIds.DragStep, step.Kick);
+            kernel.SetFloat(cmd, DragSpeed, friction * settings.Viscosity / (settings.RestDensity * settings.Spacing));
+            kernel.SetFloat(cmd, DragDistance, friction > 0f ? settings.Spacing : Nowhere);
+            kernel.SetFloat(cmd, DragStep, step.Kick);
         }
 
         /// <summary>The walls' velocities alone, for a kernel that has a drag of its own.</summary>
@@ -44,12 +58,12 @@ namespace SphFluid
         /// <param name="walls">The faces.</param>
         public static void SetWallVelocities(CommandBuffer cmd, ComputeKernel kernel, in FluidBoundaries walls)
         {
-            kernel.SetVector(cmd, FluidShaderIds.WallLowX, walls.LowX);
-            kernel.SetVector(cmd, FluidShaderIds.WallLowY, walls.LowY);
-            kernel.SetVector(cmd, FluidShaderIds.WallLowZ, walls.LowZ);
-            kernel.SetVector(cmd, FluidShaderIds.WallHighX, walls.HighX);
-            kernel.SetVector(cmd, FluidShaderIds.WallHighY, walls.HighY);
-            kernel.SetVector(cmd, FluidShaderIds.WallHighZ, walls.HighZ);
+            kernel.SetVector(cmd, WallLowX, walls.LowX);
+            kernel.SetVector(cmd, WallLowY, walls.LowY);
+            kernel.SetVector(cmd, WallLowZ, walls.LowZ);
+            kernel.SetVector(cmd, WallHighX, walls.HighX);
+            kernel.SetVector(cmd, WallHighY, walls.HighY);
+            kernel.SetVector(cmd, WallHighZ, walls.HighZ);
         }
     }
 }

@@ -57,16 +57,15 @@ namespace SphFluid
         public bool IsDefault => Equals(default);
 
         /// <summary>Checks that every face can be computed with.</summary>
-        /// <param name="method">By which method.</param>
         /// <exception cref="ArgumentException">A velocity is out of range or acts on nothing; the message names it and the cure.</exception>
-        internal void Validate(FluidMethodKind method)
+        internal readonly void Validate()
         {
             if ((Periodic & ~FluidAxes.All) != 0)
             {
                 throw new ArgumentException($"Boundaries.Periodic is {(int)Periodic}; it must be a sum of X = 1, Y = 2 and Z = 4.");
             }
 
-            CheckOpen(method);
+            CheckOpen();
             if (!(Friction >= 0f && Friction <= 1f))
             {
                 throw new ArgumentException($"Boundaries.Friction is {Friction}; it must be from 0 (free slip) to 1 (no slip).");
@@ -97,17 +96,11 @@ namespace SphFluid
             ((axes & FluidAxes.Y) != 0 ? FluidFaces.LowY | FluidFaces.HighY : FluidFaces.None) |
             ((axes & FluidAxes.Z) != 0 ? FluidFaces.LowZ | FluidFaces.HighZ : FluidFaces.None);
 
-        void CheckOpen(FluidMethodKind method)
+        void CheckOpen()
         {
             if ((Open & ~FluidFaces.All) != 0)
             {
                 throw new ArgumentException($"Boundaries.Open is {(int)Open}; it must be a sum of LowX = 1, HighX = 2, LowY = 4, HighY = 8, LowZ = 16 and HighZ = 32.");
-            }
-
-            if (Open != FluidFaces.None && method != FluidMethodKind.Standard)
-            {
-                throw new ArgumentException(
-                    $"Boundaries.Open has {Open}, but with the method {method} all faces are walls. Use the method {FluidMethodKind.Standard}, or set Boundaries.Open to None.");
             }
 
             FluidFaces both = Open & FacesOf(Periodic);

@@ -47,14 +47,20 @@ namespace SphFluid
         /// <summary>Time step over the method's acoustic limit, <see cref="TimeStepAdvice"/>.</summary>
         public float TimeStepFraction;
 
-        /// <summary>Distance at which a wall begins to push, over dx.</summary>
+        /// <summary>Length of the steps [s] where it is not to follow from the rules; 0: by rule.</summary>
+        public float FixedTimeStep;
+
+        /// <summary>Distance at which a wall begins to push, over dx; thesis method.</summary>
         public float WallDistanceRatio;
 
-        /// <summary>Wall stiffness over (v_max/distance)², which stops v_max within the distance.</summary>
+        /// <summary>Wall stiffness over (v_max/distance)², which stops v_max within the distance; thesis method.</summary>
         public float WallStiffnessRatio;
 
-        /// <summary>Wall damping over critical damping; 1 does not rebound.</summary>
+        /// <summary>Wall damping over critical damping; 1 does not rebound; thesis method.</summary>
         public float WallDampingRatio;
+
+        /// <summary>What of the thesis's text is corrected; thesis method.</summary>
+        public ThesisSwitches Switches;
 
         /// <summary>Least speed the constants are made for [m/s], for liquid at rest without gravity.</summary>
         public float MinSpeed;
@@ -74,6 +80,7 @@ namespace SphFluid
             WallDistanceRatio = 0.5f,
             WallStiffnessRatio = 1f,
             WallDampingRatio = 1f,
+            Switches = ThesisSwitches.Corrected,
             MinSpeed = 0.1f,
         };
 

@@ -12,7 +12,8 @@ namespace SphFluid
     /// </summary>
     public sealed class FluidSolver : IDisposable
     {
-        readonly IFluidMethod method;
+        readonly FluidMethod method;
+        readonly IFluidStepper stepper;
         readonly FluidState state;
         readonly CounterReadback counters;
         float previousStep;
@@ -29,13 +30,18 @@ namespace SphFluid
         /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold a buffer.</exception>
         public FluidSolver(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> initial)
         {
-            settings.Validate();
+            method = FluidMethods.Of(settings.Method);
+            method.Check(settings);
             FluidParticle[] particles = CheckParticles(settings, initial);
-            method = CreateMethod(settings.Method, shaders);
-            state = new FluidState(AsSwitched(settings), particles.Length);
-            state.SetTriangles(null, null, 0);
-            state.Buffers.Particles.SetData(particles);
-            counters = new CounterReadback(state.Buffers.Counters, settings.RestDensity);
+            if (shaders == null)
+            {
+                throw new ArgumentException("No fluid shader set is given. Assign one in the fluid profile.", nameof(shaders));
+            }
+
+            stepper = method.Start(method.Prepare(settings), shaders, particles.Length);
+            state = stepper.State;
+            state.Published.Particles.SetData(particles);
+            counters = new CounterReadback(state.Published.Counters, settings.RestDensity);
         }
 
         /// <summary>The method.</summary>
@@ -50,17 +56,23 @@ namespace SphFluid
         /// <summary>The neighbour grid.</summary>
         public FluidGrid Grid => state.Grid;
 
+        /// <summary>Cells of the method's neighbour search.</summary>
+        public int CellCount => state.CellCount;
+
+        /// <summary>Whether the method keeps a list of each particle's neighbours from the density to the forces.</summary>
+        public bool ListsNeighbours => state.ListsNeighbours;
+
         /// <summary>FluidParticle a particle, in the order of the last neighbour setup, those that left the domain behind all others. Ask again after each recording: two buffers alternate.</summary>
-        public GraphicsBuffer Particles => state.Buffers.Particles;
+        public GraphicsBuffer Particles => state.Published.Particles;
 
         /// <summary>Density [kg/m³], float a particle, in the order of <see cref="Particles"/>, as of the last neighbour setup.</summary>
-        public GraphicsBuffer Density => state.Buffers.Density;
+        public GraphicsBuffer Density => state.Published.Density;
 
         /// <summary>Pressure [Pa], float a particle, in the order of <see cref="Particles"/>, as of the last neighbour setup.</summary>
-        public GraphicsBuffer Pressure => state.Buffers.Pressure;
+        public GraphicsBuffer Pressure => state.Published.Pressure;
 
         /// <summary>First and end of each cell's particles in <see cref="Particles"/>, uint2 a cell, as of the last neighbour setup.</summary>
-        public GraphicsBuffer GridIndices => state.Buffers.GridIndices;
+        public GraphicsBuffer GridIndices => state.Published.GridIndices;
 
         /// <summary>Steps recorded since the start.</summary>
         public long StepCount { get; private set; }
@@ -89,11 +101,16 @@ namespace SphFluid
             state.SetTriangles(triangles, colliders, colliderCount);
         }
 
-        /// <summary>Gives the solver the scene's bodies; the caller keeps them alive, updates them once a frame and disposes them. Standard method only.</summary>
+        /// <summary>Gives the solver the scene's bodies; the caller keeps them alive, updates them once a frame and disposes them. Methods with <see cref="FluidMethodFeatures.BodyContact"/> only.</summary>
         internal void SetBodies(CollisionBodies bodies)
         {
             ThrowIfDisposed();
             if (bodies == state.Bodies) return;
+            if (bodies != null && !method.Has(FluidMethodFeatures.BodyContact))
+            {
+                throw new ArgumentException($"The method {Kind} takes triangles, not bodies. Give it the scene by SetTriangles.", nameof(bodies));
+            }
+
             state.Bodies = bodies;
             neighboursFresh = false;
         }
@@ -104,21 +121,22 @@ namespace SphFluid
         public void ApplySettings(in FluidSolverSettings settings)
         {
             ThrowIfDisposed();
-            settings.Validate();
-            FluidSolverSettings switched = AsSwitched(settings);
-            if (switched.Method != Kind)
+            if (settings.Method != Kind)
             {
-                throw new ArgumentException($"The solver computes by {Kind}, and the settings are for {switched.Method}. Start a new solver for another method.");
+                throw new ArgumentException($"The solver computes by {Kind}, and the settings are for {settings.Method}. Start a new solver for another method.");
             }
 
-            if (switched.DomainSize != state.Settings.DomainSize || switched.SupportRadius != state.Settings.SupportRadius ||
-                switched.OctantSearch != state.Settings.OctantSearch || switched.Boundaries.Periodic != state.Settings.Boundaries.Periodic)
+            method.Check(settings);
+            FluidSolverSettings prepared = method.Prepare(settings);
+
+            if (prepared.DomainSize != state.Settings.DomainSize || prepared.SupportRadius != state.Settings.SupportRadius ||
+                prepared.OctantSearch != state.Settings.OctantSearch || prepared.Boundaries.Periodic != state.Settings.Boundaries.Periodic)
             {
                 throw new ArgumentException("DomainSize, SupportRadius, OctantSearch and Boundaries.Periodic cannot change while the liquid runs: " +
                     "the grid depends on them. Start a new solver.");
             }
 
-            state.Settings = switched;
+            state.Settings = prepared;
             counters.RestDensity = settings.RestDensity;
             neighboursFresh = false;
         }
@@ -161,7 +179,7 @@ namespace SphFluid
             {
                 state.BeginBodyStep(i, steps, timeStep);
                 RecordSetup(cmd);
-                method.RecordMotion(cmd, state, new FluidStep(timeStep, StepCount == 0 ? timeStep : previousStep, StepCount == 0));
+                stepper.RecordMotion(cmd, new FluidStep(timeStep, StepCount == 0 ? timeStep : previousStep, StepCount == 0));
                 previousStep = timeStep;
                 neighboursFresh = false;
                 StepCount++;
@@ -183,7 +201,7 @@ namespace SphFluid
             RecordSetup(cmd);
             if (!published)
             {
-                method.RecordPublish(cmd, state);
+                stepper.RecordPublish(cmd);
                 published = true;
             }
         }
@@ -200,7 +218,7 @@ namespace SphFluid
                     nameof(particles));
             }
 
-            state.Buffers.Particles.SetData(CheckParticles(state.Settings, particles));
+            state.Published.Particles.SetData(CheckParticles(state.Settings, particles));
             loaded = false;
             neighboursFresh = false;
         }
@@ -211,7 +229,7 @@ namespace SphFluid
         public void BindNeighbours(CommandBuffer cmd, ComputeKernel kernel)
         {
             ThrowIfDisposed();
-            method.BindNeighbours(cmd, state, kernel);
+            GridNeighbours.Set(cmd, kernel, state);
         }
 
         /// <summary>Waits for the GPU and reads the counters; for tools and tests.</summary>
@@ -229,7 +247,7 @@ namespace SphFluid
             {
                 disposed = true;
                 counters.Dispose();
-                state.Dispose();
+                stepper.Dispose();
             }
         }
 
@@ -237,46 +255,15 @@ namespace SphFluid
         {
             if (!loaded)
             {
-                method.RecordLoad(cmd, state);
+                stepper.RecordLoad(cmd);
                 loaded = true;
             }
 
             if (!neighboursFresh)
             {
-                method.RecordNeighbourSetup(cmd, state);
+                stepper.RecordNeighbourSetup(cmd);
                 neighboursFresh = true;
                 published = false;
-            }
-        }
-
-        FluidSolverSettings AsSwitched(in FluidSolverSettings settings)
-        {
-            if (settings.Method != FluidMethodKind.ThesisPrinted)
-            {
-                return settings;
-            }
-
-            ThesisSwitches printed = ThesisSwitches.Printed;
-            printed.OctantSearch = settings.OctantSearch; // both searches find the same neighbours
-            return settings.With(printed);
-        }
-
-        static IFluidMethod CreateMethod(FluidMethodKind kind, FluidShaderSet shaders)
-        {
-            if (shaders == null)
-            {
-                throw new ArgumentException("No fluid shader set is given. Assign one in the fluid profile.", nameof(shaders));
-            }
-
-            switch (kind)
-            {
-                case FluidMethodKind.Thesis:
-                case FluidMethodKind.ThesisPrinted:
-                    return new ThesisMethod(shaders);
-                case FluidMethodKind.Standard:
-                    return new StandardMethod(shaders);
-                default:
-                    throw new ArgumentException($"There is no fluid method {kind}.", nameof(kind));
             }
         }
 

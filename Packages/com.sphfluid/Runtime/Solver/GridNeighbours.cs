@@ -3,9 +3,15 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>The globals that several blocks share: Shaders/Solver/FluidGrid.hlsl and GridNeighbours.hlsl.</summary>
+    /// <summary>How kernels of any kind find neighbours in the published particles: the globals of Shaders/Solver/FluidGrid.hlsl and GridNeighbours.hlsl.</summary>
     internal static class GridNeighbours
     {
+        static readonly int GridOrigin = Shader.PropertyToID("_GridOrigin");
+        static readonly int CellSize = Shader.PropertyToID("_CellSize");
+        static readonly int GridCounts = Shader.PropertyToID("_GridCounts");
+        static readonly int SmoothLengthSquared = Shader.PropertyToID("_SmoothLengthSquared");
+        static readonly int DensityCoefficient = Shader.PropertyToID("_DensityCoefficient");
+
         // Shaders/Solver/GridNeighbours.hlsl has both searches.
         static readonly int CellsOfSmoothLength = Shader.PropertyToID("_CellsOfH");
 
@@ -18,22 +24,22 @@ namespace SphFluid
             Counts[0] = counts.x;
             Counts[1] = counts.y;
             Counts[2] = counts.z;
-            kernel.SetVector(cmd, FluidShaderIds.GridOrigin, grid.Origin);
-            kernel.SetVector(cmd, FluidShaderIds.CellSize, grid.CellSize);
-            kernel.SetInts(cmd, FluidShaderIds.GridCounts, Counts);
+            kernel.SetVector(cmd, GridOrigin, grid.Origin);
+            kernel.SetVector(cmd, CellSize, grid.CellSize);
+            kernel.SetInts(cmd, GridCounts, Counts);
         }
 
-        public static void SetNeighbours(CommandBuffer cmd, ComputeKernel kernel, FluidState state)
+        public static void Set(CommandBuffer cmd, ComputeKernel kernel, FluidState state)
         {
             FluidSolverSettings settings = state.Settings;
             double h = settings.SupportRadius;
             SetGrid(cmd, kernel, state.Grid);
             DomainBindings.SetPeriodic(cmd, kernel, settings);
             kernel.SetBool(cmd, CellsOfSmoothLength, !settings.OctantSearch);
-            kernel.SetFloat(cmd, FluidShaderIds.SmoothLengthSquared, (float)(h * h));
-            kernel.SetFloat(cmd, FluidShaderIds.DensityCoefficient, (float)(settings.ParticleMass * ThesisKernels.Poly6Factor(h)));
-            kernel.SetBuffer(cmd, FluidShaderIds.Particles, state.Buffers.Particles);
-            kernel.SetBuffer(cmd, FluidShaderIds.GridIndices, state.Buffers.GridIndices);
+            kernel.SetFloat(cmd, SmoothLengthSquared, (float)(h * h));
+            kernel.SetFloat(cmd, DensityCoefficient, (float)(settings.ParticleMass * ThesisKernels.Poly6Factor(h)));
+            kernel.Set(cmd, state.Published.Particles);
+            kernel.Set(cmd, state.Published.GridIndices);
         }
     }
 }

@@ -7,7 +7,7 @@ namespace SphFluid
     {
         /// <summary>Pressure waves: dt ≤ C R / (c + v).</summary>
         Acoustic,
-        /// <summary>The way of a particle: v dt ≤ 0.4 dx.</summary>
+        /// <summary>The displacement of a particle: v dt ≤ 0.4 dx.</summary>
         Speed,
         /// <summary>Explicit viscosity: ν dt ≤ C R².</summary>
         Viscosity,
@@ -21,20 +21,8 @@ namespace SphFluid
     /// </summary>
     public readonly struct TimeStepAdvice
     {
-        /// <summary>dt √k/R at the border of stability: Müller's force on a cubic lattice by leapfrog, for κ = 2 to 4; k = 2 c².</summary>
-        public const double AcousticBorder = 1.35;
-
-        /// <summary>ν dt/R² at the border of stability: Müller's viscosity on a cubic lattice, for κ = 1.7 and more.</summary>
-        public const double ViscousBorder = 0.115;
-
-        /// <summary>ν dt/R² that is advised, about half of the border.</summary>
-        public const double ViscousLimit = 0.06;
-
-        /// <summary>Way of a particle in a step over the spacing that is advised: it meets each wall before it is through.</summary>
+        /// <summary>Displacement of a particle in a step over the spacing that is advised: it comes near each wall before it is through.</summary>
         public const double SpeedLimit = 0.4;
-
-        // Penalty wall: k_w dt² < 4 − 2 c_w dt, kept with a tenth to spare.
-        const double WallMargin = 0.9;
 
         /// <summary>Largest stable step by each limit [s]; infinite where it does not act.</summary>
         public readonly double Acoustic, Speed, Viscosity, Walls;
@@ -42,71 +30,20 @@ namespace SphFluid
         /// <summary>What the limits are of: effective speed of sound and fastest speed [m/s], kinematic viscosity [m²/s].</summary>
         public readonly double SoundSpeed, MaxSpeed, KinematicViscosity;
 
-        // Wendland's C2 for density and force: the lattice's borders are 0.86 to 0.93 R M/c and 0.072 R² M/ν (von Neumann), M the lattice's moment.
-        const double OneKernelAcousticBorder = 0.9;
-        const double OneKernelViscousLimit = 0.035;
-
-        TimeStepAdvice(double acoustic, double speedLimit, double viscous, double sound, double speed, double kinematic)
+        /// <summary>The limits of a liquid, each the largest step that it allows [s].</summary>
+        internal TimeStepAdvice(double acoustic, double speedStep, double viscous, double walls, double sound, double maxSpeed, double kinematic)
         {
             Acoustic = acoustic;
-            Speed = speedLimit;
+            Speed = speedStep;
             Viscosity = viscous;
-            Walls = double.PositiveInfinity;
+            Walls = walls;
             SoundSpeed = sound;
-            MaxSpeed = speed;
+            MaxSpeed = maxSpeed;
             KinematicViscosity = kinematic;
         }
 
-        TimeStepAdvice(double spacing, double radius, double sound, double speed, double kinematic, double wallStiffness, double wallDamping)
-        {
-            // With c and v: the waves that two parts of the liquid send each other run at c on top of their own speed.
-            Acoustic = AcousticBorder * radius / (Math.Sqrt(2.0 * sound * sound) * (1.0 + speed / sound));
-            Speed = speed > 0.0 ? SpeedLimit * spacing / speed : double.PositiveInfinity;
-            Viscosity = kinematic > 0.0 ? ViscousLimit * radius * radius / kinematic : double.PositiveInfinity;
-            Walls = WallStep(wallStiffness, wallDamping);
-            SoundSpeed = sound;
-            MaxSpeed = speed;
-            KinematicViscosity = kinematic;
-        }
-
-        /// <summary>Advice for a liquid.</summary>
-        /// <param name="settings">Its constants.</param>
-        /// <param name="maxSpeed">Its fastest speed now [m/s].</param>
-        /// <returns>The limits.</returns>
-        /// <exception cref="ArgumentOutOfRangeException">The speed is negative or not finite.</exception>
-        public static TimeStepAdvice For(in FluidSolverSettings settings, double maxSpeed)
-        {
-            if (!(maxSpeed >= 0.0) || double.IsInfinity(maxSpeed))
-            {
-                throw new ArgumentOutOfRangeException(nameof(maxSpeed), maxSpeed, "The fastest speed must be zero or more, and finite.");
-            }
-
-            if (settings.Method == FluidMethodKind.Standard)
-            {
-                return OfOneKernel(settings.Spacing, settings.SupportRadius, settings.SoundSpeed, maxSpeed, settings.Viscosity / settings.RestDensity);
-            }
-
-            // 6.3.3 as printed multiplies the force density by m where the equation divides by ρ: m ρ times the acceleration.
-            double factor = settings.ForceTimesMass ? (double)settings.ParticleMass * settings.RestDensity : 1.0;
-            return Of(settings.Spacing, settings.SupportRadius, settings.SoundSpeed * Math.Sqrt(factor), maxSpeed,
-                factor * settings.Viscosity / settings.RestDensity, settings.WallStiffness, settings.WallDamping);
-        }
-
-        /// <summary>Advice from bare numbers, in double precision, for the rules.</summary>
-        internal static TimeStepAdvice Of(double spacing, double radius, double sound, double speed, double kinematic,
-            double wallStiffness, double wallDamping) =>
-            new TimeStepAdvice(spacing, radius, sound, speed, kinematic, wallStiffness, wallDamping);
-
-        /// <summary>Advice for the Standard method, whose walls set no limit of their own. Its forces are over <see cref="WendlandKernel.LatticeMoment"/>.</summary>
-        internal static TimeStepAdvice OfOneKernel(double spacing, double radius, double sound, double speed, double kinematic)
-        {
-            double moment = WendlandKernel.LatticeMoment(radius / spacing);
-            return new TimeStepAdvice(
-                OneKernelAcousticBorder * radius / (sound / moment + speed),
-                speed > 0.0 ? SpeedLimit * spacing / speed : double.PositiveInfinity,
-                kinematic > 0.0 ? OneKernelViscousLimit * moment * radius * radius / kinematic : double.PositiveInfinity,
-                sound, speed, kinematic);
-        }
+        /// <summary>The step in which a particle moves by <see cref="SpeedLimit"/> spacings [s]; infinite at rest.</summary>
+        internal static double SpeedStep(double spacing, double speed) => speed > 0.0 ? SpeedLimit * spacing / speed : double.PositiveInfinity;
 
         /// <summary>The smallest of the limits [s].</summary>
         public double Largest => Math.Min(Math.Min(Acoustic, Speed), Math.Min(Viscosity, Walls));
@@ -188,18 +125,6 @@ namespace SphFluid
             if (limit != TimeStepLimit.Viscosity) others = Math.Min(others, Viscosity);
             if (limit != TimeStepLimit.Walls) others = Math.Min(others, Walls);
             return Milliseconds(Math.Min(changed, others));
-        }
-
-        // Largest dt with k dt² = margin (4 − 2 c dt).
-        static double WallStep(double stiffness, double damping)
-        {
-            if (stiffness <= 0.0)
-            {
-                return double.PositiveInfinity;
-            }
-
-            double half = WallMargin * damping;
-            return (Math.Sqrt(half * half + 4.0 * WallMargin * stiffness) - half) / stiffness;
         }
     }
 }

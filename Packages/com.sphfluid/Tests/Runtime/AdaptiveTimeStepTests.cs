@@ -37,7 +37,7 @@ namespace SphFluid.Tests
                 late = simulation.StepCount - steps;
                 Assert.That(simulation.SimulatedTime - time, Is.EqualTo(0.01).Within(1e-7), "the steps fill the frame");
                 FluidSolver solver = simulation.Solver;
-                double largest = TimeStepAdvice.For(solver.Settings, solver.ReadCountersNow().MaxSpeed).Largest;
+                double largest = FluidRules.Advise(solver.Settings, solver.ReadCountersNow().MaxSpeed).Largest;
                 Assert.That(simulation.TimeStep, Is.LessThanOrEqualTo(largest), $"frame {frame}");
                 Assert.That(late * simulation.TimeStep, Is.EqualTo(0.01).Within(1e-7));
             }
@@ -59,7 +59,7 @@ namespace SphFluid.Tests
             {
                 yield return null;
                 FluidSolver solver = simulation.Solver;
-                double largest = TimeStepAdvice.For(solver.Settings, solver.ReadCountersNow().MaxSpeed).Largest;
+                double largest = FluidRules.Advise(solver.Settings, solver.ReadCountersNow().MaxSpeed).Largest;
                 Assert.That(simulation.TimeStep, Is.LessThanOrEqualTo(largest), $"frame {frame}");
             }
             Assert.That(simulation.CapHits, Is.GreaterThan(0));

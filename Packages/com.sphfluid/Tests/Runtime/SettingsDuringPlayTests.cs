@@ -58,7 +58,7 @@ namespace SphFluid.Tests
             yield return null;
             yield return null;
             Assert.That(simulation.Solver, Is.SameAs(solver));
-            Assert.That(solver.Settings.PressureHalf, Is.False);
+            Assert.That(solver.Settings.Own<ThesisSettings>().PressureHalf, Is.False);
             switches.OctantSearch = false;
             simulation.Profile.ThesisSwitches = switches;
             yield return null;
@@ -75,7 +75,7 @@ namespace SphFluid.Tests
             yield return null;
             yield return null;
             Assert.That(simulation.Solver.Kind, Is.EqualTo(FluidMethodKind.ThesisPrinted));
-            Assert.That(simulation.Solver.Settings.ForceTimesMass, Is.True);
+            Assert.That(simulation.Solver.Settings.Own<ThesisSettings>().ForceTimesMass, Is.True);
             Assert.That(simulation.StepCount, Is.GreaterThan(0));
         }
 

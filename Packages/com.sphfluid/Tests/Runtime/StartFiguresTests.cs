@@ -46,8 +46,8 @@ namespace SphFluid.Tests
             FluidSolverSettings byRule = Start(FluidMethodKind.Thesis, Vector3.zero).Solver.Settings;
             FluidSolverSettings given = Start(FluidMethodKind.Thesis, Vector3.zero, part * byRule.TimeStep).Solver.Settings;
             Assert.That(given.TimeStep, Is.EqualTo(part * byRule.TimeStep));
-            double way = byRule.AccelerationLimit * (double)byRule.TimeStep * byRule.TimeStep;
-            Assert.That(given.AccelerationLimit * (double)given.TimeStep * given.TimeStep, Is.EqualTo(way).Within(0.01).Percent);
+            double way = byRule.Own<ThesisSettings>().AccelerationLimit * (double)byRule.TimeStep * byRule.TimeStep;
+            Assert.That(given.Own<ThesisSettings>().AccelerationLimit * (double)given.TimeStep * given.TimeStep, Is.EqualTo(way).Within(0.01).Percent);
         }
 
         FluidSimulation Start(FluidMethodKind method, Vector3 velocity, float timeStep = 0f)

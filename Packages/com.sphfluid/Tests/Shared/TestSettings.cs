@@ -13,7 +13,7 @@ namespace SphFluid.Tests
             input.Spacing = spacing;
             input.LiquidHeight = domainSize.y;
             input.LiquidDepth = 0.5f * domainSize.y;
-            return FluidSolverSettings.FromRules(input);
+            return FluidRules.Derive(input);
         }
     }
 }

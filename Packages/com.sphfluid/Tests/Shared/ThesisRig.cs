@@ -8,21 +8,21 @@ namespace SphFluid.Tests
     internal sealed class ThesisRig : IDisposable
     {
         readonly FluidShaderSet shaders;
+        readonly ThesisStepper stepper;
         GraphicsBuffer triangles;
         GraphicsBuffer colliders;
 
         public ThesisRig(in FluidSolverSettings settings, FluidParticle[] particles)
         {
             shaders = TestShaders.CreateSet();
-            State = new FluidState(settings, particles.Length);
-            State.SetTriangles(null, null, 0);
+            stepper = new ThesisStepper(settings, shaders, particles.Length);
             if (particles.Length > 0)
             {
-                State.Buffers.Particles.SetData(particles);
+                State.Published.Particles.SetData(particles);
             }
         }
 
-        public FluidState State { get; }
+        public ThesisState State => stepper.State;
 
         public FluidShaderSet Shaders => shaders;
 
@@ -30,21 +30,17 @@ namespace SphFluid.Tests
         public FluidStep Step => new FluidStep(State.Settings.TimeStep, State.Settings.TimeStep, false);
 
         /// <summary>Runs the blocks 6.2.2 to 6.3.1: the particles are then in the order of their cells, with densities.</summary>
-        public void RunNeighbourSetup()
-        {
-            var method = new ThesisMethod(shaders);
-            GpuTest.Run(cmd => method.RecordNeighbourSetup(cmd, State));
-        }
+        public void RunNeighbourSetup() => GpuTest.Run(cmd => stepper.RecordNeighbourSetup(cmd));
 
-        public FluidParticle[] ReadParticles() => GpuTest.Read<FluidParticle>(State.Buffers.Particles, State.ParticleCount);
+        public FluidParticle[] ReadParticles() => GpuTest.Read<FluidParticle>(State.Published.Particles, State.ParticleCount);
 
-        public float[] ReadDensity() => GpuTest.Read<float>(State.Buffers.Density, State.ParticleCount);
+        public float[] ReadDensity() => GpuTest.Read<float>(State.Published.Density, State.ParticleCount);
 
-        public float[] ReadPressure() => GpuTest.Read<float>(State.Buffers.Pressure, State.ParticleCount);
+        public float[] ReadPressure() => GpuTest.Read<float>(State.Published.Pressure, State.ParticleCount);
 
-        public Vector4[] ReadForce() => GpuTest.Read<Vector4>(State.Thesis.Force, State.ParticleCount);
+        public Vector4[] ReadForce() => GpuTest.Read<Vector4>(State.Buffers.Force, State.ParticleCount);
 
-        public Vector4[] ReadAcceleration() => GpuTest.Read<Vector4>(State.Thesis.Acceleration, State.ParticleCount);
+        public Vector4[] ReadAcceleration() => GpuTest.Read<Vector4>(State.Buffers.Acceleration, State.ParticleCount);
 
         public void SetMeshes(IReadOnlyList<ReferenceMesh> meshes)
         {
@@ -66,7 +62,7 @@ namespace SphFluid.Tests
         {
             GpuBuffers.Dispose(ref triangles);
             GpuBuffers.Dispose(ref colliders);
-            State.Dispose();
+            stepper.Dispose();
             UnityEngine.Object.DestroyImmediate(shaders);
         }
 

@@ -17,7 +17,7 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = CaseSettings.For(At(ratio, 0.5), Domain, 0.1, 0.7, new Vector3(0, -9.81f, 0));
 
             Assert.That(settings.SoundSpeed, Is.EqualTo(0.7 * ratio).Within(1e-4).Percent);
-            Assert.That(settings.TimeStep, Is.EqualTo(0.5 * 1.35 * 0.2 / Math.Sqrt(settings.Stiffness)).Within(1e-4).Percent, "dt = 0.5 · 1.35 R/√k");
+            Assert.That(settings.TimeStep, Is.EqualTo(0.5 * 1.35 * 0.2 / Math.Sqrt(settings.Own<ThesisSettings>().Stiffness)).Within(1e-4).Percent, "dt = 0.5 · 1.35 R/√k");
             Assert.That(settings.OctantSearch, Is.False);
         }
 
@@ -38,8 +38,8 @@ namespace SphFluid.Tests
             parameters.Method = CaseStates.Printed;
             FluidSolverSettings settings = CaseSettings.For(parameters, Domain, 0.1, 1, Vector3.zero);
 
-            Assert.That(settings.SelfDensity, Is.False);
-            Assert.That(settings.ForceTimesMass);
+            Assert.That(settings.Own<ThesisSettings>().SelfDensity, Is.False);
+            Assert.That(settings.Own<ThesisSettings>().ForceTimesMass);
             Assert.That(settings.PressureClamp, Is.False);
             Assert.That(settings.OctantSearch);
         }

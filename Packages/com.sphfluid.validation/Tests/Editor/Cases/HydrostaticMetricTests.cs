@@ -137,9 +137,7 @@ namespace SphFluid.Tests
             SupportRadius = (float)(2.25 * Depth / Layers),
             RestDensity = 1000f,
             Gravity = new Vector3(0, -(float)Gravity, 0),
-            PressureHalf = half,
-            Stiffness = (float)(half ? 2 * soundSquared : soundSquared),
-        };
+        }.WithOwn(new ThesisSettings { PressureHalf = half, Stiffness = (float)(half ? 2 * soundSquared : soundSquared) });
 
         static HydrostaticMetric Watched(in FluidSolverSettings settings, double height, Func<double, double> pressure, float speed, double density)
         {

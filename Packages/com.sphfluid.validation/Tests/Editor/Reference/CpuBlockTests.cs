@@ -16,7 +16,7 @@ namespace SphFluid.Tests
         public void DensityAndPressureAreTheReference([Values(1, 257, 1009)] int count, [Values] bool octant, [Values] bool self)
         {
             FluidSolverSettings settings = Settings(octant);
-            settings.SelfDensity = self;
+            settings = settings.WithOwn((ref ThesisSettings own) => own.SelfDensity = self);
             settings.PressureClamp = !self;
             using (var solver = new CpuFluidSolver(settings, Particles(count)))
             {
@@ -52,7 +52,7 @@ namespace SphFluid.Tests
                 {
                     Double3 fluid = ThesisReference.Force(particles, density, pressure, i, settings, out double magnitude) / density[i];
                     double scale = magnitude / density[i];
-                    fluid = Math.Min(1.0, settings.AccelerationLimit / Math.Max(1e-30, fluid.Length)) * fluid;
+                    fluid = Math.Min(1.0, settings.Own<ThesisSettings>().AccelerationLimit / Math.Max(1e-30, fluid.Length)) * fluid;
                     Double3 collision = CollisionReference.Force(meshes, particles[i].Position, particles[i].VelT0, settings);
                     touching += collision.Length > 0.0 ? 1 : 0;
                     Double3 expected = fluid + collision + settings.Gravity;

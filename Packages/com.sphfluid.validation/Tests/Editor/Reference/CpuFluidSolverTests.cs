@@ -18,7 +18,8 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.02f);
             settings.DomainSize = Vector3.one;
             settings.Gravity = Vector3.zero;
-            settings.Stiffness *= 0.01f; // slow enough to meet no wall in 1,000 steps
+            // Slow enough to come to no wall in 1,000 steps.
+            settings = settings.WithOwn((ref ThesisSettings own) => own.Stiffness *= 0.01f);
             FluidParticle[] initial = ParticleSets.Lattice(new Vector3Int(5, 5, 5), 0.018f, 0.002f, 5);
             using (var solver = new CpuFluidSolver(settings, initial))
             {

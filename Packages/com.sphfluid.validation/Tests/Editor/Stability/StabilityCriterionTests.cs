@@ -77,7 +77,7 @@ namespace SphFluid.Tests
         public void FailsOnCompression(float density, StabilityCause cause)
         {
             StabilityCriteria soft = StabilityStates.Criteria;
-            soft.Settings.Stiffness = 2f;
+            soft.Settings = soft.Settings.WithOwn((ref ThesisSettings own) => own.Stiffness = 2f);
 
             Assert.That(Judge(soft, StabilityStates.Column(null, density)).Cause, Is.EqualTo(cause));
         }

@@ -13,8 +13,8 @@ namespace SphFluid.Tests
         public static FluidSolverSettings Settings => new FluidSolverSettings
         {
             DomainSize = new Vector3(0.8f, 2f, 0.8f), Spacing = 0.1f, SupportRadius = 0.2f, RestDensity = 1000f, ParticleMass = 1f,
-            Stiffness = 200f, PressureHalf = true, PressureClamp = true, TimeStep = 0.001f, Gravity = new Vector3(0f, -10f, 0f),
-        };
+            PressureClamp = true, TimeStep = 0.001f, Gravity = new Vector3(0f, -10f, 0f),
+        }.WithOwn(new ThesisSettings { Stiffness = 200f, PressureHalf = true });
 
         /// <summary>c_eff = 10 m/s, H = 1 m: m = c²/(gH) = 10.</summary>
         public static StabilityCriteria Criteria => new StabilityCriteria { Settings = Settings, ReferenceSpeed = 4.0, SettledFrom = 0.5 };

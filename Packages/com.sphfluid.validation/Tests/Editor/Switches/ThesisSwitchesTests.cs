@@ -24,7 +24,7 @@ namespace SphFluid.Tests
             ThesisSwitches full = ThesisSwitches.Corrected;
             full.PressureHalf = false;
             FluidSolverSettings settings = corrected.With(full);
-            Assert.That(settings.Stiffness, Is.EqualTo(0.5f * corrected.Stiffness), "k = c²");
+            Assert.That(settings.Own<ThesisSettings>().Stiffness, Is.EqualTo(0.5f * corrected.Own<ThesisSettings>().Stiffness), "k = c²");
             Assert.That(settings.SoundSpeed, Is.EqualTo(corrected.SoundSpeed).Within(1e-5 * corrected.SoundSpeed));
             Assert.That(settings.With(ThesisSwitches.Corrected), Is.EqualTo(corrected), "and back, k = 2 c²");
         }
@@ -47,8 +47,8 @@ namespace SphFluid.Tests
                 settings.Viscosity *= 2f;
                 solver.ApplySettings(settings);
                 Assert.That(solver.Settings, Is.EqualTo(settings.With(ThesisSwitches.Printed)), "after a change");
-                Assert.That(solver.Settings.SelfDensity || solver.Settings.PressureClamp || solver.Settings.HalfKick, Is.False);
-                Assert.That(solver.Settings.ForceTimesMass && solver.Settings.AccelerationLimitEnabled && solver.Settings.PressureHalf, Is.True);
+                Assert.That(solver.Settings.Own<ThesisSettings>().SelfDensity || solver.Settings.PressureClamp || solver.Settings.Own<ThesisSettings>().HalfKick, Is.False);
+                Assert.That(solver.Settings.Own<ThesisSettings>().ForceTimesMass && solver.Settings.Own<ThesisSettings>().AccelerationLimitEnabled && solver.Settings.Own<ThesisSettings>().PressureHalf, Is.True);
             }
         }
 
@@ -88,7 +88,7 @@ namespace SphFluid.Tests
             ThesisSwitches full = ThesisSwitches.Corrected;
             full.PressureHalf = false;
             FluidSolverSettings undoubled = settings;
-            undoubled.Stiffness *= 0.5f;
+            undoubled = undoubled.WithOwn((ref ThesisSettings own) => own.Stiffness *= 0.5f);
             double whole = Force(settings.With(full));
             Assert.That(whole, Is.GreaterThan(0.0));
             Assert.That(Force(undoubled), Is.EqualTo(0.5 * whole).Within(1e-5 * whole));
@@ -135,7 +135,7 @@ namespace SphFluid.Tests
         {
             Run(SwitchExperiments.AccelerationLimit(), out SwitchResult corrected, out SwitchResult printed);
             Assert.That(corrected.Counters.AccelerationLimitHits, Is.Zero);
-            Assert.That(printed.Settings.AccelerationLimit, Is.LessThan(9.81f));
+            Assert.That(printed.Settings.Own<ThesisSettings>().AccelerationLimit, Is.LessThan(9.81f));
             Assert.That(printed.Counters.AccelerationLimitHits, Is.GreaterThan(10000));
             Assert.That(printed.MeanHeight, Is.LessThan(0.25 * corrected.MeanHeight));
         }
@@ -148,10 +148,10 @@ namespace SphFluid.Tests
             foreach (float spacing in new[] { 0.0025f, 0.01f, 0.04f })
             {
                 FluidSolverSettings settings = TestSettings.ByRule(20f * spacing * Vector3.one, spacing);
-                settings.AccelerationLimitEnabled = false;
-                settings.ForceTimesMass = true;
+                settings = settings.WithOwn((ref ThesisSettings own) => own.AccelerationLimitEnabled = false);
+                settings = settings.WithOwn((ref ThesisSettings own) => own.ForceTimesMass = true);
                 Double3 printedAcceleration = Acceleration(settings, out float density);
-                settings.ForceTimesMass = false;
+                settings = settings.WithOwn((ref ThesisSettings own) => own.ForceTimesMass = false);
                 double ratio = printedAcceleration.Length / Acceleration(settings, out _).Length;
                 Assert.That(ratio, Is.EqualTo(settings.ParticleMass * density).Within(1e-4).Percent, $"m ρ at {spacing} m");
             }

@@ -1,46 +1,47 @@
-using Unity.Profiling;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>The walls of triangles near each particle (Shaders/Solver/Standard/GatherWalls.compute): one dispatch.</summary>
-    internal sealed class GatherWallsPass
+    /// <summary>The walls of triangles near each particle.</summary>
+    internal sealed class GatherWallsPass : ComputePass
     {
         const string Keyword = "FLUID_MESH_WALLS";
 
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("GatherWalls");
+        static readonly int ParticleCount = Id("_ParticleCount");
+        static readonly int TimeStep = Id("_TimeStep");
 
-        readonly ComputeKernel gather;
+        readonly ComputeKernel kernel;
 
         public GatherWallsPass(FluidShaderSet shaders)
+            : base(shaders, "GatherWalls")
         {
-            gather = shaders.Kernel("GatherWalls", "GatherWalls");
+            kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, FluidState state)
+        public void Record(CommandBuffer cmd, StandardState state)
         {
-            MeshWallBuffers walls = state.Standard.Walls;
-            cmd.BeginSample(Marker);
-            StandardWallBinding.Set(cmd, gather, state.Settings);
-            MeshContact.Set(cmd, gather, state.Settings);
-            state.Bodies.Bind(cmd, gather, state.BodyStep.x, state.BodyStep.y);
-            gather.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-            gather.SetFloat(cmd, FluidShaderIds.TimeStep, state.BodyStep.z);
-            gather.SetBuffer(cmd, StandardShaderIds.Positions, state.Standard.Positions);
-            gather.SetBuffer(cmd, StandardShaderIds.WallSlotOut, walls.WallSlot);
-            gather.SetBuffer(cmd, StandardShaderIds.NearWallsOut, walls.NearWalls);
-            gather.SetBuffer(cmd, StandardShaderIds.ContactArguments, walls.ContactArguments);
-            gather.DispatchThreads(cmd, state.ParticleCount);
-            cmd.EndSample(Marker);
+            using (Sample(cmd))
+            {
+                StandardWallBinding.Set(cmd, kernel, state.Settings);
+                MeshContact.Set(cmd, kernel, state.Settings);
+                state.Bodies.Bind(cmd, kernel, state.BodyStep.x, state.BodyStep.y);
+                kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
+                kernel.SetFloat(cmd, TimeStep, state.BodyStep.z);
+                kernel.Set(cmd, state.Buffers.Positions);
+                kernel.SetOut(cmd, state.Walls.WallSlot);
+                kernel.SetOut(cmd, state.Walls.NearWalls);
+                kernel.SetOut(cmd, state.Walls.ContactArguments);
+                kernel.DispatchThreads(cmd, state.ParticleCount);
+            }
         }
 
         /// <summary>Records what a kernel needs that includes Shaders/Solver/Standard/MeshWalls.hlsl.</summary>
-        public static void SetWalls(CommandBuffer cmd, ComputeKernel kernel, FluidState state)
+        public static void SetWalls(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
         {
             kernel.SetKeyword(cmd, Keyword, state.HasBodies);
             if (!state.HasBodies) return;
-            kernel.SetBuffer(cmd, StandardShaderIds.WallSlot, state.Standard.Walls.WallSlot);
-            kernel.SetBuffer(cmd, StandardShaderIds.NearWalls, state.Standard.Walls.NearWalls);
+            kernel.Set(cmd, state.Walls.WallSlot);
+            kernel.Set(cmd, state.Walls.NearWalls);
         }
     }
 }

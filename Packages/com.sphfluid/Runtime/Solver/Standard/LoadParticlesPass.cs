@@ -1,38 +1,38 @@
-using Unity.Profiling;
-using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Takes particles that came from outside and counts them in cells (Shaders/Solver/Standard/LoadParticles.compute); later steps count in their last pass.</summary>
-    internal sealed class LoadParticlesPass
+    /// <summary>Takes particles that came from outside and counts them in cells; later steps count in their last pass.</summary>
+    internal sealed class LoadParticlesPass : ComputePass
     {
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("LoadParticles");
+        static readonly int CellTotal = Id("_CellTotal");
+        static readonly int ParticleCount = Id("_ParticleCount");
 
-        readonly ComputeKernel clear;
-        readonly ComputeKernel load;
+        readonly ComputeKernel clear, load;
 
         public LoadParticlesPass(FluidShaderSet shaders)
+            : base(shaders, "LoadParticles")
         {
-            clear = shaders.Kernel("LoadParticles", "ClearCells");
-            load = shaders.Kernel("LoadParticles", "LoadParticles");
+            clear = Kernel("ClearCells");
+            load = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, FluidState state)
+        public void Record(CommandBuffer cmd, StandardState state)
         {
-            cmd.BeginSample(Marker);
-            clear.SetInt(cmd, StandardShaderIds.CellTotal, state.Standard.CellCount.count);
-            clear.SetBuffer(cmd, StandardShaderIds.CellCount, state.Standard.CellCount);
-            clear.DispatchThreads(cmd, state.Standard.CellCount.count);
-            CellRowsBinding.Set(cmd, load, state.Cells);
-            load.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-            load.SetBuffer(cmd, FluidShaderIds.Particles, state.Buffers.Particles);
-            load.SetBuffer(cmd, StandardShaderIds.NewPositionsOut, state.Standard.NewPositions);
-            load.SetBuffer(cmd, StandardShaderIds.NewVelocitiesOut, state.Standard.NewVelocities);
-            load.SetBuffer(cmd, StandardShaderIds.CellCount, state.Standard.CellCount);
-            load.SetBuffer(cmd, StandardShaderIds.RankOut, state.Standard.Rank);
-            load.DispatchThreads(cmd, state.ParticleCount);
-            cmd.EndSample(Marker);
+            using (Sample(cmd))
+            {
+                clear.SetInt(cmd, CellTotal, state.Buffers.CellCount.Count);
+                clear.Set(cmd, state.Buffers.CellCount);
+                clear.DispatchThreads(cmd, state.Buffers.CellCount.Count);
+                CellRowsBinding.Set(cmd, load, state.Cells);
+                load.SetInt(cmd, ParticleCount, state.ParticleCount);
+                load.Set(cmd, state.Published.Particles);
+                load.SetOut(cmd, state.Buffers.NewPositions);
+                load.SetOut(cmd, state.Buffers.NewVelocities);
+                load.Set(cmd, state.Buffers.CellCount);
+                load.SetOut(cmd, state.Buffers.Rank);
+                load.DispatchThreads(cmd, state.ParticleCount);
+            }
         }
     }
 }

@@ -1,3 +1,5 @@
+using System;
+using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace SphFluid
@@ -8,25 +10,47 @@ namespace SphFluid
         // Over dx, where particles come to rest on triangles.
         const float Rest = 0.1f;
 
-        // Over dx: ways that contact follows in a step; longer ones are shortened and counted.
+        // Over dx: displacements that contact follows in a step; longer ones are shortened and counted.
         const float Longest = 8f;
+
+        static readonly int ContactDistance = Shader.PropertyToID("_ContactDistance");
+        static readonly int SweepDistance = Shader.PropertyToID("_SweepDistance");
+        static readonly int ContactFloor = Shader.PropertyToID("_ContactFloor");
+        static readonly int ContactTolerance = Shader.PropertyToID("_ContactTolerance");
+        static readonly int ParticleCount = Shader.PropertyToID("_ParticleCount");
 
         /// <summary>Where particles come to rest [m].</summary>
         public static float Distance(in FluidSolverSettings settings) => Rest * settings.Spacing;
 
-        /// <summary>Longest way of a step [m].</summary>
+        /// <summary>Longest displacement of a step [m].</summary>
         public static float LongestDisplacement(in FluidSolverSettings settings) => Longest * settings.Spacing;
 
         public static void Set(CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings)
         {
             float rest = Distance(settings), ulp = Ulp(0.5f * settings.DomainSize.magnitude);
-            kernel.SetFloat(cmd, StandardShaderIds.ContactDistance, rest);
-            kernel.SetFloat(cmd, StandardShaderIds.SweepDistance, 0.9f * rest);
-            kernel.SetFloat(cmd, StandardShaderIds.ContactFloor, System.Math.Max(10f * ulp, 0.01f * rest));
-            kernel.SetFloat(cmd, StandardShaderIds.ContactTolerance, System.Math.Max(1e-3f * rest, 4f * ulp));
+            kernel.SetFloat(cmd, ContactDistance, rest);
+            kernel.SetFloat(cmd, SweepDistance, 0.9f * rest);
+            kernel.SetFloat(cmd, ContactFloor, Math.Max(10f * ulp, 0.01f * rest));
+            kernel.SetFloat(cmd, ContactTolerance, Math.Max(1e-3f * rest, 4f * ulp));
+        }
+
+        /// <summary>What both passes over a step's contacts need.</summary>
+        public static void SetStep(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
+        {
+            CellRowsBinding.Set(cmd, kernel, state.Cells, state.Buffers.CellStart);
+            DomainFaces.Set(cmd, kernel, state.Settings, Distance(state.Settings));
+            kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
+            DomainBindings.SetPeriodic(cmd, kernel, state.Settings);
+            Set(cmd, kernel, state.Settings);
+            state.Bodies.Bind(cmd, kernel, state.BodyStep.x, state.BodyStep.y);
+            kernel.Set(cmd, state.Buffers.Positions);
+            kernel.SetOut(cmd, state.Buffers.NewPositions);
+            kernel.Set(cmd, state.Buffers.CellCount);
+            kernel.SetOut(cmd, state.Buffers.Rank);
+            kernel.Set(cmd, state.Published.Counters);
         }
 
         // Spacing of floats at a number: 9.5e-7 at 15.
-        static float Ulp(float value) => (float)System.Math.Pow(2.0, System.Math.Floor(System.Math.Log(value, 2.0)) - 23.0);
+        static float Ulp(float value) => (float)Math.Pow(2.0, Math.Floor(Math.Log(value, 2.0)) - 23.0);
     }
 }

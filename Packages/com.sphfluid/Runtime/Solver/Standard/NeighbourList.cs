@@ -5,24 +5,20 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Neighbours that a step's density pass meets, kept for its motion pass (Shaders/Solver/Standard/NeighbourList.hlsl): force then looks at
-    /// neighbours only, not at all particles of the cells around. Whoever has more than the list holds searches the cells again.
+    /// Neighbours that a step's density pass finds, kept for its motion pass (Shaders/Solver/Standard/NeighbourList.hlsl): force then looks
+    /// at neighbours only, not at all particles of the cells around. Whoever has more than the list holds searches the cells again.
     /// </summary>
-    internal sealed class NeighbourList : IDisposable
+    internal sealed class NeighbourList : BufferSet
     {
         // LIST_LANES in Shaders/Solver/Standard/NeighbourList.hlsl.
         const int Lanes = 32;
 
-        // Entries over a full lattice's neighbours: room for compression and clumps.
-        const double Room = 1.5;
+        // Entries over a full lattice's neighbours, for compression and clumps.
+        const double Reserve = 1.5;
 
         static readonly int ListLength = Shader.PropertyToID("_ListLength");
-        static readonly int Neighbours = Shader.PropertyToID("_Neighbours");
-        static readonly int NeighboursOut = Shader.PropertyToID("_NeighboursOut");
-        static readonly int NeighbourCounts = Shader.PropertyToID("_NeighbourCounts");
-        static readonly int NeighbourCountsOut = Shader.PropertyToID("_NeighbourCountsOut");
 
-        GraphicsBuffer entries, counts;
+        readonly FluidBuffer neighbours, counts;
 
         /// <summary>A list for a number of particles.</summary>
         /// <param name="particleCount">Number of particles.</param>
@@ -30,48 +26,34 @@ namespace SphFluid
         public NeighbourList(int particleCount, int length)
         {
             Length = length;
-            try
-            {
-                entries = GpuBuffers.Create("NeighbourList", EntryCount(particleCount, length), sizeof(uint));
-                counts = GpuBuffers.Create("NeighbourCounts", particleCount, sizeof(uint));
-            }
-            catch
-            {
-                Dispose();
-                throw;
-            }
+            neighbours = Add("Neighbours", EntryCount(particleCount, length), sizeof(uint));
+            counts = Add("NeighbourCounts", particleCount, sizeof(uint));
         }
 
         /// <summary>Most neighbours of a particle that are listed.</summary>
         public int Length { get; }
 
-        /// <summary>Bytes of the buffers.</summary>
-        public long Bytes => GpuBuffers.Size(entries, counts);
-
         /// <summary>Entries a particle by κ = R/dx: 4π κ³/3 neighbours on a lattice, and half as many again. 51, 72, 99 for κ = 2, 2.25, 2.5.</summary>
         public static int LengthFor(in FluidSolverSettings settings) =>
-            (int)Math.Ceiling(Room * 4.0 / 3.0 * Math.PI * Math.Pow(settings.SupportRadius / (double)settings.Spacing, 3.0));
+            (int)Math.Ceiling(Reserve * 4.0 / 3.0 * Math.PI * Math.Pow(settings.SupportRadius / (double)settings.Spacing, 3.0));
 
         /// <summary>Whether one buffer of the device holds the list; a step does without where it does not.</summary>
         public static bool Fits(int particleCount, int length) => EntryCount(particleCount, length) * sizeof(uint) <= SystemInfo.maxGraphicsBufferSize;
 
         /// <summary>Records the list for the kernel that fills it.</summary>
-        public static void SetOut(CommandBuffer cmd, ComputeKernel kernel, NeighbourList list) => Set(cmd, kernel, list, NeighboursOut, NeighbourCountsOut);
-
-        /// <summary>Records the list for a kernel that reads it.</summary>
-        public static void Set(CommandBuffer cmd, ComputeKernel kernel, NeighbourList list) => Set(cmd, kernel, list, Neighbours, NeighbourCounts);
-
-        public void Dispose()
+        public void SetOut(CommandBuffer cmd, ComputeKernel kernel)
         {
-            GpuBuffers.Dispose(ref entries);
-            GpuBuffers.Dispose(ref counts);
+            kernel.SetInt(cmd, ListLength, Length);
+            kernel.SetOut(cmd, neighbours);
+            kernel.SetOut(cmd, counts);
         }
 
-        static void Set(CommandBuffer cmd, ComputeKernel kernel, NeighbourList list, int entriesId, int countsId)
+        /// <summary>Records the list for a kernel that reads it.</summary>
+        public void Set(CommandBuffer cmd, ComputeKernel kernel)
         {
-            kernel.SetInt(cmd, ListLength, list.Length);
-            kernel.SetBuffer(cmd, entriesId, list.entries);
-            kernel.SetBuffer(cmd, countsId, list.counts);
+            kernel.SetInt(cmd, ListLength, Length);
+            kernel.Set(cmd, neighbours);
+            kernel.Set(cmd, counts);
         }
 
         static long EntryCount(int particleCount, int length) => ((long)particleCount + Lanes - 1) / Lanes * Lanes * length;

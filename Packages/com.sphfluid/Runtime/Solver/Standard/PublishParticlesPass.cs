@@ -1,38 +1,38 @@
-using Unity.Profiling;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Gives the liquid the form that drawing and measurements read, once a frame (Shaders/Solver/Standard/PublishParticles.compute).</summary>
-    internal sealed class PublishParticlesPass
+    /// <summary>Gives the liquid the form that drawing and measurements read, once a frame.</summary>
+    internal sealed class PublishParticlesPass : ComputePass
     {
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("PublishParticles");
+        static readonly int ParticleCount = Id("_ParticleCount");
 
-        readonly ComputeKernel particles;
-        readonly ComputeKernel ranges;
+        readonly ComputeKernel particles, ranges;
 
         public PublishParticlesPass(FluidShaderSet shaders)
+            : base(shaders, "PublishParticles")
         {
-            particles = shaders.Kernel("PublishParticles", "PublishParticles");
-            ranges = shaders.Kernel("PublishParticles", "PublishCells");
+            particles = Kernel();
+            ranges = Kernel("PublishCells");
         }
 
-        public void Record(CommandBuffer cmd, FluidState state)
+        public void Record(CommandBuffer cmd, StandardState state)
         {
-            cmd.BeginSample(Marker);
-            particles.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-            particles.SetBuffer(cmd, StandardShaderIds.Positions, state.Standard.Positions);
-            particles.SetBuffer(cmd, StandardShaderIds.Velocities, state.Standard.Velocities);
-            particles.SetBuffer(cmd, StandardShaderIds.DensityIn, state.Standard.Density);
-            particles.SetBuffer(cmd, StandardShaderIds.ParticlesOut, state.Buffers.Particles);
-            particles.SetBuffer(cmd, FluidShaderIds.Density, state.Buffers.Density);
-            particles.SetBuffer(cmd, FluidShaderIds.Pressure, state.Buffers.Pressure);
-            particles.DispatchThreads(cmd, state.ParticleCount);
-            CellRowsBinding.Set(cmd, ranges, state.Cells, state.Standard.CellStart);
-            GridNeighbours.SetGrid(cmd, ranges, state.Grid);
-            ranges.SetBuffer(cmd, StandardShaderIds.GridIndicesOut, state.Buffers.GridIndices);
-            ranges.DispatchThreads(cmd, state.Grid.CellCount);
-            cmd.EndSample(Marker);
+            using (Sample(cmd))
+            {
+                particles.SetInt(cmd, ParticleCount, state.ParticleCount);
+                particles.Set(cmd, state.Buffers.Positions);
+                particles.Set(cmd, state.Buffers.Velocities);
+                particles.Set(cmd, state.Buffers.DensityTerms);
+                particles.SetOut(cmd, state.Published.Particles);
+                particles.Set(cmd, state.Published.Density);
+                particles.Set(cmd, state.Published.Pressure);
+                particles.DispatchThreads(cmd, state.ParticleCount);
+                CellRowsBinding.Set(cmd, ranges, state.Cells, state.Buffers.CellStart);
+                GridNeighbours.SetGrid(cmd, ranges, state.Grid);
+                ranges.SetOut(cmd, state.Published.GridIndices);
+                ranges.DispatchThreads(cmd, state.Grid.CellCount);
+            }
         }
     }
 }

@@ -1,10 +1,9 @@
-using Unity.Profiling;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>First particle of each cell: an exclusive scan of the cells' counts in two dispatches (Shaders/Solver/Standard/ScanCells.compute).</summary>
-    internal sealed class ScanCellsPass
+    /// <summary>First particle of each cell: an exclusive scan of the cells' counts in two dispatches.</summary>
+    internal sealed class ScanCellsPass : ComputePass
     {
         /// <summary>Cells that a group sums; SCAN_CELLS_PER_GROUP in StandardTypes.hlsl.</summary>
         public const int CellsPerGroup = 2048;
@@ -12,37 +11,40 @@ namespace SphFluid
         /// <summary>Most cells: each group sums up the groups before it, 2,048 at most.</summary>
         public const int MaxCells = CellsPerGroup * 2048;
 
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("ScanCells");
+        static readonly int CellTotal = Id("_CellTotal");
+        static readonly int ParticleCount = Id("_ParticleCount");
 
-        readonly ComputeKernel reduce;
-        readonly ComputeKernel apply;
+        readonly ComputeKernel reduce, apply;
 
         public ScanCellsPass(FluidShaderSet shaders)
+            : base(shaders, "ScanCells")
         {
-            reduce = shaders.Kernel("ScanCells", "ScanReduce");
-            apply = shaders.Kernel("ScanCells", "ScanApply");
+            reduce = Kernel("ScanReduce");
+            apply = Kernel("ScanApply");
         }
 
-        /// <summary>Groups of a scan over that many state.Cells.</summary>
+        /// <summary>Groups of a scan over that many cells.</summary>
         public static int Groups(int cellCount) => (cellCount + CellsPerGroup - 1) / CellsPerGroup;
 
-        public void Record(CommandBuffer cmd, FluidState state)
+        public void Record(CommandBuffer cmd, StandardState state)
         {
-            cmd.BeginSample(Marker);
-            Bind(cmd, reduce, state);
-            reduce.DispatchThreads(cmd, Groups(state.Standard.CellCount.count) * reduce.GroupSize.x);
-            Bind(cmd, apply, state);
-            apply.SetBuffer(cmd, StandardShaderIds.CellStartOut, state.Standard.CellStart);
-            apply.DispatchThreads(cmd, Groups(state.Standard.CellCount.count) * apply.GroupSize.x);
-            cmd.EndSample(Marker);
+            using (Sample(cmd))
+            {
+                int groups = Groups(state.Buffers.CellCount.Count);
+                Bind(cmd, reduce, state);
+                reduce.DispatchThreads(cmd, groups * reduce.GroupSize.x);
+                Bind(cmd, apply, state);
+                apply.SetOut(cmd, state.Buffers.CellStart);
+                apply.DispatchThreads(cmd, groups * apply.GroupSize.x);
+            }
         }
 
-        static void Bind(CommandBuffer cmd, ComputeKernel kernel, FluidState state)
+        static void Bind(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
         {
-            kernel.SetInt(cmd, StandardShaderIds.CellTotal, state.Standard.CellCount.count);
-            kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-            kernel.SetBuffer(cmd, StandardShaderIds.CellCount, state.Standard.CellCount);
-            kernel.SetBuffer(cmd, StandardShaderIds.BlockSum, state.Standard.BlockSum);
+            kernel.SetInt(cmd, CellTotal, state.Buffers.CellCount.Count);
+            kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
+            kernel.Set(cmd, state.Buffers.CellCount);
+            kernel.Set(cmd, state.Buffers.BlockSum);
         }
     }
 }

@@ -1,60 +1,59 @@
-using Unity.Profiling;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Particles in the order of their cells (Shaders/Solver/Standard/ScatterParticles.compute): one dispatch, or two for an order without chance.</summary>
-    internal sealed class ScatterParticlesPass
+    /// <summary>Particles in the order of their cells: one dispatch, or two for an order without chance.</summary>
+    internal sealed class ScatterParticlesPass : ComputePass
     {
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("ScatterParticles");
+        static readonly int ParticleCount = Id("_ParticleCount");
 
-        readonly ComputeKernel scatter;
-        readonly ComputeKernel scatterOrder;
-        readonly ComputeKernel reorder;
+        readonly ComputeKernel scatter, scatterOrder, reorder;
 
         public ScatterParticlesPass(FluidShaderSet shaders)
+            : base(shaders, "ScatterParticles")
         {
-            scatter = shaders.Kernel("ScatterParticles", "Scatter");
-            scatterOrder = shaders.Kernel("ScatterParticles", "ScatterOrder");
-            reorder = shaders.Kernel("ScatterParticles", "Reorder");
+            scatter = Kernel("Scatter");
+            scatterOrder = Kernel("ScatterOrder");
+            reorder = Kernel("Reorder");
         }
 
-        public void Record(CommandBuffer cmd, FluidState state)
+        public void Record(CommandBuffer cmd, StandardState state)
         {
-            cmd.BeginSample(Marker);
-            if (state.Settings.StableOrder)
+            using (Sample(cmd))
             {
-                Bind(cmd, scatterOrder, state);
-                scatterOrder.SetBuffer(cmd, StandardShaderIds.Rank, state.Standard.Rank);
-                scatterOrder.SetBuffer(cmd, StandardShaderIds.OrderOut, state.Standard.Order);
-                scatterOrder.DispatchThreads(cmd, state.ParticleCount);
-                Bind(cmd, reorder, state);
-                reorder.SetBuffer(cmd, StandardShaderIds.Order, state.Standard.Order);
-                Target(cmd, reorder, state);
-                reorder.DispatchThreads(cmd, state.ParticleCount);
+                if (state.Own.StableOrder)
+                {
+                    Bind(cmd, scatterOrder, state);
+                    scatterOrder.Set(cmd, state.Buffers.Rank);
+                    scatterOrder.SetOut(cmd, state.Buffers.Order);
+                    scatterOrder.DispatchThreads(cmd, state.ParticleCount);
+                    Bind(cmd, reorder, state);
+                    reorder.Set(cmd, state.Buffers.Order);
+                    BindTarget(cmd, reorder, state);
+                    reorder.DispatchThreads(cmd, state.ParticleCount);
+                }
+                else
+                {
+                    Bind(cmd, scatter, state);
+                    scatter.Set(cmd, state.Buffers.Rank);
+                    BindTarget(cmd, scatter, state);
+                    scatter.DispatchThreads(cmd, state.ParticleCount);
+                }
             }
-            else
-            {
-                Bind(cmd, scatter, state);
-                scatter.SetBuffer(cmd, StandardShaderIds.Rank, state.Standard.Rank);
-                Target(cmd, scatter, state);
-                scatter.DispatchThreads(cmd, state.ParticleCount);
-            }
-            cmd.EndSample(Marker);
         }
 
-        static void Bind(CommandBuffer cmd, ComputeKernel kernel, FluidState state)
+        static void Bind(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
         {
-            CellRowsBinding.Set(cmd, kernel, state.Cells, state.Standard.CellStart);
-            kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-            kernel.SetBuffer(cmd, StandardShaderIds.NewPositions, state.Standard.NewPositions);
-            kernel.SetBuffer(cmd, StandardShaderIds.NewVelocities, state.Standard.NewVelocities);
+            CellRowsBinding.Set(cmd, kernel, state.Cells, state.Buffers.CellStart);
+            kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
+            kernel.Set(cmd, state.Buffers.NewPositions);
+            kernel.Set(cmd, state.Buffers.NewVelocities);
         }
 
-        static void Target(CommandBuffer cmd, ComputeKernel kernel, FluidState state)
+        static void BindTarget(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
         {
-            kernel.SetBuffer(cmd, StandardShaderIds.PositionsOut, state.Standard.Positions);
-            kernel.SetBuffer(cmd, StandardShaderIds.VelocitiesOut, state.Standard.Velocities);
+            kernel.SetOut(cmd, state.Buffers.Positions);
+            kernel.SetOut(cmd, state.Buffers.Velocities);
         }
     }
 }

@@ -1,85 +1,33 @@
-using UnityEngine.Rendering;
+using System.Collections.Generic;
 
 namespace SphFluid
 {
-    /// <summary>
-    /// Weakly compressible SPH with one Wendland C2 kernel for density and force, walls that carry density, and five dependent
-    /// dispatches a step: ScanReduce, ScanApply, Scatter, StandardDensity, MoveParticles; the stable order makes Scatter two.
-    /// Triangles add three: GatherWalls before the density, FindContacts and ResolveContacts after the motion.
-    /// </summary>
-    internal sealed class StandardMethod : IFluidMethod
+    /// <summary>The Standard method: weakly compressible SPH with one kernel, walls that carry density, and a counting sort.</summary>
+    internal sealed class StandardMethod : FluidMethod
     {
-        readonly LoadParticlesPass loadParticles;
-        readonly ScanCellsPass scanCells;
-        readonly ScatterParticlesPass scatterParticles;
-        readonly StandardDensityPass density;
-        readonly MoveParticlesPass moveParticles;
-        readonly GatherWallsPass gatherWalls;
-        readonly ContactPass contacts;
-        readonly PublishParticlesPass publishParticles;
-        bool sorted;
+        static readonly ShaderGroup Group = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
+            groupThreads: 256, buffers: 13, writableBuffers: 6, groupMemory: 1024, vertexBuffers: 0,
+            "LoadParticles", "ScanCells", "ScatterParticles", "StandardDensity", "MoveParticles", "GatherWalls", "FindContacts",
+            "ResolveContacts", "DampVelocities", "PublishParticles");
 
-        public StandardMethod(FluidShaderSet shaders)
-        {
-            loadParticles = new LoadParticlesPass(shaders);
-            scanCells = new ScanCellsPass(shaders);
-            scatterParticles = new ScatterParticlesPass(shaders);
-            density = new StandardDensityPass(shaders);
-            moveParticles = new MoveParticlesPass(shaders);
-            gatherWalls = new GatherWallsPass(shaders);
-            contacts = new ContactPass(shaders);
-            publishParticles = new PublishParticlesPass(shaders);
-        }
+        public override FluidMethodKind Kind => FluidMethodKind.Standard;
 
-        /// <inheritdoc/>
-        public void RecordLoad(CommandBuffer cmd, FluidState state)
-        {
-            loadParticles.Record(cmd, state);
-            sorted = false;
-        }
+        public override FluidMethodFeatures Features => FluidMethodFeatures.OpenFaces | FluidMethodFeatures.BodyContact |
+            FluidMethodFeatures.ColliderFriction | FluidMethodFeatures.RelaxedStart;
 
-        /// <inheritdoc/>
-        public void RecordNeighbourSetup(CommandBuffer cmd, FluidState state)
-        {
-            if (!sorted) // the scan uses up the counts
-            {
-                scanCells.Record(cmd, state);
-                scatterParticles.Record(cmd, state);
-                sorted = true;
-            }
+        public override ShaderGroup Shaders => Group;
 
-            if (state.HasBodies)
-            {
-                state.Standard.RequireWalls();
-                gatherWalls.Record(cmd, state);
-            }
+        public override IReadOnlyList<string> ProfileFields => new string[0];
 
-            state.Standard.RequireList(state.Settings);
-            density.Record(cmd, state);
-        }
+        public override long MaxCells => CellRows.MaxCells;
 
-        /// <inheritdoc/>
-        public void RecordMotion(CommandBuffer cmd, FluidState state, in FluidStep step)
-        {
-            moveParticles.Record(cmd, state, step);
-            if (state.HasBodies)
-            {
-                contacts.Record(cmd, state, step.Length);
-            }
+        public override FluidSolverSettings Derive(in FluidRuleInput input) => StandardRules.Derive(input);
 
-            sorted = false;
-        }
+        public override TimeStepAdvice Advise(in FluidSolverSettings settings, double maxSpeed) => StandardRules.Advise(settings, maxSpeed);
 
-        /// <inheritdoc/>
-        public void RecordPublish(CommandBuffer cmd, FluidState state)
-        {
-            publishParticles.Record(cmd, state);
-        }
+        public override double CellCount(in FluidSolverSettings settings) => FluidGrid.CountFor(settings, CellRows.Border);
 
-        /// <inheritdoc/>
-        public void BindNeighbours(CommandBuffer cmd, FluidState state, ComputeKernel kernel)
-        {
-            GridNeighbours.SetNeighbours(cmd, kernel, state);
-        }
+        public override IFluidStepper Start(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount) =>
+            new StandardStepper(settings, shaders, particleCount);
     }
 }

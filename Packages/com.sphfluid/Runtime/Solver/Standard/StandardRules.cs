@@ -14,6 +14,10 @@ namespace SphFluid
     /// </summary>
     internal static class StandardRules
     {
+        // Wendland's C2 for density and force: the lattice's borders are 0.86 to 0.93 R M/c and 0.072 R² M/ν (von Neumann), M the lattice's moment.
+        const double AcousticBorder = 0.9;
+        const double ViscousLimit = 0.035;
+
         // The profile's ratio is the thesis method's, 0.01.
         const double ViscosityShare = 0.1;
 
@@ -28,7 +32,8 @@ namespace SphFluid
             double speed = Math.Max(input.MinSpeed, Math.Sqrt((double)input.InitialSpeed * input.InitialSpeed + 2.0 * gravity * input.LiquidHeight));
             double sound = Math.Max(input.SoundSpeedRatio * speed, Math.Sqrt(gravity * input.LiquidDepth / input.MaxCompression));
             double kinematic = Math.Max(input.KinematicViscosity, ViscosityShare * input.ViscosityRatio * sound * radius);
-            double step = TimeStepAdvice.OfOneKernel(dx, radius, sound, speed, kinematic).Step(input.TimeStepFraction);
+            double step = Advise(dx, radius, sound, speed, kinematic).Step(input.TimeStepFraction);
+            if (input.FixedTimeStep > 0f) step = input.FixedTimeStep;
             return new FluidSolverSettings
             {
                 Method = FluidMethodKind.Standard,
@@ -37,18 +42,32 @@ namespace SphFluid
                 SupportRadius = (float)radius,
                 RestDensity = input.RestDensity,
                 ParticleMass = (float)((1.0 - RoundingShare) * input.RestDensity * dx * dx * dx / WendlandKernel.LatticeSum(input.SupportRatio)),
-                Stiffness = (float)(sound * sound),
                 Viscosity = (float)(kinematic * input.RestDensity),
                 TimeStep = (float)step,
                 Gravity = input.Gravity,
-                AccelerationLimit = float.MaxValue,
                 MaxSpeed = (float)speed,
-                SelfDensity = true,
                 PressureClamp = true,
-                HalfKick = true,
+            }.WithOwn(new StandardSettings
+            {
+                SoundSpeed = (float)Math.Sqrt((float)(sound * sound)),
                 StableOrder = true,
                 NeighbourList = true,
-            };
+            });
+        }
+
+        /// <summary>Advice for a running liquid.</summary>
+        public static TimeStepAdvice Advise(in FluidSolverSettings settings, double maxSpeed) =>
+            Advise(settings.Spacing, settings.SupportRadius, settings.SoundSpeed, maxSpeed, settings.Viscosity / settings.RestDensity);
+
+        /// <summary>Advice from bare numbers. The walls set no limit of their own; the forces are over <see cref="WendlandKernel.LatticeMoment"/>.</summary>
+        public static TimeStepAdvice Advise(double spacing, double radius, double sound, double speed, double kinematic)
+        {
+            double moment = WendlandKernel.LatticeMoment(radius / spacing);
+            return new TimeStepAdvice(
+                AcousticBorder * radius / (sound / moment + speed),
+                TimeStepAdvice.SpeedStep(spacing, speed),
+                kinematic > 0.0 ? ViscousLimit * moment * radius * radius / kinematic : double.PositiveInfinity,
+                double.PositiveInfinity, sound, speed, kinematic);
         }
     }
 }

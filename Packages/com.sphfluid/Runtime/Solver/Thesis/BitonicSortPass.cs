@@ -1,4 +1,3 @@
-using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -9,24 +8,29 @@ namespace SphFluid
     /// longer ones as a matrix of 1,024 columns: transpose, sort the columns, transpose, sort the rows.
     /// A column of more than 1,024 rows (above 1,024 × 1,024 pairs) is first merged at the distances it does not hold.
     /// </summary>
-    internal sealed class BitonicSortPass
+    internal sealed class BitonicSortPass : ComputePass
     {
         /// <summary>BIT_BSIZE of the shader.</summary>
         public const int BlockSize = 1024;
 
         const int MaxCount = 1 << 30;
 
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("BitonicSort");
+        static readonly int Data = Id("_Data");
+        static readonly int Input = Id("_Input");
+        static readonly int Level = Id("_Level");
+        static readonly int LevelMask = Id("_LevelMask");
+        static readonly int Width = Id("_Width");
+        static readonly int Height = Id("_Height");
+        static readonly int MergeDistance = Id("_MergeDistance");
 
-        readonly ComputeKernel bitonicSort;
-        readonly ComputeKernel matrixTranspose;
-        readonly ComputeKernel bitonicMerge;
+        readonly ComputeKernel bitonicSort, matrixTranspose, bitonicMerge;
 
         public BitonicSortPass(FluidShaderSet shaders)
+            : base(shaders, "BitonicSort")
         {
-            bitonicSort = shaders.Kernel("BitonicSort", "BitonicSort");
-            matrixTranspose = shaders.Kernel("BitonicSort", "MatrixTranspose");
-            bitonicMerge = shaders.Kernel("BitonicSort", "BitonicMerge");
+            bitonicSort = Kernel();
+            matrixTranspose = Kernel("MatrixTranspose");
+            bitonicMerge = Kernel("BitonicMerge");
         }
 
         /// <summary>Pairs to sort for a number of particles: the next power of two, a block at least. 5,003 gives 8,192.</summary>
@@ -40,10 +44,8 @@ namespace SphFluid
             return Mathf.NextPowerOfTwo(Mathf.Max(count, BlockSize));
         }
 
-        public void Record(CommandBuffer cmd, FluidState state)
-        {
-            Record(cmd, state.Thesis.Grid, state.Thesis.GridTranspose, state.Thesis.PaddedCount);
-        }
+        public void Record(CommandBuffer cmd, ThesisState state) =>
+            Record(cmd, state.Buffers.Grid, state.Buffers.GridTranspose, state.Buffers.PaddedCount);
 
         /// <param name="cmd">Command buffer.</param>
         /// <param name="data">The pairs, sorted in place.</param>
@@ -51,53 +53,53 @@ namespace SphFluid
         /// <param name="count">Number of pairs: a power of two, a block at least.</param>
         public void Record(CommandBuffer cmd, GraphicsBuffer data, GraphicsBuffer temp, int count)
         {
-            cmd.BeginSample(Marker);
-            for (int level = 2; level <= BlockSize; level <<= 1)
+            using (Sample(cmd))
             {
-                SortRows(cmd, data, level, level, count);
-            }
-
-            // level & ~count: the last level of all runs upwards everywhere.
-            int width = BlockSize;
-            int height = count / BlockSize;
-            for (int level = BlockSize << 1; level <= count && level > 0; level <<= 1)
-            {
-                for (int distance = level >> 1; distance >= BlockSize * BlockSize; distance >>= 1)
+                for (int level = 2; level <= BlockSize; level <<= 1)
                 {
-                    Merge(cmd, data, distance, level & ~count, count);
+                    SortRows(cmd, data, level, level, count);
                 }
 
-                Transpose(cmd, data, temp, width, height);
-                SortRows(cmd, temp, Mathf.Min(level / BlockSize, BlockSize), (level & ~count) / BlockSize, count);
-                Transpose(cmd, temp, data, height, width);
-                SortRows(cmd, data, BlockSize, level & ~count, count);
-            }
+                // level & ~count: the last level of all runs upwards everywhere.
+                int width = BlockSize;
+                int height = count / BlockSize;
+                for (int level = BlockSize << 1; level <= count && level > 0; level <<= 1)
+                {
+                    for (int distance = level >> 1; distance >= BlockSize * BlockSize; distance >>= 1)
+                    {
+                        Merge(cmd, data, distance, level & ~count, count);
+                    }
 
-            cmd.EndSample(Marker);
+                    Transpose(cmd, data, temp, width, height);
+                    SortRows(cmd, temp, Mathf.Min(level / BlockSize, BlockSize), (level & ~count) / BlockSize, count);
+                    Transpose(cmd, temp, data, height, width);
+                    SortRows(cmd, data, BlockSize, level & ~count, count);
+                }
+            }
         }
 
         void SortRows(CommandBuffer cmd, GraphicsBuffer data, int level, int levelMask, int count)
         {
-            bitonicSort.SetInt(cmd, FluidShaderIds.Level, level);
-            bitonicSort.SetInt(cmd, FluidShaderIds.LevelMask, levelMask);
-            bitonicSort.SetBuffer(cmd, FluidShaderIds.Data, data);
+            bitonicSort.SetInt(cmd, Level, level);
+            bitonicSort.SetInt(cmd, LevelMask, levelMask);
+            bitonicSort.SetBuffer(cmd, Data, data);
             bitonicSort.DispatchThreads(cmd, count);
         }
 
         void Transpose(CommandBuffer cmd, GraphicsBuffer from, GraphicsBuffer to, int width, int height)
         {
-            matrixTranspose.SetInt(cmd, FluidShaderIds.Width, width);
-            matrixTranspose.SetInt(cmd, FluidShaderIds.Height, height);
-            matrixTranspose.SetBuffer(cmd, FluidShaderIds.Input, from);
-            matrixTranspose.SetBuffer(cmd, FluidShaderIds.Data, to);
+            matrixTranspose.SetInt(cmd, Width, width);
+            matrixTranspose.SetInt(cmd, Height, height);
+            matrixTranspose.SetBuffer(cmd, Input, from);
+            matrixTranspose.SetBuffer(cmd, Data, to);
             matrixTranspose.DispatchThreads(cmd, width, height, 1);
         }
 
         void Merge(CommandBuffer cmd, GraphicsBuffer data, int distance, int levelMask, int count)
         {
-            bitonicMerge.SetInt(cmd, FluidShaderIds.MergeDistance, distance);
-            bitonicMerge.SetInt(cmd, FluidShaderIds.LevelMask, levelMask);
-            bitonicMerge.SetBuffer(cmd, FluidShaderIds.Data, data);
+            bitonicMerge.SetInt(cmd, MergeDistance, distance);
+            bitonicMerge.SetInt(cmd, LevelMask, levelMask);
+            bitonicMerge.SetBuffer(cmd, Data, data);
             bitonicMerge.DispatchThreads(cmd, count / 2);
         }
     }

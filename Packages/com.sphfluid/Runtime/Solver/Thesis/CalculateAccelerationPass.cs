@@ -1,49 +1,64 @@
-using Unity.Profiling;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
     /// <summary>Thesis 6.3.3: the fluid's acceleration, limited, then the collisions' over the scene's triangles, then gravity and the body force.</summary>
-    internal sealed class CalculateAccelerationPass
+    internal sealed class CalculateAccelerationPass : ComputePass
     {
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("CalculateAcceleration");
+        static readonly int ParticleCount = Id("_ParticleCount");
+        static readonly int PrintedMass = Id("_PrintedMass");
+        static readonly int AccelerationLimit = Id("_AccelerationLimit");
+        static readonly int Gravity = Id("_Gravity");
+        static readonly int TimeStep = Id("_TimeStep");
+        static readonly int KickStep = Id("_KickStep");
+        static readonly int DomainHalfSize = Id("_DomainHalfSize");
+        static readonly int WallStiffness = Id("_WallStiffness");
+        static readonly int WallDamping = Id("_WallDamping");
+        static readonly int WallDistance = Id("_WallDistance");
+        static readonly int WallReach = Id("_WallReach");
+        static readonly int ColliderCount = Id("_ColliderCount");
+        static readonly int Triangles = Id("_Triangles");
+        static readonly int Colliders = Id("_Colliders");
 
         readonly ComputeKernel kernel;
 
         public CalculateAccelerationPass(FluidShaderSet shaders)
+            : base(shaders, "CalculateAcceleration")
         {
-            kernel = shaders.Kernel("CalculateAcceleration", "CalculateAcceleration");
+            kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, FluidState state, in FluidStep step)
+        public void Record(CommandBuffer cmd, ThesisState state, in FluidStep step)
         {
             FluidSolverSettings settings = state.Settings;
-            cmd.BeginSample(Marker);
-            DomainBindings.SetPeriodic(cmd, kernel, settings);
-            DomainBindings.SetBodyForce(cmd, kernel, settings.BodyForce);
-            DomainBindings.SetWallDrag(cmd, kernel, settings, step);
-            kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-            kernel.SetFloat(cmd, FluidShaderIds.PrintedMass, settings.ForceTimesMass ? settings.ParticleMass : 0f);
-            kernel.SetFloat(cmd, FluidShaderIds.AccelerationLimit,
-                settings.AccelerationLimitEnabled ? settings.AccelerationLimitAt(step.Length) : float.MaxValue);
-            kernel.SetVector(cmd, FluidShaderIds.Gravity, settings.Gravity);
-            kernel.SetFloat(cmd, FluidShaderIds.TimeStep, step.Length);
-            kernel.SetFloat(cmd, FluidShaderIds.KickStep, step.Kick);
-            kernel.SetVector(cmd, FluidShaderIds.DomainHalfSize, 0.5f * settings.DomainSize);
-            kernel.SetFloat(cmd, FluidShaderIds.WallStiffness, settings.WallStiffness);
-            kernel.SetFloat(cmd, FluidShaderIds.WallDamping, settings.WallDamping);
-            kernel.SetFloat(cmd, FluidShaderIds.WallDistance, settings.WallDistance);
-            kernel.SetFloat(cmd, FluidShaderIds.WallReach, settings.Spacing);
-            kernel.SetInt(cmd, FluidShaderIds.ColliderCount, state.ColliderCount);
-            kernel.SetBuffer(cmd, FluidShaderIds.Triangles, state.Triangles);
-            kernel.SetBuffer(cmd, FluidShaderIds.Colliders, state.Colliders);
-            kernel.SetBuffer(cmd, FluidShaderIds.Particles, state.Buffers.Particles);
-            kernel.SetBuffer(cmd, FluidShaderIds.Density, state.Buffers.Density);
-            kernel.SetBuffer(cmd, FluidShaderIds.Force, state.Thesis.Force);
-            kernel.SetBuffer(cmd, FluidShaderIds.Acceleration, state.Thesis.Acceleration);
-            kernel.SetBuffer(cmd, FluidShaderIds.Counters, state.Buffers.Counters);
-            kernel.DispatchThreads(cmd, state.ParticleCount);
-            cmd.EndSample(Marker);
+            ThesisSettings own = state.Own;
+            using (Sample(cmd))
+            {
+                DomainBindings.SetPeriodic(cmd, kernel, settings);
+                DomainBindings.SetBodyForce(cmd, kernel, settings.BodyForce);
+                DomainBindings.SetWallDrag(cmd, kernel, settings, step);
+                kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
+                kernel.SetFloat(cmd, PrintedMass, own.ForceTimesMass ? settings.ParticleMass : 0f);
+                kernel.SetFloat(cmd, AccelerationLimit,
+                    own.AccelerationLimitEnabled ? own.AccelerationLimitAt(settings.TimeStep, step.Length) : float.MaxValue);
+                kernel.SetVector(cmd, Gravity, settings.Gravity);
+                kernel.SetFloat(cmd, TimeStep, step.Length);
+                kernel.SetFloat(cmd, KickStep, step.Kick);
+                kernel.SetVector(cmd, DomainHalfSize, 0.5f * settings.DomainSize);
+                kernel.SetFloat(cmd, WallStiffness, own.WallStiffness);
+                kernel.SetFloat(cmd, WallDamping, own.WallDamping);
+                kernel.SetFloat(cmd, WallDistance, own.WallDistance);
+                kernel.SetFloat(cmd, WallReach, settings.Spacing);
+                kernel.SetInt(cmd, ColliderCount, state.ColliderCount);
+                kernel.SetBuffer(cmd, Triangles, state.Triangles);
+                kernel.SetBuffer(cmd, Colliders, state.Colliders);
+                kernel.Set(cmd, state.Published.Particles);
+                kernel.Set(cmd, state.Published.Density);
+                kernel.Set(cmd, state.Buffers.Force);
+                kernel.Set(cmd, state.Buffers.Acceleration);
+                kernel.Set(cmd, state.Published.Counters);
+                kernel.DispatchThreads(cmd, state.ParticleCount);
+            }
         }
     }
 }

@@ -1,38 +1,44 @@
-using Unity.Profiling;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
     /// <summary>Thesis 6.3.1: density by poly6, equations (11) and (12), and pressure, equation (10).</summary>
-    internal sealed class CalculateDensityPass
+    internal sealed class CalculateDensityPass : ComputePass
     {
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("CalculateDensity");
-
         // Below every pressure: equation (10) as printed.
         const float NoFloor = -1e30f;
+
+        static readonly int ParticleCount = Id("_ParticleCount");
+        static readonly int SelfDensity = Id("_SelfDensity");
+        static readonly int RestDensity = Id("_RestDensity");
+        static readonly int Stiffness = Id("_Stiffness");
+        static readonly int PressureFloor = Id("_PressureFloor");
 
         readonly ComputeKernel kernel;
 
         public CalculateDensityPass(FluidShaderSet shaders)
+            : base(shaders, "CalculateDensity")
         {
-            kernel = shaders.Kernel("CalculateDensity", "CalculateDensity");
+            kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, FluidState state)
+        public void Record(CommandBuffer cmd, ThesisState state)
         {
             FluidSolverSettings settings = state.Settings;
-            cmd.BeginSample(Marker);
-            GridNeighbours.SetNeighbours(cmd, kernel, state);
-            kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-            kernel.SetBool(cmd, FluidShaderIds.SelfDensity, settings.SelfDensity);
-            kernel.SetFloat(cmd, FluidShaderIds.RestDensity, settings.RestDensity);
-            kernel.SetFloat(cmd, FluidShaderIds.Stiffness, settings.Stiffness);
-            kernel.SetFloat(cmd, FluidShaderIds.PressureFloor, settings.PressureClamp ? 0f : NoFloor);
-            kernel.SetBuffer(cmd, FluidShaderIds.Density, state.Buffers.Density);
-            kernel.SetBuffer(cmd, FluidShaderIds.Pressure, state.Buffers.Pressure);
-            kernel.SetBuffer(cmd, FluidShaderIds.Counters, state.Buffers.Counters);
-            kernel.DispatchThreads(cmd, state.ParticleCount);
-            cmd.EndSample(Marker);
+            ThesisSettings own = state.Own;
+            using (Sample(cmd))
+            {
+                GridNeighbours.Set(cmd, kernel, state);
+                kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
+                kernel.SetBool(cmd, SelfDensity, own.SelfDensity);
+                kernel.SetFloat(cmd, RestDensity, settings.RestDensity);
+                kernel.SetFloat(cmd, Stiffness, own.Stiffness);
+                kernel.SetFloat(cmd, PressureFloor, settings.PressureClamp ? 0f : NoFloor);
+                kernel.Set(cmd, state.Published.Density);
+                kernel.Set(cmd, state.Published.Pressure);
+                kernel.Set(cmd, state.Published.Counters);
+                kernel.DispatchThreads(cmd, state.ParticleCount);
+            }
         }
     }
 }

@@ -1,35 +1,40 @@
-using Unity.Profiling;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
     /// <summary>Thesis 6.3.2: force densities of pressure, equations (13) and (14), and of viscosity, (15) to (17).</summary>
-    internal sealed class CalculateForcePass
+    internal sealed class CalculateForcePass : ComputePass
     {
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("CalculateForce");
+        static readonly int ParticleCount = Id("_ParticleCount");
+        static readonly int SmoothLength = Id("_SmoothLength");
+        static readonly int PressureCoefficient = Id("_PressureCoefficient");
+        static readonly int ViscosityCoefficient = Id("_ViscosityCoefficient");
 
         readonly ComputeKernel kernel;
 
         public CalculateForcePass(FluidShaderSet shaders)
+            : base(shaders, "CalculateForce")
         {
-            kernel = shaders.Kernel("CalculateForce", "CalculateForce");
+            kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, FluidState state)
+        public void Record(CommandBuffer cmd, ThesisState state)
         {
             FluidSolverSettings settings = state.Settings;
+            ThesisSettings own = state.Own;
             double factor = settings.ParticleMass * ThesisKernels.SpikyGradientFactor(settings.SupportRadius);
-            cmd.BeginSample(Marker);
-            GridNeighbours.SetNeighbours(cmd, kernel, state);
-            kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-            kernel.SetFloat(cmd, FluidShaderIds.SmoothLength, settings.SupportRadius);
-            kernel.SetFloat(cmd, FluidShaderIds.PressureCoefficient, (float)(settings.PressureHalf ? 0.5 * factor : factor));
-            kernel.SetFloat(cmd, FluidShaderIds.ViscosityCoefficient, (float)(settings.Viscosity * factor));
-            kernel.SetBuffer(cmd, FluidShaderIds.Density, state.Buffers.Density);
-            kernel.SetBuffer(cmd, FluidShaderIds.Pressure, state.Buffers.Pressure);
-            kernel.SetBuffer(cmd, FluidShaderIds.Force, state.Thesis.Force);
-            kernel.DispatchThreads(cmd, state.ParticleCount);
-            cmd.EndSample(Marker);
+            using (Sample(cmd))
+            {
+                GridNeighbours.Set(cmd, kernel, state);
+                kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
+                kernel.SetFloat(cmd, SmoothLength, settings.SupportRadius);
+                kernel.SetFloat(cmd, PressureCoefficient, (float)(own.PressureHalf ? 0.5 * factor : factor));
+                kernel.SetFloat(cmd, ViscosityCoefficient, (float)(settings.Viscosity * factor));
+                kernel.Set(cmd, state.Published.Density);
+                kernel.Set(cmd, state.Published.Pressure);
+                kernel.Set(cmd, state.Buffers.Force);
+                kernel.DispatchThreads(cmd, state.ParticleCount);
+            }
         }
     }
 }

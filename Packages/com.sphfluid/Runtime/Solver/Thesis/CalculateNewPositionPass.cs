@@ -1,36 +1,43 @@
-using Unity.Profiling;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
     /// <summary>Thesis 6.3.4: leapfrog, equations (19) to (21).</summary>
-    internal sealed class CalculateNewPositionPass
+    internal sealed class CalculateNewPositionPass : ComputePass
     {
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("CalculateNewPosition");
+        static readonly int ParticleCount = Id("_ParticleCount");
+        static readonly int TimeStep = Id("_TimeStep");
+        static readonly int KickStep = Id("_KickStep");
+        static readonly int KickPart = Id("_KickPart");
+        static readonly int FirstStep = Id("_FirstStep");
+        static readonly int DomainHalfSize = Id("_DomainHalfSize");
 
         readonly ComputeKernel kernel;
 
         public CalculateNewPositionPass(FluidShaderSet shaders)
+            : base(shaders, "CalculateNewPosition")
         {
-            kernel = shaders.Kernel("CalculateNewPosition", "CalculateNewPosition");
+            kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, FluidState state, in FluidStep step)
+        public void Record(CommandBuffer cmd, ThesisState state, in FluidStep step)
         {
             FluidSolverSettings settings = state.Settings;
-            cmd.BeginSample(Marker);
-            DomainBindings.SetPeriodic(cmd, kernel, settings);
-            kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-            kernel.SetFloat(cmd, FluidShaderIds.TimeStep, step.Length);
-            kernel.SetFloat(cmd, FluidShaderIds.KickStep, step.Kick);
-            kernel.SetFloat(cmd, FluidShaderIds.KickPart, step.KickPart);
-            kernel.SetBool(cmd, FluidShaderIds.FirstStep, step.IsFirst && settings.HalfKick);
-            kernel.SetVector(cmd, FluidShaderIds.DomainHalfSize, 0.5f * settings.DomainSize);
-            kernel.SetBuffer(cmd, FluidShaderIds.Particles, state.Buffers.Particles);
-            kernel.SetBuffer(cmd, FluidShaderIds.Acceleration, state.Thesis.Acceleration);
-            kernel.SetBuffer(cmd, FluidShaderIds.Counters, state.Buffers.Counters);
-            kernel.DispatchThreads(cmd, state.ParticleCount);
-            cmd.EndSample(Marker);
+            ThesisSettings own = state.Own;
+            using (Sample(cmd))
+            {
+                DomainBindings.SetPeriodic(cmd, kernel, settings);
+                kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
+                kernel.SetFloat(cmd, TimeStep, step.Length);
+                kernel.SetFloat(cmd, KickStep, step.Kick);
+                kernel.SetFloat(cmd, KickPart, step.KickPart);
+                kernel.SetBool(cmd, FirstStep, step.IsFirst && own.HalfKick);
+                kernel.SetVector(cmd, DomainHalfSize, 0.5f * settings.DomainSize);
+                kernel.Set(cmd, state.Published.Particles);
+                kernel.Set(cmd, state.Buffers.Acceleration);
+                kernel.Set(cmd, state.Published.Counters);
+                kernel.DispatchThreads(cmd, state.ParticleCount);
+            }
         }
     }
 }

@@ -1,30 +1,32 @@
-using Unity.Profiling;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
     /// <summary>Thesis 6.2.2: the pair (cell, id) of each particle, padded to the power of two that the sort needs.</summary>
-    internal sealed class CalculateParticleCellValuePass
+    internal sealed class CalculateParticleCellValuePass : ComputePass
     {
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("CalculateParticleCellValue");
+        static readonly int ParticleCount = Id("_ParticleCount");
+        static readonly int PaddedCount = Id("_PaddedCount");
 
         readonly ComputeKernel kernel;
 
         public CalculateParticleCellValuePass(FluidShaderSet shaders)
+            : base(shaders, "CalculateParticleCellValue")
         {
-            kernel = shaders.Kernel("CalculateParticleCellValue", "CalculateParticleCellValue");
+            kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, FluidState state)
+        public void Record(CommandBuffer cmd, ThesisState state)
         {
-            cmd.BeginSample(Marker);
-            GridNeighbours.SetGrid(cmd, kernel, state.Grid);
-            kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-            kernel.SetInt(cmd, FluidShaderIds.PaddedCount, state.Thesis.PaddedCount);
-            kernel.SetBuffer(cmd, FluidShaderIds.Particles, state.Buffers.Particles);
-            kernel.SetBuffer(cmd, FluidShaderIds.Grid, state.Thesis.Grid);
-            kernel.DispatchThreads(cmd, state.Thesis.PaddedCount);
-            cmd.EndSample(Marker);
+            using (Sample(cmd))
+            {
+                GridNeighbours.SetGrid(cmd, kernel, state.Grid);
+                kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
+                kernel.SetInt(cmd, PaddedCount, state.Buffers.PaddedCount);
+                kernel.Set(cmd, state.Published.Particles);
+                kernel.Set(cmd, state.Buffers.Grid);
+                kernel.DispatchThreads(cmd, state.Buffers.PaddedCount);
+            }
         }
     }
 }

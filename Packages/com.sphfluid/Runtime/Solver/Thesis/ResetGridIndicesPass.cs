@@ -1,27 +1,28 @@
-using Unity.Profiling;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
     /// <summary>Thesis 6.2.4: every cell is empty.</summary>
-    internal sealed class ResetGridIndicesPass
+    internal sealed class ResetGridIndicesPass : ComputePass
     {
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("ResetGridIndices");
+        static readonly int CellCount = Id("_CellCount");
 
         readonly ComputeKernel kernel;
 
         public ResetGridIndicesPass(FluidShaderSet shaders)
+            : base(shaders, "ResetGridIndices")
         {
-            kernel = shaders.Kernel("ResetGridIndices", "ResetGridIndices");
+            kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, FluidState state)
+        public void Record(CommandBuffer cmd, ThesisState state)
         {
-            cmd.BeginSample(Marker);
-            kernel.SetInt(cmd, FluidShaderIds.CellCount, state.Grid.CellCount);
-            kernel.SetBuffer(cmd, FluidShaderIds.GridIndices, state.Buffers.GridIndices);
-            kernel.DispatchThreads(cmd, state.Grid.CellCount);
-            cmd.EndSample(Marker);
+            using (Sample(cmd))
+            {
+                kernel.SetInt(cmd, CellCount, state.Grid.CellCount);
+                kernel.Set(cmd, state.Published.GridIndices);
+                kernel.DispatchThreads(cmd, state.Grid.CellCount);
+            }
         }
     }
 }

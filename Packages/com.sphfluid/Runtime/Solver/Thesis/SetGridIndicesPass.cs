@@ -1,28 +1,29 @@
-using Unity.Profiling;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
     /// <summary>Thesis 6.2.5: first and end of each cell's run in the sorted pairs.</summary>
-    internal sealed class SetGridIndicesPass
+    internal sealed class SetGridIndicesPass : ComputePass
     {
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("SetGridIndices");
+        static readonly int ParticleCount = Id("_ParticleCount");
 
         readonly ComputeKernel kernel;
 
         public SetGridIndicesPass(FluidShaderSet shaders)
+            : base(shaders, "SetGridIndices")
         {
-            kernel = shaders.Kernel("SetGridIndices", "SetGridIndices");
+            kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, FluidState state)
+        public void Record(CommandBuffer cmd, ThesisState state)
         {
-            cmd.BeginSample(Marker);
-            kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-            kernel.SetBuffer(cmd, FluidShaderIds.Grid, state.Thesis.Grid);
-            kernel.SetBuffer(cmd, FluidShaderIds.GridIndices, state.Buffers.GridIndices);
-            kernel.DispatchThreads(cmd, state.ParticleCount);
-            cmd.EndSample(Marker);
+            using (Sample(cmd))
+            {
+                kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
+                kernel.Set(cmd, state.Buffers.Grid);
+                kernel.Set(cmd, state.Published.GridIndices);
+                kernel.DispatchThreads(cmd, state.ParticleCount);
+            }
         }
     }
 }

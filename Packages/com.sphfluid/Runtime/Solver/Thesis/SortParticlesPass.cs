@@ -1,30 +1,32 @@
-using Unity.Profiling;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
     /// <summary>Thesis 6.2.6: the particles in the order of their cells, written to the second buffer; the two are exchanged.</summary>
-    internal sealed class SortParticlesPass
+    internal sealed class SortParticlesPass : ComputePass
     {
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker("SortParticles");
+        static readonly int ParticleCount = Id("_ParticleCount");
 
         readonly ComputeKernel kernel;
 
         public SortParticlesPass(FluidShaderSet shaders)
+            : base(shaders, "SortParticles")
         {
-            kernel = shaders.Kernel("SortParticles", "SortParticles");
+            kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, FluidState state)
+        public void Record(CommandBuffer cmd, ThesisState state)
         {
-            cmd.BeginSample(Marker);
-            kernel.SetInt(cmd, FluidShaderIds.ParticleCount, state.ParticleCount);
-            kernel.SetBuffer(cmd, FluidShaderIds.Grid, state.Thesis.Grid);
-            kernel.SetBuffer(cmd, FluidShaderIds.Particles, state.Buffers.Particles);
-            kernel.SetBuffer(cmd, FluidShaderIds.SortedParticles, state.Thesis.SortedParticles);
-            kernel.DispatchThreads(cmd, state.ParticleCount);
-            cmd.EndSample(Marker);
-            state.Thesis.SwapParticles(state.Buffers);
+            using (Sample(cmd))
+            {
+                kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
+                kernel.Set(cmd, state.Buffers.Grid);
+                kernel.Set(cmd, state.Published.Particles);
+                kernel.Set(cmd, state.Buffers.SortedParticles);
+                kernel.DispatchThreads(cmd, state.ParticleCount);
+            }
+
+            FluidBuffer.Exchange(state.Published.Particles, state.Buffers.SortedParticles);
         }
     }
 }

@@ -1,70 +1,51 @@
-using UnityEngine.Rendering;
+using System.Collections.Generic;
 
 namespace SphFluid
 {
-    /// <summary>
-    /// The fluid blocks of chapter 6 in their order, one pass each. Fluid Setup (6.2): CalculateParticleCellValue,
-    /// BitonicSort, ResetGridIndices, SetGridIndices, SortParticles. SPH Calculations (6.3): CalculateDensity, CalculateForce,
-    /// CalculateAcceleration, CalculateNewPosition.
-    /// </summary>
-    internal sealed class ThesisMethod : IFluidMethod
+    /// <summary>The thesis's method, corrected or as printed.</summary>
+    internal sealed class ThesisMethod : FluidMethod
     {
-        readonly CalculateParticleCellValuePass calculateParticleCellValue;
-        readonly BitonicSortPass bitonicSort;
-        readonly ResetGridIndicesPass resetGridIndices;
-        readonly SetGridIndicesPass setGridIndices;
-        readonly SortParticlesPass sortParticles;
-        readonly CalculateDensityPass calculateDensity;
-        readonly CalculateForcePass calculateForce;
-        readonly CalculateAccelerationPass calculateAcceleration;
-        readonly CalculateNewPositionPass calculateNewPosition;
+        static readonly ShaderGroup Group = new ShaderGroup("the thesis method", "Shaders/Solver/Thesis",
+            groupThreads: 1024, buffers: 7, writableBuffers: 3, groupMemory: 8192, vertexBuffers: 0,
+            "CalculateParticleCellValue", "BitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles", "CalculateDensity",
+            "CalculateForce", "CalculateAcceleration", "CalculateNewPosition");
 
-        public ThesisMethod(FluidShaderSet shaders)
+        static readonly string[] Fields = { "wallDistanceRatio", "wallStiffnessRatio", "wallDampingRatio", "thesisSwitches" };
+
+        public ThesisMethod(FluidMethodKind kind)
         {
-            calculateParticleCellValue = new CalculateParticleCellValuePass(shaders);
-            bitonicSort = new BitonicSortPass(shaders);
-            resetGridIndices = new ResetGridIndicesPass(shaders);
-            setGridIndices = new SetGridIndicesPass(shaders);
-            sortParticles = new SortParticlesPass(shaders);
-            calculateDensity = new CalculateDensityPass(shaders);
-            calculateForce = new CalculateForcePass(shaders);
-            calculateAcceleration = new CalculateAccelerationPass(shaders);
-            calculateNewPosition = new CalculateNewPositionPass(shaders);
+            Kind = kind;
         }
 
-        /// <inheritdoc/>
-        public void RecordNeighbourSetup(CommandBuffer cmd, FluidState state)
+        public override FluidMethodKind Kind { get; }
+
+        public override FluidMethodFeatures Features => FluidMethodFeatures.PenaltyWalls | FluidMethodFeatures.TwoKernels;
+
+        public override ShaderGroup Shaders => Group;
+
+        public override IReadOnlyList<string> ProfileFields => Fields;
+
+        public override long MaxCells => int.MaxValue;
+
+        bool IsPrinted => Kind == FluidMethodKind.ThesisPrinted;
+
+        public override FluidSolverSettings Derive(in FluidRuleInput input) => ThesisRules.Derive(input);
+
+        public override TimeStepAdvice Advise(in FluidSolverSettings settings, double maxSpeed) => ThesisRules.Advise(settings, maxSpeed);
+
+        public override bool SearchesOctants(in FluidRuleInput input) => IsPrinted || input.Switches.OctantSearch;
+
+        public override bool OmitsOwnDensity(in FluidSolverSettings settings) => !settings.Own<ThesisSettings>().SelfDensity;
+
+        public override FluidSolverSettings Prepare(in FluidSolverSettings settings)
         {
-            calculateParticleCellValue.Record(cmd, state);
-            bitonicSort.Record(cmd, state);
-            resetGridIndices.Record(cmd, state);
-            setGridIndices.Record(cmd, state);
-            sortParticles.Record(cmd, state);
-            calculateDensity.Record(cmd, state);
+            if (!IsPrinted) return settings;
+            ThesisSwitches printed = ThesisSwitches.Printed;
+            printed.OctantSearch = settings.OctantSearch; // both searches find the same neighbours
+            return settings.With(printed);
         }
 
-        /// <inheritdoc/>
-        public void RecordMotion(CommandBuffer cmd, FluidState state, in FluidStep step)
-        {
-            calculateForce.Record(cmd, state);
-            calculateAcceleration.Record(cmd, state, step);
-            calculateNewPosition.Record(cmd, state, step);
-        }
-
-        /// <inheritdoc/>
-        public void RecordLoad(CommandBuffer cmd, FluidState state)
-        {
-        }
-
-        /// <inheritdoc/>
-        public void RecordPublish(CommandBuffer cmd, FluidState state)
-        {
-        }
-
-        /// <inheritdoc/>
-        public void BindNeighbours(CommandBuffer cmd, FluidState state, ComputeKernel kernel)
-        {
-            GridNeighbours.SetNeighbours(cmd, kernel, state);
-        }
+        public override IFluidStepper Start(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount) =>
+            new ThesisStepper(settings, shaders, particleCount);
     }
 }

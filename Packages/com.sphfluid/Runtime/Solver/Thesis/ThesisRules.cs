@@ -15,12 +15,24 @@ namespace SphFluid
     /// <item><description>k_w = (v_max/d)², c_w = 2 √k_w, d = dx/2: a wall stops v_max in d without rebound.</description></item>
     /// </list>
     /// </summary>
-    internal static class ThesisRules
+    public static class ThesisRules
     {
+        /// <summary>dt √k/R at the border of stability: Müller's force on a cubic lattice by leapfrog, for κ = 2 to 4; k = 2 c².</summary>
+        public const double AcousticBorder = 1.35;
+
+        /// <summary>ν dt/R² at the border of stability: Müller's viscosity on a cubic lattice, for κ = 1.7 and more.</summary>
+        public const double ViscousBorder = 0.115;
+
+        /// <summary>ν dt/R² that is advised, about half of the border.</summary>
+        public const double ViscousLimit = 0.06;
+
+        // Penalty wall: k_w dt² < 4 − 2 c_w dt, kept with a tenth to spare.
+        const double WallMargin = 0.9;
+
         // The emergency limit moves a particle by one spacing in one step from rest.
         const double AccelerationReach = 1.0;
 
-        public static FluidSolverSettings Derive(in FluidRuleInput input)
+        internal static FluidSolverSettings Derive(in FluidRuleInput input)
         {
             Check(input);
             double dx = input.Spacing;
@@ -37,9 +49,10 @@ namespace SphFluid
             double wallDamping = 2.0 * input.WallDampingRatio * wallRate;
 
             // The fraction has room for the liquid's speed, a fifth of the sound's: it is of the limit at rest.
-            TimeStepAdvice atRest = TimeStepAdvice.Of(dx, radius, sound, 0.0, kinematic, wallRate * wallRate, wallDamping);
-            TimeStepAdvice atSpeed = TimeStepAdvice.Of(dx, radius, sound, speed, kinematic, wallRate * wallRate, wallDamping);
+            TimeStepAdvice atRest = Advise(dx, radius, sound, 0.0, kinematic, wallRate * wallRate, wallDamping);
+            TimeStepAdvice atSpeed = Advise(dx, radius, sound, speed, kinematic, wallRate * wallRate, wallDamping);
             double step = Math.Min(atRest.Step(input.TimeStepFraction), atSpeed.Speed);
+            if (input.FixedTimeStep > 0f) step = input.FixedTimeStep;
             return new FluidSolverSettings
             {
                 Method = input.Method,
@@ -48,26 +61,78 @@ namespace SphFluid
                 SupportRadius = (float)radius,
                 RestDensity = input.RestDensity,
                 ParticleMass = (float)(input.RestDensity * dx * dx * dx / ThesisKernels.LatticeSum(input.SupportRatio)),
-                Stiffness = (float)stiffness,
                 Viscosity = (float)(kinematic * input.RestDensity),
                 TimeStep = (float)step,
                 Gravity = input.Gravity,
+                MaxSpeed = (float)speed,
+                PressureClamp = true,
+                OctantSearch = true,
+            }.WithOwn(new ThesisSettings
+            {
+                Stiffness = (float)stiffness,
                 AccelerationLimit = EmergencyLimit(dx, (float)step),
                 WallStiffness = (float)(wallRate * wallRate),
                 WallDamping = (float)wallDamping,
                 WallDistance = (float)wallDistance,
-                MaxSpeed = (float)speed,
                 SelfDensity = true,
                 PressureHalf = true,
-                PressureClamp = true,
                 AccelerationLimitEnabled = true,
-                OctantSearch = true,
                 HalfKick = true,
-            };
+            }).With(input.Switches);
+        }
+
+        /// <summary>
+        /// Settings with the thesis's text as switched. The stiffness follows the ½ of equation (13), k = 2 c² or c²,
+        /// so that the effective speed of sound stays; time step and viscosity stay too.
+        /// </summary>
+        /// <param name="settings">Constants for the thesis method.</param>
+        /// <param name="switches">Corrected, printed, or any mixture.</param>
+        /// <returns>The changed copy.</returns>
+        public static FluidSolverSettings With(this in FluidSolverSettings settings, in ThesisSwitches switches)
+        {
+            FluidSolverSettings changed = settings;
+            changed.PressureClamp = switches.PressureClamp;
+            changed.OctantSearch = switches.OctantSearch;
+            ThesisSettings own = settings.Own<ThesisSettings>();
+            if (own.PressureHalf != switches.PressureHalf) own.Stiffness *= switches.PressureHalf ? 2f : 0.5f;
+            own.SelfDensity = switches.SelfDensity;
+            own.PressureHalf = switches.PressureHalf;
+            own.ForceTimesMass = switches.ForceTimesMass;
+            own.HalfKick = switches.HalfKick;
+            own.AccelerationLimitEnabled = switches.AccelerationLimit != ThesisAccelerationLimit.Off;
+            own.AccelerationLimitFixed = switches.AccelerationLimit == ThesisAccelerationLimit.AsPrinted;
+            own.AccelerationLimit = own.AccelerationLimitFixed ? settings.MaxSpeed : EmergencyLimit(settings.Spacing, settings.TimeStep);
+            return changed.WithOwn(own);
+        }
+
+        /// <summary>Advice for a running liquid.</summary>
+        internal static TimeStepAdvice Advise(in FluidSolverSettings settings, double maxSpeed)
+        {
+            // 6.3.3 as printed multiplies the force density by m where the equation divides by ρ: m ρ times the acceleration.
+            ThesisSettings own = settings.Own<ThesisSettings>();
+            double factor = own.ForceTimesMass ? (double)settings.ParticleMass * settings.RestDensity : 1.0;
+            return Advise(settings.Spacing, settings.SupportRadius, settings.SoundSpeed * Math.Sqrt(factor), maxSpeed,
+                factor * settings.Viscosity / settings.RestDensity, own.WallStiffness, own.WallDamping);
+        }
+
+        // Advice from bare numbers. With c and v: the waves that two parts of the liquid send each other run at c on top of their own speed.
+        static TimeStepAdvice Advise(double spacing, double radius, double sound, double speed, double kinematic, double wallStiffness, double wallDamping) =>
+            new TimeStepAdvice(
+                AcousticBorder * radius / (Math.Sqrt(2.0 * sound * sound) * (1.0 + speed / sound)),
+                TimeStepAdvice.SpeedStep(spacing, speed),
+                kinematic > 0.0 ? ViscousLimit * radius * radius / kinematic : double.PositiveInfinity,
+                WallStep(wallStiffness, wallDamping), sound, speed, kinematic);
+
+        // Largest dt with k dt² = margin (4 − 2 c dt).
+        static double WallStep(double stiffness, double damping)
+        {
+            if (stiffness <= 0.0) return double.PositiveInfinity;
+            double half = WallMargin * damping;
+            return (Math.Sqrt(half * half + 4.0 * WallMargin * stiffness) - half) / stiffness;
         }
 
         /// <summary>Largest acceleration of the fluid itself that is no accident [m/s²].</summary>
-        public static float EmergencyLimit(double spacing, double timeStep) => (float)(AccelerationReach * spacing / (timeStep * timeStep));
+        internal static float EmergencyLimit(double spacing, double timeStep) => (float)(AccelerationReach * spacing / (timeStep * timeStep));
 
         static void Check(in FluidRuleInput input)
         {
@@ -87,6 +152,7 @@ namespace SphFluid
             FluidSolverSettings.RequireNotNegative(input.ViscosityRatio, nameof(input.ViscosityRatio));
             FluidSolverSettings.RequireNotNegative(input.WallStiffnessRatio, nameof(input.WallStiffnessRatio));
             FluidSolverSettings.RequireNotNegative(input.WallDampingRatio, nameof(input.WallDampingRatio));
+            FluidSolverSettings.RequireNotNegative(input.FixedTimeStep, nameof(input.FixedTimeStep));
         }
     }
 }

@@ -70,7 +70,7 @@ namespace SphFluid
             if (input.Field.IsThesis)
             {
                 FluidSolverSettings settings = solver.Settings;
-                bool ownMissing = settings.Method != FluidMethodKind.Standard && !settings.SelfDensity;
+                bool ownMissing = FluidMethods.Of(settings.Method).OmitsOwnDensity(settings);
                 kernel.SetFloat(cmd, LowDensityId, LowDensity);
                 kernel.SetFloat(cmd, DensityScale, 1f / settings.RestDensity);
                 kernel.SetFloat(cmd, DensityOffset, ownMissing ? (float)KernelAtZero(input) : 0f);

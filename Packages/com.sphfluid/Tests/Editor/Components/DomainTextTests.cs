@@ -28,7 +28,7 @@ namespace SphFluid.Tests
             try
             {
                 using (var solver = new FluidSolver(settings, shaders, new[] { new FluidParticle(Vector3.zero, Vector3.zero, 0) }))
-                    Assert.That(CellChecks.Needed(settings), Is.EqualTo(method == FluidMethodKind.Standard ? solver.State.Cells.CellCount : solver.Grid.CellCount));
+                    Assert.That(CellChecks.Needed(settings), Is.EqualTo(solver.CellCount));
             }
             finally
             {

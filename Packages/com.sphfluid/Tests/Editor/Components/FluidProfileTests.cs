@@ -55,7 +55,7 @@ namespace SphFluid.Tests
             var water = AssetDatabase.LoadAssetAtPath<FluidProfile>(Assets + name + ".asset");
             Assert.That(water, Is.Not.Null);
             Assert.That(water.Shaders, Is.Not.Null);
-            Assert.That(water.Shaders.Missing(ShaderGroup.All.SelectMany(g => g.Shaders)), Is.Empty);
+            Assert.That(PackageShaders.Missing(water.Shaders), Is.Empty);
             Assert.That(water.RestDensity, Is.EqualTo(1000f));
             Assert.That(water.SupportRatio, Is.EqualTo(supportRatio));
             Assert.That(water.ThesisSwitches, Is.EqualTo(ThesisSwitches.Corrected));
@@ -65,7 +65,7 @@ namespace SphFluid.Tests
         [Test]
         public void ThePackagesSetHasEveryComputeShaderOfTheGroupsAndNoOther()
         {
-            var named = ShaderGroup.All.SelectMany(g => g.Shaders).ToArray();
+            var named = PackageShaders.Groups.SelectMany(g => g.Shaders).ToArray();
             FluidShaderSet package = TestShaders.PackageSet;
             var held = package.ComputeShaders.Select(s => s.name).Concat(package.Shaders.Select(s => s.name));
             Assert.That(held, Is.EquivalentTo(named));
@@ -77,9 +77,9 @@ namespace SphFluid.Tests
             var set = ScriptableObject.CreateInstance<FluidShaderSet>();
             try
             {
-                Assert.That(set.Missing(ShaderGroup.Thesis.Shaders), Is.EqualTo(ShaderGroup.Thesis.Shaders).And.Contain("BitonicSort"));
+                Assert.That(set.Missing(FluidMethods.Of(FluidMethodKind.Thesis).Shaders.Shaders), Is.EqualTo(FluidMethods.Of(FluidMethodKind.Thesis).Shaders.Shaders).And.Contain("BitonicSort"));
                 set.ComputeShaders = new[] { TestShaders.Load("Shaders/Solver/Thesis/BitonicSort.compute"), null };
-                Assert.That(set.Missing(ShaderGroup.Thesis.Shaders), Does.Contain("CalculateNewPosition").And.Not.Contain("BitonicSort"));
+                Assert.That(set.Missing(FluidMethods.Of(FluidMethodKind.Thesis).Shaders.Shaders), Does.Contain("CalculateNewPosition").And.Not.Contain("BitonicSort"));
                 Assert.That(set.Missing(ShaderGroup.Drawing.Shaders), Does.Contain("SPH Fluid/Particles"));
             }
             finally

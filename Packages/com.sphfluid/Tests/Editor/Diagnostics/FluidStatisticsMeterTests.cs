@@ -71,7 +71,7 @@ namespace SphFluid.Tests
         public void ForcesWithoutSelfDensityLeaveLoneParticlesFinite()
         {
             FluidSolverSettings settings = Settings(true, false);
-            settings.SelfDensity = false;
+            settings = settings.WithOwn((ref ThesisSettings own) => own.SelfDensity = false);
             FluidStatistics found = Check(settings, Blob(31));
             Assert.That(found.MinDensityRatio, Is.Zero.Or.Positive);
         }

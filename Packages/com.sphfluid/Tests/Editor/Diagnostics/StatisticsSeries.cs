@@ -88,7 +88,7 @@ namespace SphFluid.Tests
             input.Spacing = Settings.Spacing;
             input.LiquidHeight = Settings.DomainSize.y;
             input.LiquidDepth = 0.5f * Settings.DomainSize.y;
-            Settings = FluidSolverSettings.FromRules(input);
+            Settings = FluidRules.Derive(input);
             double ratio = Settings.TimeStep / before;
             return From(0, v => { v.Time *= ratio; return v; });
         }

@@ -22,8 +22,8 @@ namespace SphFluid.Tests
             settings.Gravity = new Vector3(0.5f, -9f, 0.25f);
             using (var rig = new ThesisRig(settings, ParticleSets.Random(count, 0.9f * Domain, 1f, count)))
             {
-                rig.State.Buffers.Density.SetData(Filled(count, 1000f));
-                rig.State.Thesis.Force.SetData(new Vector4[count]);
+                rig.State.Published.Density.SetData(Filled(count, 1000f));
+                rig.State.Buffers.Force.SetData(new Vector4[count]);
                 var pass = new CalculateAccelerationPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State, rig.Step));
                 FluidParticle[] particles = rig.ReadParticles();

@@ -71,7 +71,7 @@ namespace SphFluid.Tests
             FluidParticle[] pair = { new FluidParticle(Vector3.zero, Vector3.zero, 0), new FluidParticle(new Vector3(1e-3f, 0f, 0f), Vector3.zero, 1) };
             float[] speeds = new[] { 1f, 0.5f }.Select(part => Run(settings, pair,
                 (solver, i, cmd) => solver.RecordSteps(cmd, i == 0 ? 1 : 0, part * settings.TimeStep))[0].VelT0.magnitude).ToArray();
-            float full = 0.5f * settings.AccelerationLimit * settings.TimeStep; // the first step gives half a kick
+            float full = 0.5f * settings.Own<ThesisSettings>().AccelerationLimit * settings.TimeStep; // the first step gives half a kick
             Assert.That(speeds[0], Is.EqualTo(full).Within(1e-4f * full), "limited");
             Assert.That(speeds[1], Is.EqualTo(0.5f * factor * full).Within(1e-4f * full));
         }

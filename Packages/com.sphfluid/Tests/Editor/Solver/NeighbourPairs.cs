@@ -30,7 +30,7 @@ namespace SphFluid.Tests
                 var kernel = new ComputeKernel(TestShaders.Load("Tests/Editor/Solver/NeighbourPairs.compute"), "NeighbourPairs");
                 GpuTest.Run(cmd =>
                 {
-                    GridNeighbours.SetNeighbours(cmd, kernel, rig.State);
+                    GridNeighbours.Set(cmd, kernel, rig.State);
                     kernel.SetInt(cmd, Shader.PropertyToID("_RowWords"), words);
                     kernel.SetInt(cmd, Shader.PropertyToID("_ParticleCount"), particles.Length);
                     kernel.SetBuffer(cmd, Shader.PropertyToID("_Pairs"), pairBuffer);

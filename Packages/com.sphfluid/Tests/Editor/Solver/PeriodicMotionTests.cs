@@ -47,7 +47,7 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = Settings(Vector3.one, FluidAxes.X);
             settings.TimeStep = 1e-3f;
-            settings.WallStiffness = settings.WallDamping = 0f;
+            settings = settings.WithOwn((ref ThesisSettings own) => own.WallStiffness = own.WallDamping = 0f);
             var start = new FluidParticle(new Vector3(0.4999f, 0.4999f, 0f), new Vector3(2f, 2f, 0f), 0);
             FluidParticle end = Run(settings, new[] { start }, 1, out FluidCounters counters)[0];
             Assert.That(end.Position.x, Is.EqualTo(-0.4981f).Within(1e-6f));

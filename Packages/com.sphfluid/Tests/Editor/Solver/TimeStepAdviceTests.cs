@@ -10,7 +10,7 @@ namespace SphFluid.Tests
         [Test]
         public void EachLimitByHand()
         {
-            TimeStepAdvice advice = TimeStepAdvice.For(Example(), 2.0);
+            TimeStepAdvice advice = FluidRules.Advise(Example(), 2.0);
             Assert.That(advice.Acoustic, Is.EqualTo(3.97748e-3).Within(1e-7), "1.35 · 0.05 / (√200 · 1.2)");
             Assert.That(advice.Speed, Is.EqualTo(5e-3).Within(1e-9), "0.4 · 0.025 / 2");
             Assert.That(advice.Viscosity, Is.EqualTo(15e-3).Within(1e-8), "0.06 · 0.05² / 0.01");
@@ -27,9 +27,9 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = Example();
             settings.Viscosity = (float)(1000.0 * kinematic);
-            settings.WallStiffness = (float)wallStiffness;
-            settings.WallDamping = 2f * Mathf.Sqrt(settings.WallStiffness);
-            TimeStepAdvice advice = TimeStepAdvice.For(settings, speed);
+            settings = settings.WithOwn((ref ThesisSettings own) => own.WallStiffness = (float)wallStiffness);
+            settings = settings.WithOwn((ref ThesisSettings own) => own.WallDamping = 2f * Mathf.Sqrt(own.WallStiffness));
+            TimeStepAdvice advice = FluidRules.Advise(settings, speed);
             Assert.That(advice.Limit, Is.EqualTo(limit));
             Assert.That(advice.Largest, Is.EqualTo(largest).Within(1e-5 * largest));
             double fraction = limit == TimeStepLimit.Acoustic ? 0.9 : 1.0;
@@ -40,9 +40,9 @@ namespace SphFluid.Tests
         public void WithoutTheHalfTheWavesAreThoseOfHalfTheStiffness()
         {
             FluidSolverSettings settings = Example();
-            settings.PressureHalf = false;
-            settings.Stiffness *= 0.5f;
-            Assert.That(TimeStepAdvice.For(settings, 2.0).Acoustic, Is.EqualTo(3.97748e-3).Within(1e-7));
+            settings = settings.WithOwn((ref ThesisSettings own) => own.PressureHalf = false);
+            settings = settings.WithOwn((ref ThesisSettings own) => own.Stiffness *= 0.5f);
+            Assert.That(FluidRules.Advise(settings, 2.0).Acoustic, Is.EqualTo(3.97748e-3).Within(1e-7));
         }
 
         [Test]
@@ -50,10 +50,10 @@ namespace SphFluid.Tests
         {
             // m = 0.004 kg, ρ = 1000 kg/m³: four times the acceleration, half the acoustic step, a quarter of the viscous one.
             FluidSolverSettings settings = Example();
-            settings.ForceTimesMass = true;
+            settings = settings.WithOwn((ref ThesisSettings own) => own.ForceTimesMass = true);
             settings.ParticleMass = 0.004f;
-            TimeStepAdvice advice = TimeStepAdvice.For(settings, 0.0);
-            Assert.That(advice.Acoustic, Is.EqualTo(0.5 * TimeStepAdvice.For(Example(), 0.0).Acoustic).Within(1e-8));
+            TimeStepAdvice advice = FluidRules.Advise(settings, 0.0);
+            Assert.That(advice.Acoustic, Is.EqualTo(0.5 * FluidRules.Advise(Example(), 0.0).Acoustic).Within(1e-8));
             Assert.That(advice.Viscosity, Is.EqualTo(0.25 * 15e-3).Within(1e-8));
         }
 
@@ -61,10 +61,11 @@ namespace SphFluid.Tests
         public void AtRestWithoutViscosityAndWallsSoundAloneLimits()
         {
             FluidSolverSettings settings = Example();
-            settings.Viscosity = settings.WallStiffness = settings.WallDamping = 0f;
-            TimeStepAdvice advice = TimeStepAdvice.For(settings, 0.0);
+            settings.Viscosity = 0f;
+            settings = settings.WithOwn((ref ThesisSettings own) => own.WallStiffness = own.WallDamping = 0f);
+            TimeStepAdvice advice = FluidRules.Advise(settings, 0.0);
             Assert.That(new[] { advice.Speed, advice.Viscosity, advice.Walls }, Is.All.EqualTo(double.PositiveInfinity));
-            Assert.That(advice.Largest * Math.Sqrt(200.0) / 0.05, Is.EqualTo(TimeStepAdvice.AcousticBorder).Within(1e-6));
+            Assert.That(advice.Largest * Math.Sqrt(200.0) / 0.05, Is.EqualTo(ThesisRules.AcousticBorder).Within(1e-6));
             Assert.That(advice.Explain(0.6 * advice.Largest), Is.EqualTo(
                 "The time step of 2.86 ms is 60 % of the largest stable one, 4.77 ms, which the speed of sound (10 m/s, liquid at 0 m/s) sets; " +
                 "half of it, by Sound Speed Ratio or in deep liquid Max Compression, would allow 9.55 ms at four times the compression."));
@@ -76,26 +77,26 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings viscous = Example();
             viscous.Viscosity = 1000f;
-            Assert.That(TimeStepAdvice.For(viscous, 2.0).Explain(3e-4), Does.Contain("is 200 %").And.Contain("viscosity (1 m²/s)").And.Contain("allow 0.3 ms."));
+            Assert.That(FluidRules.Advise(viscous, 2.0).Explain(3e-4), Does.Contain("is 200 %").And.Contain("viscosity (1 m²/s)").And.Contain("allow 0.3 ms."));
             viscous.Viscosity *= 0.5f;
-            Assert.That(TimeStepAdvice.For(viscous, 2.0).Largest, Is.EqualTo(3e-4).Within(1e-9));
+            Assert.That(FluidRules.Advise(viscous, 2.0).Largest, Is.EqualTo(3e-4).Within(1e-9));
 
-            Assert.That(TimeStepAdvice.For(Example(), 5.0).Explain(2e-3), Does.Contain("fastest particle (5 m/s)").And.Contain("Particle Spacing would allow 3.18 ms."),
+            Assert.That(FluidRules.Advise(Example(), 5.0).Explain(2e-3), Does.Contain("fastest particle (5 m/s)").And.Contain("Particle Spacing would allow 3.18 ms."),
                 "twice the way, but sound allows no more than 3.18 ms");
 
             FluidSolverSettings hard = Example();
-            hard.WallStiffness = 1e6f;
-            hard.WallDamping = 2000f;
-            Assert.That(TimeStepAdvice.For(hard, 2.0).Explain(8e-4), Does.Contain("stiffness of the walls").And.Contain("Wall Stiffness Ratio would allow 1.63 ms."));
-            hard.WallStiffness *= 0.25f;
-            hard.WallDamping *= 0.5f;
-            Assert.That(TimeStepAdvice.For(hard, 2.0).Largest, Is.EqualTo(1.63068e-3).Within(1e-7));
+            hard = hard.WithOwn((ref ThesisSettings own) => own.WallStiffness = 1e6f);
+            hard = hard.WithOwn((ref ThesisSettings own) => own.WallDamping = 2000f);
+            Assert.That(FluidRules.Advise(hard, 2.0).Explain(8e-4), Does.Contain("stiffness of the walls").And.Contain("Wall Stiffness Ratio would allow 1.63 ms."));
+            hard = hard.WithOwn((ref ThesisSettings own) => own.WallStiffness *= 0.25f);
+            hard = hard.WithOwn((ref ThesisSettings own) => own.WallDamping *= 0.5f);
+            Assert.That(FluidRules.Advise(hard, 2.0).Largest, Is.EqualTo(1.63068e-3).Within(1e-7));
         }
 
         [TestCase(-1.0)]
         [TestCase(double.NaN)]
         [TestCase(double.PositiveInfinity)]
-        public void BadSpeedIsRefused(double speed) => Assert.Throws<ArgumentOutOfRangeException>(() => TimeStepAdvice.For(Example(), speed));
+        public void BadSpeedIsRefused(double speed) => Assert.Throws<ArgumentOutOfRangeException>(() => FluidRules.Advise(Example(), speed));
 
         // c = 10 m/s, R = 5 cm, dx = 2.5 cm, ν = 0.01 m²/s, walls of 160² 1/s² with critical damping.
         static FluidSolverSettings Example() => new FluidSolverSettings
@@ -103,11 +104,7 @@ namespace SphFluid.Tests
             Spacing = 0.025f,
             SupportRadius = 0.05f,
             RestDensity = 1000f,
-            Stiffness = 200f,
-            PressureHalf = true,
             Viscosity = 10f,
-            WallStiffness = 25600f,
-            WallDamping = 320f,
-        };
+        }.WithOwn(new ThesisSettings { Stiffness = 200f, PressureHalf = true, WallStiffness = 25600f, WallDamping = 320f });
     }
 }

@@ -122,8 +122,8 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
             settings.Gravity = Vector3.zero;
-            settings.WallStiffness = 0f;
-            settings.WallDamping = 0f;
+            settings = settings.WithOwn((ref ThesisSettings own) => own.WallStiffness = 0f);
+            settings = settings.WithOwn((ref ThesisSettings own) => own.WallDamping = 0f);
             settings.OctantSearch = false;
             settings.Viscosity = kinematic * settings.RestDensity;
             return settings;
@@ -188,8 +188,8 @@ namespace SphFluid.Tests
                     rig.SetMeshes(meshes);
                 }
 
-                rig.State.Buffers.Density.SetData(particles.Select(_ => 1000f).ToArray());
-                rig.State.Thesis.Force.SetData(new Vector4[particles.Length]);
+                rig.State.Published.Density.SetData(particles.Select(_ => 1000f).ToArray());
+                rig.State.Buffers.Force.SetData(new Vector4[particles.Length]);
                 var pass = new CalculateAccelerationPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State, rig.Step));
                 return rig.ReadAcceleration().Select(a => (Double3)(Vector3)a).ToArray();

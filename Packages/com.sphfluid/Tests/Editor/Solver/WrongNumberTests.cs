@@ -10,10 +10,14 @@ namespace SphFluid.Tests
     {
         static readonly string[] PositiveSettings =
         {
-            "Spacing", "SupportRadius", "RestDensity", "ParticleMass", "Stiffness", "TimeStep", "AccelerationLimit",
+            "Spacing", "SupportRadius", "RestDensity", "ParticleMass", "TimeStep",
         };
 
-        static readonly string[] OtherSettings = { "Viscosity", "WallStiffness", "WallDamping", "WallDistance" };
+        static readonly string[] OtherSettings = { "Viscosity" };
+
+        static readonly string[] PositiveOfThesis = { "Stiffness", "AccelerationLimit" };
+
+        static readonly string[] OtherOfThesis = { "WallStiffness", "WallDamping", "WallDistance" };
 
         static readonly string[] PositiveInput =
         {
@@ -37,6 +41,36 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void TheThesisMethodsOwnMustBePositive([ValueSource(nameof(PositiveOfThesis))] string name, [Values(0f, -1f, float.NaN, float.PositiveInfinity)] float bad) =>
+            Refuses(name, () => OfThesis(name, bad).Validate());
+
+        [Test]
+        public void TheThesisMethodsOwnThatMayBeZeroIsNotNegative([ValueSource(nameof(OtherOfThesis))] string name, [Values(-1f, float.NaN, float.PositiveInfinity)] float bad)
+        {
+            Refuses(name, () => OfThesis(name, bad).Validate());
+            Assert.That(() => OfThesis(name, 0f).Validate(), Throws.Nothing);
+        }
+
+        [Test]
+        public void TheStandardMethodsSpeedOfSoundMustBePositive([Values(0f, -1f, float.NaN, float.PositiveInfinity)] float bad)
+        {
+            FluidRuleInput input = Input();
+            input.Method = FluidMethodKind.Standard;
+            Refuses("SoundSpeed", () => FluidRules.Derive(input).WithSoundSpeed(bad).Validate());
+        }
+
+        [Test]
+        public void SettingsWithoutTheMethodsOwnSayHowToDeriveThem()
+        {
+            var settings = new FluidSolverSettings
+            {
+                DomainSize = Vector3.one, Spacing = 0.05f, SupportRadius = 0.1f, RestDensity = 1000f, ParticleMass = 1f, TimeStep = 1e-3f,
+            };
+            Assert.That(() => settings.Validate(), Throws.ArgumentException.With.Message.Contains("FluidRules.Derive"));
+            Assert.That(() => Settings().Own<StandardSettings>(), Throws.ArgumentException.With.Message.Contains("method Thesis"));
+        }
+
+        [Test]
         public void TheDomainHasASizeAlongEveryAxis([Values(0, 1, 2)] int axis, [Values(0f, -1f, float.NaN)] float bad)
         {
             FluidSolverSettings settings = Settings();
@@ -46,11 +80,11 @@ namespace SphFluid.Tests
 
         [Test]
         public void RulesRefuseWhatMustBePositive([ValueSource(nameof(PositiveInput))] string name, [Values(0f, -1f, float.NaN)] float bad) =>
-            Refuses(name, () => FluidSolverSettings.FromRules(Changed(Input(), name, bad)));
+            Refuses(name, () => FluidRules.Derive(Changed(Input(), name, bad)));
 
         [Test]
         public void RulesRefuseWhatMayNotBeNegative([ValueSource(nameof(OtherInput))] string name, [Values(-1f, float.NaN)] float bad) =>
-            Refuses(name, () => FluidSolverSettings.FromRules(Changed(Input(), name, bad)));
+            Refuses(name, () => FluidRules.Derive(Changed(Input(), name, bad)));
 
         static void Refuses(string name, TestDelegate act)
         {
@@ -66,6 +100,8 @@ namespace SphFluid.Tests
             found.SetValue(boxed, number);
             return (T)boxed;
         }
+
+        static FluidSolverSettings OfThesis(string name, float bad) => Settings().WithOwn(Changed(Settings().Own<ThesisSettings>(), name, bad));
 
         static FluidSolverSettings Settings() => TestSettings.ByRule(Vector3.one, 0.05f);
 

@@ -26,12 +26,12 @@ namespace SphFluid.Tests
 
         public static Double3 Wall(Double3 normal, double distance, Double3 velocity, in FluidSolverSettings s)
         {
-            if (distance >= s.WallDistance)
+            if (distance >= s.Own<ThesisSettings>().WallDistance)
             {
                 return Double3.Zero;
             }
 
-            double push = s.WallStiffness * (s.WallDistance - distance) - s.WallDamping * Double3.Dot(velocity, normal);
+            double push = s.Own<ThesisSettings>().WallStiffness * (s.Own<ThesisSettings>().WallDistance - distance) - s.Own<ThesisSettings>().WallDamping * Double3.Dot(velocity, normal);
             return Math.Max(0.0, push) * normal;
         }
 
@@ -60,18 +60,18 @@ namespace SphFluid.Tests
                 double side = mesh.Closed || height >= 0.0 ? 1.0 : -1.0;
                 Double3 q = Closest(t, p, normal, out bool onFace);
                 double distance = (p - q).Length;
-                if (distance < nearest - 1e-4 * s.WallDistance)
+                if (distance < nearest - 1e-4 * s.Own<ThesisSettings>().WallDistance)
                 {
                     nearest = distance;
                     foot = q;
                     footNormal = normal;
                 }
-                else if (distance < nearest + 1e-4 * s.WallDistance)
+                else if (distance < nearest + 1e-4 * s.Own<ThesisSettings>().WallDistance)
                 {
                     footNormal += normal;
                 }
 
-                if (onFace && side * height >= 0.0 && side * height < s.WallDistance)
+                if (onFace && side * height >= 0.0 && side * height < s.Own<ThesisSettings>().WallDistance)
                 {
                     faces += Wall(side * normal, side * height, v, s);
                     contact = true;
@@ -90,9 +90,9 @@ namespace SphFluid.Tests
             bool behind = mesh.Closed && Double3.Dot(p - foot, footNormal) < 0.0;
             if (behind && nearest < s.Spacing)
             {
-                force = Wall((foot - p) / nearest, -Math.Min(nearest, s.WallDistance), v, s);
+                force = Wall((foot - p) / nearest, -Math.Min(nearest, s.Own<ThesisSettings>().WallDistance), v, s);
             }
-            else if (!contact && nearest < s.WallDistance)
+            else if (!contact && nearest < s.Own<ThesisSettings>().WallDistance)
             {
                 force = Wall((p - foot) / nearest, nearest, v, s);
             }

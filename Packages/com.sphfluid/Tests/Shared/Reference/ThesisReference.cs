@@ -81,7 +81,7 @@ namespace SphFluid.Tests
             double sum = 0.0;
             for (int j = 0; j < particles.Count; j++)
             {
-                if (j != i || settings.SelfDensity)
+                if (j != i || settings.Own<ThesisSettings>().SelfDensity)
                 {
                     sum += settings.ParticleMass * Poly6(Separation(particles[i], particles[j], period).Length, settings.SupportRadius);
                 }
@@ -93,7 +93,7 @@ namespace SphFluid.Tests
         /// <summary>Equation (10).</summary>
         public static double Pressure(double density, in FluidSolverSettings settings)
         {
-            double pressure = settings.Stiffness * (density - settings.RestDensity);
+            double pressure = settings.Own<ThesisSettings>().Stiffness * (density - settings.RestDensity);
             return settings.PressureClamp ? Math.Max(0.0, pressure) : pressure;
         }
 
@@ -108,7 +108,7 @@ namespace SphFluid.Tests
             IReadOnlyList<float> pressure, int i, in FluidSolverSettings settings, out double magnitude)
         {
             double h = settings.SupportRadius;
-            double half = settings.PressureHalf ? 0.5 : 1.0;
+            double half = settings.Own<ThesisSettings>().PressureHalf ? 0.5 : 1.0;
             Double3 force = Double3.Zero;
             magnitude = 0.0;
             for (int j = 0; j < particles.Count; j++)

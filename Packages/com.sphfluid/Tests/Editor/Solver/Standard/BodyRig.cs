@@ -21,6 +21,7 @@ namespace SphFluid.Tests
         public FluidSolverSettings Settings { get; }
         public CollisionBodies Bodies { get; }
         public FluidSolver Solver => liquid.Solver;
+        public StandardState State => liquid.State;
         public IReadOnlyList<ColliderSolid> Solids => colliders.Scene.Solids;
 
         /// <summary>By rule for water of a depth in a domain.</summary>
@@ -33,7 +34,7 @@ namespace SphFluid.Tests
             input.LiquidHeight = depth;
             input.LiquidDepth = depth;
             input.MinSpeed = Mathf.Max(input.MinSpeed, expectedSpeed);
-            return FluidSolverSettings.FromRules(input);
+            return FluidRules.Derive(input);
         }
 
         /// <summary>Adds triangles, three corners each.</summary>

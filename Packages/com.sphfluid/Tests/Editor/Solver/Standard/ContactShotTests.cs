@@ -75,7 +75,8 @@ namespace SphFluid.Tests
             var random = new System.Random(17 + kind);
             FluidShaderSet set = TestShaders.CreateSet();
             var walls = new GatherWallsPass(set);
-            var contact = new ContactPass(set);
+            var find = new FindContactsPass(set);
+            var resolve = new ResolveContactsPass(set);
             for (int scene = 0; scene < 5; scene++)
             {
                 List<Vector3> corners = Scene(kind, centre, random);
@@ -86,19 +87,20 @@ namespace SphFluid.Tests
                     var to = new Vector4[Shots];
                     for (int i = 0; i < Shots; i++) Shoot(corners, random, out from[i], out to[i]);
                     rig.Start(from.Select((p, i) => new FluidParticle(p, Vector3.zero, (uint)i)).ToArray());
-                    FluidState state = rig.Solver.State;
+                    StandardState state = rig.State;
                     rig.Setup();
                     for (int round = 0; round < 2; round++) // the second from where the first came to rest
                     {
-                        state.Standard.Positions.SetData(from);
-                        state.Standard.NewPositions.SetData(to);
-                        state.Standard.NewVelocities.SetData(from.Select((p, i) => (to[i] - p) / settings.TimeStep).ToArray());
+                        state.Buffers.Positions.SetData(from);
+                        state.Buffers.NewPositions.SetData(to);
+                        state.Buffers.NewVelocities.SetData(from.Select((p, i) => (to[i] - p) / settings.TimeStep).ToArray());
                         GpuTest.Run(cmd =>
                         {
                             walls.Record(cmd, state);
-                            contact.Record(cmd, state, settings.TimeStep);
+                            find.Record(cmd, state);
+                            resolve.Record(cmd, state, settings.TimeStep);
                         });
-                        Vector4[] end = GpuTest.Read<Vector4>(state.Standard.NewPositions, Shots);
+                        Vector4[] end = GpuTest.Read<Vector4>(state.Buffers.NewPositions, Shots);
                         for (int i = 0; i < Shots; i++)
                         {
                             shots++;

@@ -31,7 +31,7 @@ namespace SphFluid.Tests
                     rig.Setup();
                     Vector3[] end = Step(rig, set, from, to);
                     counters = rig.Solver.ReadCountersNow();
-                    listed = GpuTest.Read<uint>(rig.Solver.State.Standard.Walls.ContactArguments, 4)[3];
+                    listed = GpuTest.Read<uint>(rig.State.Walls.ContactArguments, 4)[3];
                     return end;
                 }
             }
@@ -43,17 +43,18 @@ namespace SphFluid.Tests
 
         static Vector3[] Step(BodyRig rig, FluidShaderSet set, Vector3[] from, Vector3[] to)
         {
-            FluidState state = rig.Solver.State;
+            StandardState state = rig.State;
             float timeStep = rig.Settings.TimeStep;
-            state.Standard.Positions.SetData(from.Select(p => (Vector4)p).ToArray());
-            state.Standard.NewPositions.SetData(to.Select(p => (Vector4)p).ToArray());
-            state.Standard.NewVelocities.SetData(from.Select((p, i) => (Vector4)((to[i] - p) / timeStep)).ToArray());
+            state.Buffers.Positions.SetData(from.Select(p => (Vector4)p).ToArray());
+            state.Buffers.NewPositions.SetData(to.Select(p => (Vector4)p).ToArray());
+            state.Buffers.NewVelocities.SetData(from.Select((p, i) => (Vector4)((to[i] - p) / timeStep)).ToArray());
             GpuTest.Run(cmd =>
             {
                 new GatherWallsPass(set).Record(cmd, state);
-                new ContactPass(set).Record(cmd, state, timeStep);
+                new FindContactsPass(set).Record(cmd, state);
+                new ResolveContactsPass(set).Record(cmd, state, timeStep);
             });
-            return GpuTest.Read<Vector4>(state.Standard.NewPositions, from.Length).Select(p => (Vector3)p).ToArray();
+            return GpuTest.Read<Vector4>(state.Buffers.NewPositions, from.Length).Select(p => (Vector3)p).ToArray();
         }
 
         static readonly Vector3[] floor = { new Vector3(-0.4f, 0f, -0.4f), new Vector3(0f, 0f, 0.4f), new Vector3(0.4f, 0f, -0.4f) };

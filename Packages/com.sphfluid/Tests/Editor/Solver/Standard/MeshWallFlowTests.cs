@@ -35,7 +35,7 @@ namespace SphFluid.Tests
             input.DomainSize = size + 6f * Spacing * Vector3.one;
             input.Spacing = Spacing;
             input.LiquidHeight = input.LiquidDepth = counts.y * Spacing;
-            FluidSolverSettings settings = FluidSolverSettings.FromRules(input);
+            FluidSolverSettings settings = FluidRules.Derive(input);
             using (var rig = new BodyRig(settings))
             {
                 Transform box = rig.AddBox(size);

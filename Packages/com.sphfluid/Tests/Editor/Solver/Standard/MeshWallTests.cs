@@ -66,7 +66,7 @@ namespace SphFluid.Tests
             rig.Start(points.Select((p, i) => new FluidParticle(p, Vector3.zero, (uint)i)).ToArray());
             rig.Setup();
             uint[] ids = rig.Particles().Select(p => p.Id).ToArray();
-            MeshWallBuffers buffers = rig.Solver.State.Standard.Walls;
+            MeshWallBuffers buffers = rig.State.Walls;
             uint[] slots = GpuTest.Read<uint>(buffers.WallSlot, points.Length);
             Wall[] walls = GpuTest.Read<Wall>(buffers.NearWalls, points.Length), result = new Wall[points.Length];
             for (int i = 0; i < points.Length; i++)
@@ -189,10 +189,10 @@ namespace SphFluid.Tests
                 Assert.That(rig.Bodies.HasStretch, Is.True);
                 rig.Solver.State.BeginBodyStep(0, 1, settings.TimeStep);
                 FluidShaderSet set = TestShaders.CreateSet();
-                GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.Solver.State));
+                GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.State));
                 UnityEngine.Object.DestroyImmediate(set);
-                Vector4[] at = GpuTest.Read<Vector4>(rig.Solver.State.Standard.Positions, points.Length);
-                MeshWallBuffers buffers = rig.Solver.State.Standard.Walls;
+                Vector4[] at = GpuTest.Read<Vector4>(rig.State.Buffers.Positions, points.Length);
+                MeshWallBuffers buffers = rig.State.Walls;
                 uint[] slots = GpuTest.Read<uint>(buffers.WallSlot, points.Length);
                 Wall[] walls = GpuTest.Read<Wall>(buffers.NearWalls, points.Length);
                 inner.DomainSize = 0.4f * new Vector3(0.9f, 1.3f, 1.1f); // where the step begins
@@ -249,9 +249,9 @@ namespace SphFluid.Tests
                     sheet.localRotation = Quaternion.Euler(0f, 0f, 60f);
                     rig.UpdateBodies();
                     rig.Solver.State.BeginBodyStep(1, 2, settings.TimeStep);
-                    GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.Solver.State));
+                    GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.State));
                     rig.Solver.State.EndBodySteps();
-                    Wall wall = GpuTest.Read<Wall>(rig.Solver.State.Standard.Walls.NearWalls, 1)[0];
+                    Wall wall = GpuTest.Read<Wall>(rig.State.Walls.NearWalls, 1)[0];
                     Assert.That((wall.Normal - normal).magnitude, Is.LessThan(1e-4f), $"{wall.Normal}");
                 }
             }
@@ -318,7 +318,7 @@ namespace SphFluid.Tests
                 rig.UpdateBodies();
                 Assert.That(rig.Bodies.IsUnderWay, Is.True);
                 GpuTest.Run(cmd => rig.Solver.RecordSteps(cmd, 4));
-                Wall wall = GpuTest.Read<Wall>(rig.Solver.State.Standard.Walls.NearWalls, 1)[0];
+                Wall wall = GpuTest.Read<Wall>(rig.State.Walls.NearWalls, 1)[0];
                 float time = 4f * settings.TimeStep;
                 Assert.That(wall.Velocity.x, Is.EqualTo(0.02f / time).Within(0.2).Percent);
                 Assert.That(wall.Velocity.y, Is.EqualTo(0.004f / time).Within(0.2).Percent);

@@ -42,7 +42,7 @@ namespace SphFluid.Tests
             FluidParticle[] Run(bool list)
             {
                 FluidSolverSettings settings = BodyRig.Water(Domain, Spacing, 0.3f);
-                settings.NeighbourList = list;
+                settings = settings.WithOwn((ref StandardSettings own) => own.NeighbourList = list);
                 using (var rig = new BodyRig(settings))
                 {
                     rig.Add(new[] { new Vector3(0.01f, -0.5f, -0.5f), new Vector3(0.01f, 1.5f, -0.5f), new Vector3(0.01f, -0.5f, 1.5f) });
@@ -75,7 +75,7 @@ namespace SphFluid.Tests
             {
                 rig.Steps(1);
                 long with = rig.Solver.GpuBytes;
-                settings.NeighbourList = false;
+                settings = settings.WithOwn((ref StandardSettings own) => own.NeighbourList = false);
                 rig.Solver.ApplySettings(settings);
                 rig.Steps(1);
 
@@ -86,7 +86,7 @@ namespace SphFluid.Tests
 
         static FluidParticle[] Run(FluidSolverSettings settings, bool list, FluidParticle[] start, int steps)
         {
-            settings.NeighbourList = list;
+            settings = settings.WithOwn((ref StandardSettings own) => own.NeighbourList = list);
             using (var rig = new StandardRig(settings, start))
             {
                 rig.Steps(steps);

@@ -26,7 +26,7 @@ namespace SphFluid.Tests
         public void WhatPoursOutIsCountedAndTheRestStays(FluidFaces open, FluidAxes periodic, bool stable)
         {
             FluidSolverSettings settings = Settings(open, periodic);
-            settings.StableOrder = stable;
+            settings = settings.WithOwn((ref StandardSettings own) => own.StableOrder = stable);
             FluidParticle[] start = Block();
             using (var rig = new StandardRig(settings, start))
             {

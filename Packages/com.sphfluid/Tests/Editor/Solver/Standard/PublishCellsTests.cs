@@ -28,7 +28,7 @@ namespace SphFluid.Tests
                 {
                     CellRowsBinding.Set(cmd, kernel, cells, cellStart);
                     GridNeighbours.SetGrid(cmd, kernel, grid);
-                    kernel.SetBuffer(cmd, StandardShaderIds.GridIndicesOut, ranges);
+                    kernel.SetBuffer(cmd, Shader.PropertyToID("_GridIndicesOut"), ranges);
                     kernel.DispatchThreads(cmd, grid.CellCount);
                 });
                 Vector2Int[] read = GpuTest.Read<Vector2Int>(ranges, ranges.count);

@@ -18,10 +18,10 @@ namespace SphFluid.Tests
             {
                 rig.Steps(3);
                 FluidParticle[] particles = rig.Particles();
-                StandardBuffers held = rig.Solver.State.Standard;
+                StandardBuffers held = rig.State.Buffers;
                 Vector4[] positions = GpuTest.Read<Vector4>(held.Positions, count), velocities = GpuTest.Read<Vector4>(held.Velocities, count);
                 float[] densities = rig.Densities(), pressures = rig.Pressures();
-                Vector2[] density = GpuTest.Read<Vector2>(held.Density, count);
+                Vector2[] density = GpuTest.Read<Vector2>(held.DensityTerms, count);
                 for (int i = 0; i < count; i++)
                 {
                     Assert.That(particles[i].Position, Is.EqualTo((Vector3)positions[i]), $"position {i}");

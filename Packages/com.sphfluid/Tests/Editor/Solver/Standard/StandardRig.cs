@@ -14,6 +14,8 @@ namespace SphFluid.Tests
 
         public FluidSolver Solver { get; }
 
+        public StandardState State => (StandardState)Solver.State;
+
         public void Setup() => GpuTest.Run(cmd => Solver.RecordNeighbourSetup(cmd));
 
         /// <summary>Steps, and the neighbour setup behind them.</summary>

@@ -27,7 +27,8 @@ namespace SphFluid.Tests
             var random = new System.Random(31 + kind);
             FluidShaderSet set = TestShaders.CreateSet();
             var walls = new GatherWallsPass(set);
-            var contact = new ContactPass(set);
+            var find = new FindContactsPass(set);
+            var resolve = new ResolveContactsPass(set);
             long crossings = 0, shots = 0, squeezed = 0;
             for (int scene = 0; scene < 5; scene++)
             {
@@ -46,7 +47,7 @@ namespace SphFluid.Tests
                     for (int i = 0; i < Shots; i++) ContactShotTests.Shoot(start, random, out from[i], out to[i]);
                     rig.Start(from.Select((p, i) => new FluidParticle(p, Vector3.zero, (uint)i)).ToArray());
                     ColliderSolid before = rig.Solids.Single();
-                    FluidState state = rig.Solver.State;
+                    StandardState state = rig.State;
                     rig.Setup();
 
                     // By up to a sixth of the scale, a turn of up to 40 degrees, up to 4 dx.
@@ -59,17 +60,18 @@ namespace SphFluid.Tests
                     var motion = new BodyMotion(before);
                     motion.MoveTo(rig.Solids.Single().State);
 
-                    state.Standard.Positions.SetData(from);
-                    state.Standard.NewPositions.SetData(to);
-                    state.Standard.NewVelocities.SetData(from.Select((p, i) => (to[i] - p) / settings.TimeStep).ToArray());
+                    state.Buffers.Positions.SetData(from);
+                    state.Buffers.NewPositions.SetData(to);
+                    state.Buffers.NewVelocities.SetData(from.Select((p, i) => (to[i] - p) / settings.TimeStep).ToArray());
                     state.BeginBodyStep(0, 1, settings.TimeStep);
                     GpuTest.Run(cmd =>
                     {
                         walls.Record(cmd, state);
-                        contact.Record(cmd, state, settings.TimeStep);
+                        find.Record(cmd, state);
+                        resolve.Record(cmd, state, settings.TimeStep);
                     });
                     state.EndBodySteps();
-                    Vector4[] end = GpuTest.Read<Vector4>(state.Standard.NewPositions, Shots);
+                    Vector4[] end = GpuTest.Read<Vector4>(state.Buffers.NewPositions, Shots);
                     shots += Shots;
                     crossings += Crossings(motion, from, end);
                     FluidCounters counters = rig.Solver.ReadCountersNow();

@@ -20,7 +20,7 @@ namespace SphFluid.Tests
         public void StepsAreOfTheForcesAsTheyAre()
         {
             // κ = 2: forces are 1/0.9501 of the sums', so that waves run at most as if c were that much faster.
-            TimeStepAdvice advice = TimeStepAdvice.OfOneKernel(0.05, 0.1, 19.0, 1.0, 0.01);
+            TimeStepAdvice advice = StandardRules.Advise(0.05, 0.1, 19.0, 1.0, 0.01);
             Assert.That(advice.Acoustic, Is.EqualTo(0.9 * 0.1 / (19.0 / 0.9501 + 1.0)).Within(0.01).Percent);
             Assert.That(advice.Viscosity, Is.EqualTo(0.035 * 0.01 * 0.9501 / 0.01).Within(0.01).Percent);
             Assert.That(advice.SoundSpeed, Is.EqualTo(19.0));

@@ -20,8 +20,8 @@ namespace SphFluid.Tests
         public void FluidForceAndGravityAgreeWithDoublePrecision(int count)
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
-            settings.WallStiffness = 0f;
-            settings.WallDamping = 0f;
+            settings = settings.WithOwn((ref ThesisSettings own) => own.WallStiffness = 0f);
+            settings = settings.WithOwn((ref ThesisSettings own) => own.WallDamping = 0f);
             using (var rig = new ThesisRig(settings, ParticleSets.Random(count, 0.4f * Domain, 3f, count)))
             {
                 Run(rig, out FluidParticle[] particles, out Double3[] acceleration);
@@ -31,13 +31,13 @@ namespace SphFluid.Tests
                 for (int i = 0; i < particles.Length; i++)
                 {
                     Double3 fluid = (Double3)(Vector3)force[i] / density[i];
-                    bool cut = fluid.Length > settings.AccelerationLimit;
+                    bool cut = fluid.Length > settings.Own<ThesisSettings>().AccelerationLimit;
                     limited += cut ? 1 : 0;
-                    Double3 expected = (cut ? settings.AccelerationLimit / fluid.Length : 1.0) * fluid + settings.Gravity;
+                    Double3 expected = (cut ? settings.Own<ThesisSettings>().AccelerationLimit / fluid.Length : 1.0) * fluid + settings.Gravity;
                     Assert.That((acceleration[i] - expected).Length, Is.LessThan(1e-6 * (fluid.Length + 10.0)), $"particle {i}");
                 }
 
-                uint[] counters = GpuTest.Read<uint>(rig.State.Buffers.Counters, CounterReadback.Slots);
+                uint[] counters = GpuTest.Read<uint>(rig.State.Published.Counters, CounterReadback.Slots);
                 Assert.That(counters[0], Is.EqualTo((uint)limited), "hits of the acceleration limit");
             }
         }
@@ -46,13 +46,13 @@ namespace SphFluid.Tests
         public void LimitIsASwitch()
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
-            settings.AccelerationLimit = 1f;
+            settings = settings.WithOwn((ref ThesisSettings own) => own.AccelerationLimit = 1f);
             settings.Gravity = new Vector3(0f, -50f, 0f);
             FluidParticle[] pair = { At(Vector3.zero, Vector3.zero), At(new Vector3(0.001f, 0f, 0f), Vector3.zero) };
             settings.RestDensity = 300f;
             Assert.That(FirstAcceleration(settings, pair).X, Is.EqualTo(-1.0).Within(1e-5), "limited");
             Assert.That(FirstAcceleration(settings, pair).Y, Is.EqualTo(-50.0).Within(1e-4), "gravity is not limited");
-            settings.AccelerationLimitEnabled = false;
+            settings = settings.WithOwn((ref ThesisSettings own) => own.AccelerationLimitEnabled = false);
             Assert.That(FirstAcceleration(settings, pair).X, Is.LessThan(-2.0), "off");
         }
 
@@ -81,7 +81,7 @@ namespace SphFluid.Tests
                 Run(rig, out FluidParticle[] sorted, out Double3[] acceleration);
                 int differing = 0;
                 int pushed = 0;
-                double scale = settings.WallStiffness * settings.WallDistance;
+                double scale = settings.Own<ThesisSettings>().WallStiffness * settings.Own<ThesisSettings>().WallDistance;
                 for (int i = 0; i < sorted.Length; i++)
                 {
                     Double3 expected = CollisionReference.Force(meshes, sorted[i].Position, sorted[i].VelT0, settings);
@@ -100,7 +100,7 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = CollisionSettings();
             var above = new Vector3(0.0031f, 0.052f, -0.0017f);
-            double expected = settings.WallStiffness * (settings.WallDistance - 0.002);
+            double expected = settings.Own<ThesisSettings>().WallStiffness * (settings.Own<ThesisSettings>().WallDistance - 0.002);
             foreach (int n in new[] { 1, 2, 7, 20 })
             {
                 Double3 a = Collide(settings, MeshShapes.Box(Double3.Zero, new Double3(0.05, 0.05, 0.05), n), above, Vector3.zero);
@@ -127,7 +127,7 @@ namespace SphFluid.Tests
                 spike.Triangles.Add(new[] { c, to, from });
             }
             Vector3 beside = new Vector3(0f, 0.05f, 0f) + 0.95f * Spacing * new Vector3(-0.6f, 0.8f, 0f);
-            Assert.That(beside.y - 0.05f, Is.GreaterThan(settings.WallDistance), "above the box by more than contact reaches");
+            Assert.That(beside.y - 0.05f, Is.GreaterThan(settings.Own<ThesisSettings>().WallDistance), "above the box by more than contact reaches");
             Assert.That(Collide(settings, spike, beside, Vector3.zero).Length, Is.Zero);
         }
 
@@ -154,7 +154,7 @@ namespace SphFluid.Tests
                 Vector3 n = outwards.normalized;
                 Vector3 corner = 0.05f * outwards;
                 Double3 a = Collide(settings, box, corner + 0.004f * n, Vector3.zero);
-                double expected = settings.WallStiffness * (settings.WallDistance - 0.004);
+                double expected = settings.Own<ThesisSettings>().WallStiffness * (settings.Own<ThesisSettings>().WallDistance - 0.004);
                 Assert.That((a - expected * (Double3)n).Length, Is.LessThan(1e-3 * expected), outwards.ToString());
             }
         }
@@ -186,7 +186,7 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
             settings.Gravity = Vector3.zero;
-            settings.Stiffness = 1e-6f;
+            settings = settings.WithOwn((ref ThesisSettings own) => own.Stiffness = 1e-6f);
             settings.Viscosity = 0f;
             return settings;
         }

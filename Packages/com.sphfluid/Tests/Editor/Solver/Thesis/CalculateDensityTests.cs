@@ -29,7 +29,7 @@ namespace SphFluid.Tests
         public void SwitchesAct(bool self, bool clamp, bool octant)
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.02f);
-            settings.SelfDensity = self;
+            settings = settings.WithOwn((ref ThesisSettings own) => own.SelfDensity = self);
             settings.PressureClamp = clamp;
             settings.OctantSearch = octant;
             Check(settings, 509);
@@ -72,7 +72,7 @@ namespace SphFluid.Tests
                     double expected = ThesisReference.Density(particles, i, settings);
                     double scale = Tolerance * Math.Max(expected, settings.RestDensity);
                     Assert.That(density[i], Is.EqualTo(expected).Within(scale), $"density of {i} of {count}");
-                    Assert.That(pressure[i], Is.EqualTo(ThesisReference.Pressure(expected, settings)).Within(settings.Stiffness * scale),
+                    Assert.That(pressure[i], Is.EqualTo(ThesisReference.Pressure(expected, settings)).Within(settings.Own<ThesisSettings>().Stiffness * scale),
                         $"pressure of {i} of {count}");
                 }
             }

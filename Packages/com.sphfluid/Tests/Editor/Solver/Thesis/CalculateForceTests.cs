@@ -28,7 +28,7 @@ namespace SphFluid.Tests
         public void HalfAndViscosityAct(bool half, float viscosity)
         {
             FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.02f);
-            settings.PressureHalf = half;
+            settings = settings.WithOwn((ref ThesisSettings own) => own.PressureHalf = half);
             settings.Viscosity = viscosity;
             Check(settings, ParticleSets.Random(509, 0.5f * Domain, 3f, 4));
         }

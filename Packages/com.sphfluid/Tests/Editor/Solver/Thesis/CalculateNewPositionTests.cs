@@ -53,7 +53,7 @@ namespace SphFluid.Tests
                 FluidParticle end = rig.ReadParticles()[0];
                 Assert.That(end.Position.x, Is.EqualTo(1f));
                 Assert.That(end.VelT0, Is.EqualTo(new Vector3(0f, 1f, 0f)));
-                Assert.That(GpuTest.Read<uint>(rig.State.Buffers.Counters, 8)[1], Is.EqualTo(1u));
+                Assert.That(GpuTest.Read<uint>(rig.State.Published.Counters, 8)[1], Is.EqualTo(1u));
             }
         }
 
@@ -66,7 +66,7 @@ namespace SphFluid.Tests
             {
                 Step(rig, new Vector4(0f, bad, 0f, 0f), 1);
                 Assert.That(rig.ReadParticles().Select(p => p.Position), Is.EqualTo(Start(3).Select(p => p.Position)));
-                Assert.That(GpuTest.Read<uint>(rig.State.Buffers.Counters, 8)[2], Is.EqualTo(3u));
+                Assert.That(GpuTest.Read<uint>(rig.State.Published.Counters, 8)[2], Is.EqualTo(3u));
             }
         }
 
@@ -76,7 +76,7 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = TestSettings.ByRule(8f * Vector3.one, 0.1f);
             settings.TimeStep = TimeStep;
-            settings.HalfKick = halfKick;
+            settings = settings.WithOwn((ref ThesisSettings own) => own.HalfKick = halfKick);
             using (var rig = new ThesisRig(settings, start))
             {
                 Step(rig, Acceleration, Steps);
@@ -86,8 +86,8 @@ namespace SphFluid.Tests
 
         static void Step(ThesisRig rig, Vector4 acceleration, int steps)
         {
-            rig.State.Buffers.Counters.SetData(new uint[CounterReadback.Slots]);
-            rig.State.Thesis.Acceleration.SetData(Enumerable.Repeat(acceleration, rig.State.ParticleCount).ToArray());
+            rig.State.Published.Counters.SetData(new uint[CounterReadback.Slots]);
+            rig.State.Buffers.Acceleration.SetData(Enumerable.Repeat(acceleration, rig.State.ParticleCount).ToArray());
             var pass = new CalculateNewPositionPass(rig.Shaders);
             GpuTest.Run(cmd =>
             {

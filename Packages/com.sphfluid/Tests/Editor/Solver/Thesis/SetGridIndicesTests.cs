@@ -54,7 +54,7 @@ namespace SphFluid.Tests
             using (var rig = new ThesisRig(TestSettings.ByRule(Domain, 0.03f), ParticleSets.Random(500, Domain, 1f, 5)))
             {
                 rig.RunNeighbourSetup();
-                rig.State.Buffers.Particles.SetData(ParticleSets.Random(500, 0.2f * Domain, 1f, 6));
+                rig.State.Published.Particles.SetData(ParticleSets.Random(500, 0.2f * Domain, 1f, 6));
                 rig.RunNeighbourSetup();
                 CheckRanges(rig);
             }
@@ -76,7 +76,7 @@ namespace SphFluid.Tests
             FluidGrid grid = rig.State.Grid;
             FluidParticle[] sorted = rig.ReadParticles();
             int[] cells = sorted.Select(p => Cell(grid, p.Position)).ToArray();
-            uint[] ranges = GpuTest.Read<uint>(rig.State.Buffers.GridIndices, 2 * grid.CellCount);
+            uint[] ranges = GpuTest.Read<uint>(rig.State.Published.GridIndices, 2 * grid.CellCount);
             for (int cell = 0; cell < grid.CellCount; cell++)
             {
                 int first = System.Array.IndexOf(cells, cell);

@@ -11,15 +11,15 @@ namespace SphFluid.Tests
         public void WorkedExample()
         {
             // Liquid up to 0.8 m, spacing 25 mm: v = √(2 · 9.81 · 0.8) = 3.96182 m/s, c = 5 v = 19.8091 m/s.
-            FluidSolverSettings s = FluidSolverSettings.FromRules(Example());
+            FluidSolverSettings s = FluidRules.Derive(Example());
             Assert.That(s.MaxSpeed, Is.EqualTo(3.96182).Within(1e-4));
             Assert.That(s.SoundSpeed, Is.EqualTo(19.8091).Within(1e-3));
-            Assert.That(s.Stiffness, Is.EqualTo(784.8).Within(1e-2));
+            Assert.That(s.Own<ThesisSettings>().Stiffness, Is.EqualTo(784.8).Within(1e-2));
             Assert.That(s.TimeStep, Is.EqualTo(0.6 * 1.35 * 0.05 / Math.Sqrt(784.8)).Within(1e-8));
             Assert.That(s.Viscosity, Is.EqualTo(1000.0 * 0.01 * 19.8091 * 0.05).Within(1e-3));
-            Assert.That(s.WallDistance, Is.EqualTo(0.0125).Within(1e-7));
-            Assert.That(s.WallStiffness, Is.EqualTo(Math.Pow(3.96182 / 0.0125, 2)).Within(10.0));
-            Assert.That(s.AccelerationLimit, Is.GreaterThan(3.0 * s.WallStiffness * s.WallDistance), "far above what contact does");
+            Assert.That(s.Own<ThesisSettings>().WallDistance, Is.EqualTo(0.0125).Within(1e-7));
+            Assert.That(s.Own<ThesisSettings>().WallStiffness, Is.EqualTo(Math.Pow(3.96182 / 0.0125, 2)).Within(10.0));
+            Assert.That(s.Own<ThesisSettings>().AccelerationLimit, Is.GreaterThan(3.0 * s.Own<ThesisSettings>().WallStiffness * s.Own<ThesisSettings>().WallDistance), "far above what contact does");
         }
 
         [Test]
@@ -33,7 +33,7 @@ namespace SphFluid.Tests
         [Test]
         public void MassMakesTheRestLatticeRest()
         {
-            FluidSolverSettings s = FluidSolverSettings.FromRules(Example());
+            FluidSolverSettings s = FluidRules.Derive(Example());
             Assert.That(s.ParticleMass * ThesisKernels.LatticeSum(2.0) / Math.Pow(0.025, 3), Is.EqualTo(1000.0).Within(1e-2));
         }
 
@@ -42,7 +42,7 @@ namespace SphFluid.Tests
         {
             FluidRuleInput input = Example();
             input.SoundSpeedRatio = 1f;
-            FluidSolverSettings s = FluidSolverSettings.FromRules(input);
+            FluidSolverSettings s = FluidRules.Derive(input);
             Assert.That(s.SoundSpeed, Is.EqualTo(Math.Sqrt(9.81 * 0.8 / 0.04)).Within(1e-3), "gH/c² is 4 %");
         }
 
@@ -51,24 +51,24 @@ namespace SphFluid.Tests
         {
             FluidRuleInput input = Example();
             input.KinematicViscosity = 1f;
-            FluidSolverSettings s = FluidSolverSettings.FromRules(input);
+            FluidSolverSettings s = FluidRules.Derive(input);
             Assert.That(s.TimeStep, Is.EqualTo(0.06 * 0.05 * 0.05 / 1.0).Within(1e-8), "0.06 R²/ν");
             input = Example();
             input.WallStiffnessRatio = 100f;
-            s = FluidSolverSettings.FromRules(input);
+            s = FluidRules.Derive(input);
             double dt = s.TimeStep;
-            Assert.That(s.WallStiffness * dt * dt, Is.LessThan(4.0 - 2.0 * s.WallDamping * dt), "k dt² < 4 − 2 c dt");
+            Assert.That(s.Own<ThesisSettings>().WallStiffness * dt * dt, Is.LessThan(4.0 - 2.0 * s.Own<ThesisSettings>().WallDamping * dt), "k dt² < 4 − 2 c dt");
         }
 
         [Test]
         public void TheStepIsTheAdvisedOne()
         {
             FluidRuleInput input = Example();
-            FluidSolverSettings s = FluidSolverSettings.FromRules(input);
-            Assert.That(s.TimeStep, Is.EqualTo(TimeStepAdvice.For(s, 0.0).Step(0.6)).Within(1e-9));
+            FluidSolverSettings s = FluidRules.Derive(input);
+            Assert.That(s.TimeStep, Is.EqualTo(FluidRules.Advise(s, 0.0).Step(0.6)).Within(1e-9));
             input.WallStiffnessRatio = 100f;
-            s = FluidSolverSettings.FromRules(input);
-            Assert.That(s.TimeStep, Is.EqualTo(TimeStepAdvice.For(s, 0.0).Walls).Within(1e-9));
+            s = FluidRules.Derive(input);
+            Assert.That(s.TimeStep, Is.EqualTo(FluidRules.Advise(s, 0.0).Walls).Within(1e-9));
         }
 
         [Test]
@@ -80,7 +80,7 @@ namespace SphFluid.Tests
             input.SoundSpeedRatio = 3f;
             input.MaxCompression = 1f;
             input.TimeStepFraction = 1f;
-            FluidSolverSettings s = FluidSolverSettings.FromRules(input);
+            FluidSolverSettings s = FluidRules.Derive(input);
             Assert.That(s.TimeStep * s.MaxSpeed / s.Spacing, Is.EqualTo(0.4).Within(1e-5));
         }
 
@@ -89,7 +89,7 @@ namespace SphFluid.Tests
         {
             FluidRuleInput input = Example();
             input.Gravity = Vector3.zero;
-            Assert.That(FluidSolverSettings.FromRules(input).TimeStep, Is.GreaterThan(0f).And.LessThan(0.1f));
+            Assert.That(FluidRules.Derive(input).TimeStep, Is.GreaterThan(0f).And.LessThan(0.1f));
         }
 
         [TestCase(0f)]
@@ -100,7 +100,7 @@ namespace SphFluid.Tests
         {
             FluidRuleInput input = Example();
             input.Spacing = spacing;
-            var error = Assert.Throws<ArgumentException>(() => FluidSolverSettings.FromRules(input));
+            var error = Assert.Throws<ArgumentException>(() => FluidRules.Derive(input));
             Assert.That(error.Message, Does.Contain("Spacing"));
         }
 

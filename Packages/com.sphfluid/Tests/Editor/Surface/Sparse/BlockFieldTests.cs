@@ -73,7 +73,7 @@ namespace SphFluid.Tests
             input.Spacing = Spacing;
             input.LiquidHeight = Domain.y;
             input.LiquidDepth = Domain.y;
-            FluidSolverSettings settings = FluidSolverSettings.FromRules(input);
+            FluidSolverSettings settings = FluidRules.Derive(input);
             SurfaceFieldSettings field = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, settings);
             Assert.Less(field.SupportRadius, settings.SupportRadius);
             CompareWithReference(ParticleSets.Random(701, Domain, 0f, 5), settings, field, SurfaceGrid.OverDomain(Domain, field.CellSize));

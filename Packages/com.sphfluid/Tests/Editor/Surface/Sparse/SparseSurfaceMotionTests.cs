@@ -29,7 +29,7 @@ namespace SphFluid.Tests
                 particles[i].Position -= 0.5f * (Domain - Spacing * (Vector3)Column);
 
             var volumes = new List<double>();
-            using (var solver = new FluidSolver(FluidSolverSettings.FromRules(input), shaders, particles))
+            using (var solver = new FluidSolver(FluidRules.Derive(input), shaders, particles))
             using (var surface = new SparseSurface(shaders))
             {
                 SurfaceFieldSettings field = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, solver.Settings);

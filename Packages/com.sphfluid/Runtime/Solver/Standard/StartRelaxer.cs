@@ -31,8 +31,8 @@ namespace SphFluid
         // Overlaps push particles about their own width; they part at once, and sooner than the liquid as a whole settles.
         const double LocalRate = 0.5;
 
-        readonly FluidState state;
-        readonly StandardMethod method;
+        readonly StandardStepper stepper;
+        readonly StandardState state;
         readonly DampVelocitiesPass damping;
         readonly CounterReadback counters;
         readonly double step, crossing, fall;
@@ -49,9 +49,8 @@ namespace SphFluid
         /// <param name="height">Height over which the liquid settles [m].</param>
         public StartRelaxer(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> particles, CollisionBodies bodies, double height)
         {
-            method = new StandardMethod(shaders);
             damping = new DampVelocitiesPass(shaders);
-            step = Math.Min(settings.TimeStep, TimeStepAdvice.For(settings, settings.MaxSpeed).Largest);
+            step = Math.Min(settings.TimeStep, StandardRules.Advise(settings, settings.MaxSpeed).Largest);
             double depth = Math.Max(height, settings.SupportRadius);
             crossing = depth / settings.SoundSpeed;
             fall = settings.Gravity.sqrMagnitude > 0f ? Math.Sqrt(depth / settings.Gravity.magnitude) : 0.0;
@@ -59,9 +58,11 @@ namespace SphFluid
             estimate = new RestEstimate(crossing, Crossings * crossing, FlowTime * fall);
             var start = new FluidParticle[particles.Count];
             for (int i = 0; i < start.Length; i++) start[i] = new FluidParticle(particles[i].Position, Vector3.zero, particles[i].Id);
-            state = new FluidState(settings, start.Length) { Bodies = bodies };
-            state.Buffers.Particles.SetData(start);
-            counters = new CounterReadback(state.Buffers.Counters, settings.RestDensity);
+            stepper = new StandardStepper(settings, shaders, start.Length);
+            state = stepper.State;
+            state.Bodies = bodies;
+            state.Published.Particles.SetData(start);
+            counters = new CounterReadback(state.Published.Counters, settings.RestDensity);
         }
 
         /// <summary>Steps taken.</summary>
@@ -87,15 +88,15 @@ namespace SphFluid
             watch.Restart();
             using (var cmd = new CommandBuffer { name = "SPH Fluid Relaxation" })
             {
-                method.RecordLoad(cmd, state);
+                stepper.RecordLoad(cmd);
                 Settle(cmd, acceleration);
                 for (int flows = 0; flows < MostFlows && fall > 0.0 && Acceleration > acceleration; flows++)
                 {
                     Flow(cmd);
                     Settle(cmd, acceleration);
                 }
-                method.RecordNeighbourSetup(cmd, state);
-                method.RecordPublish(cmd, state);
+                stepper.RecordNeighbourSetup(cmd);
+                stepper.RecordPublish(cmd);
                 Graphics.ExecuteCommandBuffer(cmd);
             }
             return Acceleration <= acceleration;
@@ -105,7 +106,7 @@ namespace SphFluid
         public FluidParticle[] Read()
         {
             var particles = new FluidParticle[state.ParticleCount];
-            state.Buffers.Particles.GetData(particles);
+            state.Published.Particles.GetData(particles);
             Array.Sort(particles, (a, b) => a.Id.CompareTo(b.Id));
             return particles;
         }
@@ -145,8 +146,8 @@ namespace SphFluid
             {
                 if (recorded >= StepsPerSubmission) Submit(cmd, ref recorded);
                 state.BeginBodyStep(0, 1, (float)step);
-                method.RecordNeighbourSetup(cmd, state);
-                method.RecordMotion(cmd, state, new FluidStep((float)step, (float)step, Steps == 0));
+                stepper.RecordNeighbourSetup(cmd);
+                stepper.RecordMotion(cmd, new FluidStep((float)step, (float)step, Steps == 0));
                 damping.Record(cmd, state, (float)Math.Exp(-rate(time) * step));
                 Steps++;
                 recorded++;

@@ -1,0 +1,32 @@
+using System.Collections.Generic;
+
+namespace SphFluid
+{
+    /// <summary>All shaders of the package, by the parts that have them.</summary>
+    internal static class PackageShaders
+    {
+        /// <summary>The groups: one for each method's folder, and those of surface, drawing and diagnostics.</summary>
+        public static IReadOnlyList<ShaderGroup> Groups
+        {
+            get
+            {
+                var groups = new List<ShaderGroup>();
+                foreach (FluidMethod method in FluidMethods.All)
+                {
+                    if (!groups.Contains(method.Shaders)) groups.Add(method.Shaders);
+                }
+
+                groups.AddRange(new[] { ShaderGroup.Surface, ShaderGroup.GeometrySurface, ShaderGroup.Drawing, ShaderGroup.Diagnostics });
+                return groups;
+            }
+        }
+
+        /// <summary>Names of those that a shader set has not.</summary>
+        public static IReadOnlyList<string> Missing(FluidShaderSet set)
+        {
+            var missing = new List<string>();
+            foreach (ShaderGroup group in Groups) missing.AddRange(set.Missing(group.Shaders));
+            return missing;
+        }
+    }
+}

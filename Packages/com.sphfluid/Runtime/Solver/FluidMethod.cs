@@ -1,0 +1,76 @@
+using System;
+using System.Collections.Generic;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// All that the rest of the package knows of a method: its constants by rule, its limits, its shaders, the profile's fields that it
+    /// reads, and what steps a liquid by it. A method is one folder below Solver with a class like this, and a line in <see cref="FluidMethods"/>.
+    /// </summary>
+    internal abstract class FluidMethod
+    {
+        /// <summary>What users choose it by.</summary>
+        public abstract FluidMethodKind Kind { get; }
+
+        /// <summary>What it can do.</summary>
+        public abstract FluidMethodFeatures Features { get; }
+
+        /// <summary>Its shaders and what they need of a device.</summary>
+        public abstract ShaderGroup Shaders { get; }
+
+        /// <summary>Fields of a profile that this method reads and not all others do, by their serialised names.</summary>
+        public abstract IReadOnlyList<string> ProfileFields { get; }
+
+        /// <summary>Most cells of its neighbour search.</summary>
+        public abstract long MaxCells { get; }
+
+        /// <summary>Constants by rule.</summary>
+        /// <exception cref="ArgumentException">An input is out of range.</exception>
+        public abstract FluidSolverSettings Derive(in FluidRuleInput input);
+
+        /// <summary>The largest stable step of a liquid whose fastest particle has a speed [m/s].</summary>
+        public abstract TimeStepAdvice Advise(in FluidSolverSettings settings, double maxSpeed);
+
+        /// <summary>Whether cells of 2R are searched by octants, not cells of R by rows.</summary>
+        public virtual bool SearchesOctants(in FluidRuleInput input) => false;
+
+        /// <summary>Cells that a liquid of these settings has; along periodic axes that are too short none.</summary>
+        public virtual double CellCount(in FluidSolverSettings settings) => FluidGrid.CountFor(settings, 0);
+
+        /// <summary>Whether the density leaves out the particle's own share.</summary>
+        public virtual bool OmitsOwnDensity(in FluidSolverSettings settings) => false;
+
+        /// <summary>The settings as the method computes with them.</summary>
+        public virtual FluidSolverSettings Prepare(in FluidSolverSettings settings) => settings;
+
+        /// <summary>Starts a liquid.</summary>
+        /// <param name="settings">Constants that were checked and prepared.</param>
+        /// <param name="shaders">The shaders.</param>
+        /// <param name="particleCount">Number of particles.</param>
+        /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold a buffer.</exception>
+        public abstract IFluidStepper Start(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount);
+
+        /// <summary>Whether the method has a feature.</summary>
+        public bool Has(FluidMethodFeatures feature) => (Features & feature) != 0;
+
+        /// <summary>Checks that the method can compute with the constants.</summary>
+        /// <exception cref="ArgumentException">A constant is out of range; the message names it.</exception>
+        public void Check(in FluidSolverSettings settings)
+        {
+            settings.Validate();
+            CheckFaces(settings.Boundaries);
+        }
+
+        /// <summary>Checks that the method can compute with faces of the domain.</summary>
+        /// <exception cref="ArgumentException">A face cannot be computed with; the message names it and the cure.</exception>
+        public void CheckFaces(in FluidBoundaries faces)
+        {
+            faces.Validate();
+            if (faces.Open != FluidFaces.None && !Has(FluidMethodFeatures.OpenFaces))
+            {
+                throw new ArgumentException($"Boundaries.Open has {faces.Open}, but with the method {Kind} all faces are walls. " +
+                    $"Use the method {FluidMethodKind.Standard}, or set Boundaries.Open to None.");
+            }
+        }
+    }
+}

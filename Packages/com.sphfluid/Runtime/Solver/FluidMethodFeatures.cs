@@ -1,0 +1,29 @@
+using System;
+
+namespace SphFluid
+{
+    /// <summary>What a method can do, and what follows from how it computes.</summary>
+    [Flags]
+    internal enum FluidMethodFeatures
+    {
+        None = 0,
+
+        /// <summary>Faces of the domain through which liquid leaves.</summary>
+        OpenFaces = 1,
+
+        /// <summary>Each step is proved free of every triangle of the scene, which moves as rigid or stretched bodies.</summary>
+        BodyContact = 2,
+
+        /// <summary>Each collider has a friction of its own.</summary>
+        ColliderFriction = 4,
+
+        /// <summary>A liquid can be brought to rest before the start.</summary>
+        RelaxedStart = 8,
+
+        /// <summary>Walls are springs, which a fast particle can cross.</summary>
+        PenaltyWalls = 16,
+
+        /// <summary>Density and force have different kernels, which feeds energy in and makes particles pair.</summary>
+        TwoKernels = 32,
+    }
+}

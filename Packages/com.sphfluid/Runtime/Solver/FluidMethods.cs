@@ -1,0 +1,49 @@
+using System;
+using System.Collections.Generic;
+
+namespace SphFluid
+{
+    /// <summary>The ways to compute the liquid's motion.</summary>
+    public enum FluidMethodKind
+    {
+        /// <summary>Figueroa's thesis (2012), corrected: Müller's kernels, bitonic sort, one time step after another.</summary>
+        Thesis = 0,
+
+        /// <summary>The thesis's text as printed, as far as it can run (<see cref="ThesisSwitches.Printed"/>): for comparison, not for use.</summary>
+        ThesisPrinted = 1,
+
+        /// <summary>Weakly compressible SPH with one kernel, walls that carry density, and a counting sort: faster, more accurate, the default.</summary>
+        Standard = 2,
+    }
+
+    /// <summary>The list of methods: a new one is a value above, a line here and a folder of its own.</summary>
+    internal static class FluidMethods
+    {
+        static readonly FluidMethod[] Methods =
+        {
+            new ThesisMethod(FluidMethodKind.Thesis),
+            new ThesisMethod(FluidMethodKind.ThesisPrinted),
+            new StandardMethod(),
+        };
+
+        /// <summary>All methods.</summary>
+        public static IReadOnlyList<FluidMethod> All => Methods;
+
+        /// <summary>Whether there is such a method: a scene's number may be from another version of the package.</summary>
+        public static bool Has(FluidMethodKind kind) => Find(kind) != null;
+
+        /// <summary>A method.</summary>
+        /// <exception cref="ArgumentException">There is none of that number.</exception>
+        public static FluidMethod Of(FluidMethodKind kind) => Find(kind) ?? throw new ArgumentException($"There is no fluid method {kind}.", nameof(kind));
+
+        static FluidMethod Find(FluidMethodKind kind)
+        {
+            foreach (FluidMethod method in Methods)
+            {
+                if (method.Kind == kind) return method;
+            }
+
+            return null;
+        }
+    }
+}

@@ -1,0 +1,29 @@
+using System;
+
+namespace SphFluid
+{
+    /// <summary>Constants and time steps by rule, by the method that they are for.</summary>
+    public static class FluidRules
+    {
+        /// <summary>Constants by rule from spacing, depth and speed.</summary>
+        /// <param name="input">What the rules start from.</param>
+        /// <returns>The settings.</returns>
+        /// <exception cref="ArgumentException">An input is out of range, or there is no such method.</exception>
+        public static FluidSolverSettings Derive(in FluidRuleInput input) => FluidMethods.Of(input.Method).Derive(input);
+
+        /// <summary>The largest stable time step of a liquid, and what limits it.</summary>
+        /// <param name="settings">Its constants.</param>
+        /// <param name="maxSpeed">Its fastest speed now [m/s].</param>
+        /// <returns>The limits.</returns>
+        /// <exception cref="ArgumentOutOfRangeException">The speed is negative or not finite.</exception>
+        public static TimeStepAdvice Advise(in FluidSolverSettings settings, double maxSpeed)
+        {
+            if (!(maxSpeed >= 0.0) || double.IsInfinity(maxSpeed))
+            {
+                throw new ArgumentOutOfRangeException(nameof(maxSpeed), maxSpeed, "The fastest speed must be zero or more, and finite.");
+            }
+
+            return FluidMethods.Of(settings.Method).Advise(settings, maxSpeed);
+        }
+    }
+}

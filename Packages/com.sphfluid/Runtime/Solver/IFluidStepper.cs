@@ -1,0 +1,29 @@
+using System;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>A method at work on one liquid: its buffers, and its passes in the order of the paper.</summary>
+    internal interface IFluidStepper : IDisposable
+    {
+        /// <summary>What the passes work on.</summary>
+        FluidState State { get; }
+
+        /// <summary>Records the taking over of particles that were uploaded to <see cref="PublishedBuffers.Particles"/>.</summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        void RecordLoad(CommandBuffer cmd);
+
+        /// <summary>Records what finds each particle's neighbours at its present position, and the density there.</summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        void RecordNeighbourSetup(CommandBuffer cmd);
+
+        /// <summary>Records the forces and the motion of one time step. The neighbour setup comes before it.</summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        /// <param name="step">Length of this step and of the one before.</param>
+        void RecordMotion(CommandBuffer cmd, in FluidStep step);
+
+        /// <summary>Records what brings <see cref="FluidState.Published"/> up to the last neighbour setup, for drawing and measuring.</summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        void RecordPublish(CommandBuffer cmd);
+    }
+}

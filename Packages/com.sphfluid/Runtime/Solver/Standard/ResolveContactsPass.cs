@@ -1,0 +1,31 @@
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Changes the steps that are not free of triangles; as many groups as <see cref="FindContactsPass"/> found work for.</summary>
+    internal sealed class ResolveContactsPass : ComputePass
+    {
+        static readonly int TimeStep = Id("_TimeStep");
+
+        readonly ComputeKernel kernel;
+
+        public ResolveContactsPass(FluidShaderSet shaders)
+            : base(shaders, "ResolveContacts")
+        {
+            kernel = Kernel();
+        }
+
+        public void Record(CommandBuffer cmd, StandardState state, float timeStep)
+        {
+            using (Sample(cmd))
+            {
+                MeshContact.SetStep(cmd, kernel, state);
+                kernel.SetFloat(cmd, TimeStep, timeStep);
+                kernel.Set(cmd, state.Walls.ContactList);
+                kernel.Set(cmd, state.Walls.ContactArguments);
+                kernel.SetOut(cmd, state.Buffers.NewVelocities);
+                kernel.DispatchIndirect(cmd, state.Walls.ContactArguments);
+            }
+        }
+    }
+}

@@ -1,0 +1,37 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>Constants that only the Standard method has.</summary>
+    public struct StandardSettings : IMethodSettings
+    {
+        /// <summary>Speed of sound c of the equation of state, p = c² (ρ − ρ0) [m/s].</summary>
+        public float SoundSpeed;
+
+        /// <summary>
+        /// True: particles of a cell are ordered by their ids, so that equal runs are equal to the last bit, for one dispatch more a step.
+        /// False: by thread timing.
+        /// </summary>
+        public bool StableOrder;
+
+        /// <summary>
+        /// True: the density pass lists each particle's neighbours for the motion pass, for some 290 bytes a particle at κ = 2.25; a device
+        /// whose largest buffer is too small for that does without. False: both passes search.
+        /// </summary>
+        public bool NeighbourList;
+
+        /// <inheritdoc/>
+        float IMethodSettings.SoundSpeed => SoundSpeed;
+
+        /// <inheritdoc/>
+        public IMethodSettings WithSoundSpeed(float speed)
+        {
+            StandardSettings changed = this;
+            changed.SoundSpeed = speed;
+            return changed;
+        }
+
+        /// <inheritdoc/>
+        public void Validate() => FluidSolverSettings.RequirePositive(SoundSpeed, nameof(SoundSpeed));
+    }
+}

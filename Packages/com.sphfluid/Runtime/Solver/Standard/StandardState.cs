@@ -1,0 +1,68 @@
+namespace SphFluid
+{
+    /// <summary>What the passes of the Standard method work on.</summary>
+    internal sealed class StandardState : FluidState
+    {
+        public StandardState(in FluidSolverSettings settings, int particleCount)
+            : base(settings, particleCount)
+        {
+            try
+            {
+                Cells = new CellRows(Grid);
+                Buffers = new StandardBuffers(particleCount, Cells.CellCount);
+            }
+            catch
+            {
+                base.Dispose();
+                throw;
+            }
+        }
+
+        /// <summary>The cells of the sort: those of the grid and a border.</summary>
+        public CellRows Cells { get; }
+
+        /// <summary>The method's own buffers.</summary>
+        public StandardBuffers Buffers { get; }
+
+        /// <summary>What triangles need; null where there never were any.</summary>
+        public MeshWallBuffers Walls { get; private set; }
+
+        /// <summary>Neighbours of the last density pass; of length 0 for a step that searches twice.</summary>
+        public NeighbourList List { get; private set; }
+
+        /// <inheritdoc/>
+        public override int CellCount => Cells.CellCount;
+
+        /// <inheritdoc/>
+        public override bool ListsNeighbours => List != null && List.Length > 0;
+
+        /// <summary>The constants that only this method has.</summary>
+        public StandardSettings Own => Settings.Own<StandardSettings>();
+
+        /// <inheritdoc/>
+        protected override long OwnBytes => Buffers.Bytes + (Walls?.Bytes ?? 0) + (List?.Bytes ?? 0);
+
+        /// <summary>Makes <see cref="Walls"/>, if they are not there.</summary>
+        public void RequireWalls() => Walls ??= new MeshWallBuffers(ParticleCount);
+
+        /// <summary>Makes <see cref="List"/>, with entries or without as the settings and the device have it.</summary>
+        public void RequireList()
+        {
+            int length = Own.NeighbourList ? NeighbourList.LengthFor(Settings) : 0;
+            if (!NeighbourList.Fits(ParticleCount, length)) length = 0;
+            if (List != null && List.Length > 0 == length > 0) return;
+            List?.Dispose();
+            List = null;
+            List = new NeighbourList(ParticleCount, length);
+        }
+
+        /// <inheritdoc/>
+        public override void Dispose()
+        {
+            Walls?.Dispose();
+            List?.Dispose();
+            Buffers.Dispose();
+            base.Dispose();
+        }
+    }
+}

@@ -1,0 +1,74 @@
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// The fluid blocks of chapter 6 in their order, one pass each. Fluid Setup (6.2): CalculateParticleCellValue,
+    /// BitonicSort, ResetGridIndices, SetGridIndices, SortParticles. SPH Calculations (6.3): CalculateDensity, CalculateForce,
+    /// CalculateAcceleration, CalculateNewPosition.
+    /// </summary>
+    internal sealed class ThesisStepper : IFluidStepper
+    {
+        readonly ThesisState state;
+        readonly CalculateParticleCellValuePass calculateParticleCellValue;
+        readonly BitonicSortPass bitonicSort;
+        readonly ResetGridIndicesPass resetGridIndices;
+        readonly SetGridIndicesPass setGridIndices;
+        readonly SortParticlesPass sortParticles;
+        readonly CalculateDensityPass calculateDensity;
+        readonly CalculateForcePass calculateForce;
+        readonly CalculateAccelerationPass calculateAcceleration;
+        readonly CalculateNewPositionPass calculateNewPosition;
+
+        public ThesisStepper(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount)
+        {
+            calculateParticleCellValue = new CalculateParticleCellValuePass(shaders);
+            bitonicSort = new BitonicSortPass(shaders);
+            resetGridIndices = new ResetGridIndicesPass(shaders);
+            setGridIndices = new SetGridIndicesPass(shaders);
+            sortParticles = new SortParticlesPass(shaders);
+            calculateDensity = new CalculateDensityPass(shaders);
+            calculateForce = new CalculateForcePass(shaders);
+            calculateAcceleration = new CalculateAccelerationPass(shaders);
+            calculateNewPosition = new CalculateNewPositionPass(shaders);
+            state = new ThesisState(settings, particleCount);
+        }
+
+        /// <summary>What the blocks work on.</summary>
+        public ThesisState State => state;
+
+        FluidState IFluidStepper.State => state;
+
+        /// <inheritdoc/>
+        public void RecordLoad(CommandBuffer cmd)
+        {
+        }
+
+        /// <inheritdoc/>
+        public void RecordNeighbourSetup(CommandBuffer cmd)
+        {
+            calculateParticleCellValue.Record(cmd, state);
+            bitonicSort.Record(cmd, state);
+            resetGridIndices.Record(cmd, state);
+            setGridIndices.Record(cmd, state);
+            sortParticles.Record(cmd, state);
+            calculateDensity.Record(cmd, state);
+        }
+
+        /// <inheritdoc/>
+        public void RecordMotion(CommandBuffer cmd, in FluidStep step)
+        {
+            calculateForce.Record(cmd, state);
+            calculateAcceleration.Record(cmd, state, step);
+            calculateNewPosition.Record(cmd, state, step);
+        }
+
+        /// <inheritdoc/>
+        public void RecordPublish(CommandBuffer cmd)
+        {
+        }
+
+        /// <inheritdoc/>
+        public void Dispose() => state.Dispose();
+    }
+}
