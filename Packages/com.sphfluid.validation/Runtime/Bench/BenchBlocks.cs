@@ -38,7 +38,7 @@ namespace SphFluid.Validation
                 "ScanCells", "ScatterParticles"),
             new BenchBlock("density", "CalculateDensity", "StandardDensity"),
             new BenchBlock("motion", "CalculateForce", "CalculateAcceleration", "CalculateNewPosition", "MoveParticles"),
-            new BenchBlock("colliders", "GatherWalls", "Contacts"),
+            new BenchBlock("colliders", "GatherWalls", "FindContacts", "ResolveContacts"),
         };
     }
 }

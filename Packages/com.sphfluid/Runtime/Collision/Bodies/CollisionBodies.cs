@@ -42,7 +42,7 @@ namespace SphFluid
         public CollisionBodies(in FluidSolverSettings settings)
         {
             reach = settings.SupportRadius;
-            longestStep = MeshContact.LongestDisplacement(settings);
+            longestStep = ContactDistances.LongestDisplacement(settings);
             domain = new Bounds(Vector3.zero, settings.DomainSize + 2f * BeyondFaces(settings));
             geometry = new BodyGeometry(reach);
         }
@@ -276,7 +276,7 @@ namespace SphFluid
         static Vector3 BeyondFaces(in FluidSolverSettings settings)
         {
             Vector3 period = settings.PeriodLength;
-            float way = MeshContact.LongestDisplacement(settings);
+            float way = ContactDistances.LongestDisplacement(settings);
             return new Vector3(period.x > 0f ? way : 0f, period.y > 0f ? way : 0f, period.z > 0f ? way : 0f);
         }
     }

@@ -9,8 +9,14 @@ namespace SphFluid
     /// </summary>
     public readonly struct CellRows
     {
-        /// <summary>Most cells, border included: what the two dispatches of the scan can sum besides those that left the domain.</summary>
-        public const int MaxCells = ScanCellsPass.MaxCells - 1;
+        /// <summary>Cells that a group of the scan sums; SCAN_CELLS_PER_GROUP in StandardTypes.hlsl.</summary>
+        internal const int CellsPerScanGroup = 2048;
+
+        /// <summary>
+        /// Most cells, border included: what the two dispatches of the scan can sum, each group the groups before it and 2,048 at most,
+        /// besides those that left the domain.
+        /// </summary>
+        public const int MaxCells = CellsPerScanGroup * 2048 - 1;
 
         /// <summary>Cells of the border along an axis, both ends.</summary>
         internal const int Border = 2;
@@ -39,6 +45,9 @@ namespace SphFluid
 
         /// <summary>Lower corner of the first border cell in simulation space [m].</summary>
         public Vector3 Origin { get; }
+
+        /// <summary>Groups of a scan over that many cells.</summary>
+        internal static int ScanGroups(int cellCount) => (cellCount + CellsPerScanGroup - 1) / CellsPerScanGroup;
 
         /// <summary>Number of cells, the border included.</summary>
         public int CellCount => Counts.x * Counts.y * Counts.z;

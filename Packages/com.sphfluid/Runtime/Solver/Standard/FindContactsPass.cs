@@ -20,7 +20,7 @@ namespace SphFluid
             using (Sample(cmd))
             {
                 MeshContact.SetStep(cmd, kernel, state);
-                kernel.SetFloat(cmd, LongestDisplacement, MeshContact.LongestDisplacement(state.Settings));
+                kernel.SetFloat(cmd, LongestDisplacement, ContactDistances.LongestDisplacement(state.Settings));
                 kernel.SetOut(cmd, state.Walls.ContactList);
                 kernel.SetOut(cmd, state.Walls.ContactArguments);
                 kernel.DispatchThreads(cmd, state.ParticleCount);

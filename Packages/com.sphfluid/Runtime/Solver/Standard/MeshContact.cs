@@ -4,30 +4,18 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Distances of contact with triangles and the globals of Shaders/Solver/Standard/TriangleSweep.hlsl.</summary>
+    /// <summary>The globals of contact with triangles: Shaders/Solver/Standard/TriangleSweep.hlsl, and of both passes over a step.</summary>
     internal static class MeshContact
     {
-        // Over dx, where particles come to rest on triangles.
-        const float Rest = 0.1f;
-
-        // Over dx: displacements that contact follows in a step; longer ones are shortened and counted.
-        const float Longest = 8f;
-
         static readonly int ContactDistance = Shader.PropertyToID("_ContactDistance");
         static readonly int SweepDistance = Shader.PropertyToID("_SweepDistance");
         static readonly int ContactFloor = Shader.PropertyToID("_ContactFloor");
         static readonly int ContactTolerance = Shader.PropertyToID("_ContactTolerance");
         static readonly int ParticleCount = Shader.PropertyToID("_ParticleCount");
 
-        /// <summary>Where particles come to rest [m].</summary>
-        public static float Distance(in FluidSolverSettings settings) => Rest * settings.Spacing;
-
-        /// <summary>Longest displacement of a step [m].</summary>
-        public static float LongestDisplacement(in FluidSolverSettings settings) => Longest * settings.Spacing;
-
         public static void Set(CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings)
         {
-            float rest = Distance(settings), ulp = Ulp(0.5f * settings.DomainSize.magnitude);
+            float rest = ContactDistances.Rest(settings), ulp = Ulp(0.5f * settings.DomainSize.magnitude);
             kernel.SetFloat(cmd, ContactDistance, rest);
             kernel.SetFloat(cmd, SweepDistance, 0.9f * rest);
             kernel.SetFloat(cmd, ContactFloor, Math.Max(10f * ulp, 0.01f * rest));
@@ -38,7 +26,7 @@ namespace SphFluid
         public static void SetStep(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
         {
             CellRowsBinding.Set(cmd, kernel, state.Cells, state.Buffers.CellStart);
-            DomainFaces.Set(cmd, kernel, state.Settings, Distance(state.Settings));
+            DomainFaces.Set(cmd, kernel, state.Settings, ContactDistances.Rest(state.Settings));
             kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
             DomainBindings.SetPeriodic(cmd, kernel, state.Settings);
             Set(cmd, kernel, state.Settings);

@@ -44,7 +44,7 @@ namespace SphFluid
                 StandardWallBinding.Set(cmd, kernel, settings);
                 GatherWallsPass.SetWalls(cmd, kernel, state);
                 state.List.Set(cmd, kernel);
-                kernel.SetFloat(cmd, FaceDistance, MeshContact.Distance(settings));
+                kernel.SetFloat(cmd, FaceDistance, ContactDistances.Rest(settings));
                 kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
                 kernel.SetFloat(cmd, SlopeFactor, (float)(settings.ParticleMass * WendlandKernel.SlopeFactor(settings.SupportRadius) / moment));
                 kernel.SetFloat(cmd, WallPush, (float)(settings.RestDensity / moment));

@@ -47,7 +47,7 @@ namespace SphFluid
             Order = Add("Order", particleCount, 4);
             CellCount = Add("CellCount", cellCount + 1L, 4);
             CellStart = Add("CellStart", cellCount + 2L, 4);
-            BlockSum = Add("BlockSum", ScanCellsPass.Groups(cellCount + 1), 4);
+            BlockSum = Add("BlockSum", CellRows.ScanGroups(cellCount + 1), 4);
         }
     }
 }

@@ -137,7 +137,7 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = Settings(new Vector3(4f, 4f, 4f));
             using (StandardRig rig = new StandardRig(settings, ParticleSets.Random(5003, settings.DomainSize, 1f, 9)))
             {
-                Assert.That(rig.Solver.CellCount, Is.GreaterThan(10 * ScanCellsPass.CellsPerGroup));
+                Assert.That(rig.Solver.CellCount, Is.GreaterThan(10 * CellRows.CellsPerScanGroup));
                 rig.Setup();
                 FluidParticle[] particles = rig.Particles();
                 Assert.That(particles.Select(p => p.Id).OrderBy(id => id), Is.EqualTo(Enumerable.Range(0, 5003).Select(i => (uint)i)));
