@@ -69,13 +69,44 @@ public sealed partial class PackageStructureTests
         Assert.That(outside, Is.Empty, report);
     }
 
-    // Types that the files of the components' folder declare.
-    private static IEnumerable<string> BesideComponents()
+    // What users set of a method, and what brings a liquid to rest by one.
+    private static readonly string[] NamedOutsideTheirMethod = ["ThesisSwitches", "StartRelaxer"];
+
+    [Test]
+    public void OnlyTheListOfMethodsNamesWhatIsInAMethodsFolder()
     {
-        string folder = Path.Combine(Runtime, "Components");
-        return !Directory.Exists(folder) ? [] : Directory.GetFiles(folder, "*.cs", SearchOption.AllDirectories)
+        IReadOnlyDictionary<string, HashSet<string>> uses = TypeReferences.Read(Assembly).Uses;
+        foreach (string method in new[] { "Standard", "Thesis" })
+        {
+            HashSet<string> own = [.. DeclaredIn(Path.Combine("Solver", method))];
+            Assert.That(own, Contains.Item(method + "Method"));
+            string[] users = [.. uses.Where(u => !own.Contains(u.Key) && u.Value.Any(t => own.Contains(t) && !NamedOutsideTheirMethod.Contains(t))).Select(u => u.Key)];
+            Assert.That(users, Is.EqualTo(new[] { "FluidMethods" }), method);
+        }
+    }
+
+    [Test]
+    public void NothingOutsideAMethodsFolderAsksWhichMethodItIs()
+    {
+        string package = Path.GetDirectoryName(Runtime)!;
+        string[] branches = [.. new[] { "Runtime", "Editor", "Universal" }.SelectMany(f => Directory.GetFiles(Path.Combine(package, f), "*.cs", SearchOption.AllDirectories))
+            .Where(f => !f.Contains(Path.Combine("Solver", "Standard")) && !f.Contains(Path.Combine("Solver", "Thesis")))
+            .SelectMany(f => Branch().Matches(File.ReadAllText(f)).Select(m => $"{Path.GetFileName(f)}: {m.Value}"))];
+        Assert.That(branches, Is.Empty);
+    }
+
+    // Types that the files of the components' folder declare.
+    private static IEnumerable<string> BesideComponents() => DeclaredIn("Components");
+
+    private static IEnumerable<string> DeclaredIn(string folder)
+    {
+        string path = Path.Combine(Runtime, folder);
+        return !Directory.Exists(path) ? [] : Directory.GetFiles(path, "*.cs", SearchOption.AllDirectories)
             .SelectMany(f => Declaration().Matches(File.ReadAllText(f)).Select(m => m.Groups[1].Value));
     }
+
+    [GeneratedRegex(@"[!=]= FluidMethodKind\.\w+|is (?:not )?FluidMethodKind\.\w+|case FluidMethodKind\.\w+|FluidMethodKind\.\w+ =>")]
+    private static partial Regex Branch();
 
     [GeneratedRegex(@"^    (?:\w+ )+(?:class|struct|interface|enum) (\w+)", RegexOptions.Multiline)]
     private static partial Regex Declaration();

@@ -86,8 +86,17 @@ namespace SphFluid.Editor
             if (!isFixed && !mode.hasMultipleDifferentValues) hidden.Add("fixedTimeStep");
             SerializedProperty sceneGravity = edited.FindProperty("useSceneGravity");
             if (sceneGravity.boolValue && !sceneGravity.hasMultipleDifferentValues) hidden.Add("gravity");
+            SerializedProperty relaxation = edited.FindProperty("startRelaxation");
+            bool isSet = relaxation.enumValueIndex != (int)FluidStartRelaxation.None || relaxation.hasMultipleDifferentValues;
+            if (!isSet && !AnyRelaxes(edited)) hidden.Add("startRelaxation");
             return hidden.ToArray();
         }
+
+        static bool AnyRelaxes(SerializedObject edited) => Array.Exists(edited.targetObjects, t =>
+        {
+            FluidMethodKind kind = ((FluidSimulation)t).Method;
+            return FluidMethods.Has(kind) && FluidMethods.Of(kind).Has(FluidMethodFeatures.RelaxedStart);
+        });
 
         void DrawTimeStep(in FluidSolverSettings constants)
         {

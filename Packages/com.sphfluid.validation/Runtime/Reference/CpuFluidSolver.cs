@@ -148,7 +148,7 @@ namespace SphFluid.Validation
                 Neighbours = neighbours,
                 Rounding = rounding,
                 SmoothLengthSquared = h * h,
-                Coefficient = settings.ParticleMass * ThesisKernels.Poly6Factor(h),
+                Coefficient = settings.ParticleMass * MullerKernels.Poly6Factor(h),
                 RestDensity = settings.RestDensity,
                 Stiffness = settings.Own<ThesisSettings>().Stiffness,
                 PressureFloor = settings.PressureClamp ? 0.0 : NoFloor,
@@ -190,7 +190,7 @@ namespace SphFluid.Validation
         {
             double kick = 0.5 * (previous + timeStep);
             int count = ParticleCount;
-            double factor = settings.ParticleMass * ThesisKernels.SpikyGradientFactor(settings.SupportRadius);
+            double factor = settings.ParticleMass * MullerKernels.SpikyGradientFactor(settings.SupportRadius);
             double3 half = 0.5 * CpuFluidParticle.Double(settings.DomainSize);
             var force = new CpuForceJob
             {

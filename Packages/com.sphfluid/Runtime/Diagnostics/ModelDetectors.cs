@@ -50,7 +50,7 @@ namespace SphFluid
         {
             if (e.OmitsOwnDensity)
             {
-                double self = ThesisKernels.Poly6Factor(e.Settings.SupportRadius) * Math.Pow(e.Settings.SupportRadius, 6.0) *
+                double self = MullerKernels.Poly6Factor(e.Settings.SupportRadius) * Math.Pow(e.Settings.SupportRadius, 6.0) *
                     e.Settings.ParticleMass / e.Settings.RestDensity;
                 return new FluidFinding(FluidFailure.SelfTermMissing, 1.0 - self, 1.0,
                     Invariant($"A particle does not count itself: the lattice at rest has {1.0 - self:0.00} of the rest density, and the liquid contracts."),

@@ -43,7 +43,7 @@ namespace SphFluid
         public static FluidFinding? ViscosityTooStiff(FluidEvidence e)
         {
             if (!(e.Advice.KinematicViscosity > 0.0)) return null;
-            double border = ThesisRules.ViscousBorder / ThesisRules.ViscousLimit * e.Advice.Viscosity;
+            double border = e.Advice.ViscosityBorder;
             if (!(e.TimeStep > border || (e.EnergyGrows && e.TimeStep > NearBorder * border))) return null;
             return new FluidFinding(FluidFailure.ViscosityTooStiff, e.TimeStep, border,
                 Invariant($"The time step of {1e3 * e.TimeStep:G3} ms is {100.0 * e.TimeStep / border:0} % of the border of stability, {1e3 * border:G3} ms, ") +

@@ -37,7 +37,7 @@ namespace SphFluid
             DomainBindings.SetPeriodic(cmd, kernel, settings);
             kernel.SetBool(cmd, CellsOfSmoothLength, !settings.OctantSearch);
             kernel.SetFloat(cmd, SmoothLengthSquared, (float)(h * h));
-            kernel.SetFloat(cmd, DensityCoefficient, (float)(settings.ParticleMass * ThesisKernels.Poly6Factor(h)));
+            kernel.SetFloat(cmd, DensityCoefficient, (float)(settings.ParticleMass * MullerKernels.Poly6Factor(h)));
             kernel.Set(cmd, state.Published.Particles);
             kernel.Set(cmd, state.Published.GridIndices);
         }

@@ -27,15 +27,19 @@ namespace SphFluid
         /// <summary>Largest stable step by each limit [s]; infinite where it does not act.</summary>
         public readonly double Acoustic, Speed, Viscosity, Walls;
 
+        /// <summary>Step at the border of stability that viscosity sets [s]; <see cref="Viscosity"/> keeps about half of it.</summary>
+        public readonly double ViscosityBorder;
+
         /// <summary>What the limits are of: effective speed of sound and fastest speed [m/s], kinematic viscosity [m²/s].</summary>
         public readonly double SoundSpeed, MaxSpeed, KinematicViscosity;
 
         /// <summary>The limits of a liquid, each the largest step that it allows [s].</summary>
-        internal TimeStepAdvice(double acoustic, double speedStep, double viscous, double walls, double sound, double maxSpeed, double kinematic)
+        internal TimeStepAdvice(double acoustic, double speedStep, double viscous, double viscousBorder, double walls, double sound, double maxSpeed, double kinematic)
         {
             Acoustic = acoustic;
             Speed = speedStep;
             Viscosity = viscous;
+            ViscosityBorder = viscousBorder;
             Walls = walls;
             SoundSpeed = sound;
             MaxSpeed = maxSpeed;

@@ -1,5 +1,5 @@
-#ifndef SPHFLUID_THESIS_NEIGHBOURS
-#define SPHFLUID_THESIS_NEIGHBOURS
+#ifndef SPHFLUID_GRID_NEIGHBOURS
+#define SPHFLUID_GRID_NEIGHBOURS
 
 #include "../Gpu/FluidTypes.hlsl"
 #include "FluidGrid.hlsl"

@@ -17,6 +17,7 @@ namespace SphFluid
         // Wendland's C2 for density and force: the lattice's borders are 0.86 to 0.93 R M/c and 0.072 R² M/ν (von Neumann), M the lattice's moment.
         const double AcousticBorder = 0.9;
         const double ViscousLimit = 0.035;
+        const double ViscousBorder = 0.072;
 
         // The profile's ratio is the thesis method's, 0.01.
         const double ViscosityShare = 0.1;
@@ -66,8 +67,11 @@ namespace SphFluid
             return new TimeStepAdvice(
                 AcousticBorder * radius / (sound / moment + speed),
                 TimeStepAdvice.SpeedStep(spacing, speed),
-                kinematic > 0.0 ? ViscousLimit * moment * radius * radius / kinematic : double.PositiveInfinity,
+                Viscous(ViscousLimit, moment, radius, kinematic), Viscous(ViscousBorder, moment, radius, kinematic),
                 double.PositiveInfinity, sound, speed, kinematic);
         }
+
+        static double Viscous(double limit, double moment, double radius, double kinematic) =>
+            kinematic > 0.0 ? limit * moment * radius * radius / kinematic : double.PositiveInfinity;
     }
 }

@@ -22,7 +22,7 @@ namespace SphFluid
         {
             FluidSolverSettings settings = state.Settings;
             ThesisSettings own = state.Own;
-            double factor = settings.ParticleMass * ThesisKernels.SpikyGradientFactor(settings.SupportRadius);
+            double factor = settings.ParticleMass * MullerKernels.SpikyGradientFactor(settings.SupportRadius);
             using (Sample(cmd))
             {
                 GridNeighbours.Set(cmd, kernel, state);

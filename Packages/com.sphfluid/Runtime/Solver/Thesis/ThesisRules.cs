@@ -60,7 +60,7 @@ namespace SphFluid
                 Spacing = input.Spacing,
                 SupportRadius = (float)radius,
                 RestDensity = input.RestDensity,
-                ParticleMass = (float)(input.RestDensity * dx * dx * dx / ThesisKernels.LatticeSum(input.SupportRatio)),
+                ParticleMass = (float)(input.RestDensity * dx * dx * dx / MullerKernels.LatticeSum(input.SupportRatio)),
                 Viscosity = (float)(kinematic * input.RestDensity),
                 TimeStep = (float)step,
                 Gravity = input.Gravity,
@@ -120,8 +120,11 @@ namespace SphFluid
             new TimeStepAdvice(
                 AcousticBorder * radius / (Math.Sqrt(2.0 * sound * sound) * (1.0 + speed / sound)),
                 TimeStepAdvice.SpeedStep(spacing, speed),
-                kinematic > 0.0 ? ViscousLimit * radius * radius / kinematic : double.PositiveInfinity,
+                Viscous(ViscousLimit, radius, kinematic), Viscous(ViscousBorder, radius, kinematic),
                 WallStep(wallStiffness, wallDamping), sound, speed, kinematic);
+
+        static double Viscous(double limit, double radius, double kinematic) =>
+            kinematic > 0.0 ? limit * radius * radius / kinematic : double.PositiveInfinity;
 
         // Largest dt with k dt² = margin (4 − 2 c dt).
         static double WallStep(double stiffness, double damping)

@@ -27,14 +27,14 @@ namespace SphFluid.Tests
         {
             // κ = 2: the particle, 6 at 1, 12 at √2, 8 at √3; those at 2 have no weight.
             double sum = 64.0 + 6 * 27.0 + 12 * 8.0 + 8 * 1.0;
-            Assert.That(ThesisKernels.LatticeSum(2.0), Is.EqualTo(sum * 315.0 / (64.0 * Math.PI * 512.0)).Within(1e-12));
+            Assert.That(MullerKernels.LatticeSum(2.0), Is.EqualTo(sum * 315.0 / (64.0 * Math.PI * 512.0)).Within(1e-12));
         }
 
         [Test]
         public void MassMakesTheRestLatticeRest()
         {
             FluidSolverSettings s = FluidRules.Derive(Example());
-            Assert.That(s.ParticleMass * ThesisKernels.LatticeSum(2.0) / Math.Pow(0.025, 3), Is.EqualTo(1000.0).Within(1e-2));
+            Assert.That(s.ParticleMass * MullerKernels.LatticeSum(2.0) / Math.Pow(0.025, 3), Is.EqualTo(1000.0).Within(1e-2));
         }
 
         [Test]

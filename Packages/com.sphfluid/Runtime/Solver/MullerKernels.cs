@@ -3,7 +3,7 @@ using System;
 namespace SphFluid
 {
     /// <summary>Factors of Müller's kernels, equations (12), (14) and (17), in double precision: h⁹ leaves float's range early.</summary>
-    internal static class ThesisKernels
+    internal static class MullerKernels
     {
         /// <summary>315 / (64 π h⁹), equation (12).</summary>
         public static double Poly6Factor(double h)
