@@ -4,7 +4,7 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Constants of the thesis method by rule, so that none is found by trying. Documentation~/thesis.md holds the sources.
+    /// Constants of the thesis method by rule, so that none is found by trying. thesis.md of com.sphfluid.validation holds the sources.
     /// <list type="bullet">
     /// <item><description>v_max = √(v0² + 2 g H): a fall from the top of the liquid to the floor.</description></item>
     /// <item><description>c_eff = max(5 v_max, √(g D / 0.04)): compression of 4 % or less, moving and at rest.</description></item>

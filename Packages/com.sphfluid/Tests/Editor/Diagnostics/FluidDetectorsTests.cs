@@ -28,14 +28,14 @@ namespace SphFluid.Tests
             (FluidFailure.KernelMismatch, "boils", s => s.At(Sick, v => { v.Checkerboard = 1.0; v.KineticEnergy = 0.5 * s.Settings.ParticleMass * v.ParticleCount * 0.04; return v; })),
             (FluidFailure.DensityDeficiency, "suction at surfaces", s => s.With(x => { x.PressureClamp = false; return x; })
                 .From(0, v => { v.Clumped = 0; return v; })),
-            (FluidFailure.SelfTermMissing, "switched off", s => s.With(x => x.WithOwn((ref ThesisSettings own) => own.SelfDensity = false))),
+            (FluidFailure.SelfTermMissing, "switched off", s => s.OfThesis((ref ThesisSettings own) => own.SelfDensity = false)),
             (FluidFailure.SelfTermMissing, "light lattice", s => s.At(0, v => { v.MaxDensityRatio = 0.81; return v; })),
             (FluidFailure.TimeStepTooLong, "settings", s => s.Step(1.4f)),
             (FluidFailure.TimeStepTooLong, "in use", s => s.From(0, v => { v.Time *= 1.9; v.MaxSpeed *= 0.5; return v; })),
             (FluidFailure.ViscosityTooStiff, "settings", s => s.Viscosity(0.12)),
             (FluidFailure.NumericalViscosity, "water", s => s.RealViscosity = 1e-6),
             (FluidFailure.DeepTankLoss, "mean compression", s => s.At(Sick, v => { v.MeanCompression = 0.051; return v; })),
-            (FluidFailure.DeepTankLoss, "soft", s => s.With(x => x.WithOwn((ref ThesisSettings own) => own.Stiffness *= 0.09f))),
+            (FluidFailure.DeepTankLoss, "soft", s => s.With(x => x.WithSoundSpeed(0.3f * x.SoundSpeed))),
             (FluidFailure.Tunnelling, "fast", s => s.At(Sick, v => { v.MaxSpeed = 0.41 * s.Settings.Spacing / s.Settings.TimeStep; return v; })),
             (FluidFailure.WallStacking, "touching", s => s.At(Sick, v => { v.AtWalls = 81; return v; })),
             (FluidFailure.WallStacking, "crowded", s => s.At(Sick, v => { v.WallCrowding = 2.3; return v; })),
@@ -202,11 +202,19 @@ namespace SphFluid.Tests
         public static double Available(this StatisticsSeries series, FluidStatistics statistics) =>
             statistics.Energy + series.Settings.ParticleMass * (double)statistics.ParticleCount * 9.81 * 0.5;
 
+        /// <summary>A change to the thesis method's own constants; of another method none.</summary>
+        public static StatisticsSeries OfThesis(this StatisticsSeries series, MethodSettingsChange<ThesisSettings> change) =>
+            series.Settings.Method == FluidMethodKind.Standard ? series : series.With(x => x.WithOwn(change));
+
+        // √k: the thesis's stiffness is twice c², Standard's is c².
+        static float RootOfStiffness(in FluidSolverSettings settings) =>
+            settings.Method == FluidMethodKind.Standard ? settings.SoundSpeed : Mathf.Sqrt(settings.Own<ThesisSettings>().Stiffness);
+
         /// <summary>The time step as a part of 1.35 R/√k.</summary>
         public static StatisticsSeries Step(this StatisticsSeries series, float part)
         {
             float before = series.Settings.TimeStep;
-            series.Settings.TimeStep = part * 1.35f * series.Settings.SupportRadius / Mathf.Sqrt(series.Settings.Own<ThesisSettings>().Stiffness);
+            series.Settings.TimeStep = part * 1.35f * series.Settings.SupportRadius / RootOfStiffness(series.Settings);
             double ratio = series.Settings.TimeStep / (double)before;
             return series.From(0, v => { v.Time *= ratio; v.MaxSpeed /= ratio; return v; });
         }

@@ -24,7 +24,7 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = method == FluidMethodKind.Standard
                 ? BodyRig.Water(Domain, Spacing, 0.5f) : TestSettings.ByRule(Domain, Spacing);
-            settings = settings.WithOwn((ref StandardSettings own) => own.NeighbourList = neighbourList);
+            if (method == FluidMethodKind.Standard) settings = settings.WithOwn((ref StandardSettings own) => own.NeighbourList = neighbourList);
             var solver = new FluidSolver(settings, shaders, ParticleSets.Random(257, Domain, 0f, 1));
             GpuTest.Run(cmd => solver.RecordSteps(cmd, 2));
             Assert.AreEqual(ReachableBuffers.Bytes(solver.State), solver.GpuBytes);
