@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace SphFluid.Editor
 {
-    /// <summary>The faces of a domain box that are not plain walls: periodic and open ones tinted, moving walls with their way in a tenth of a second.</summary>
+    /// <summary>The faces of a domain box that are not plain walls: periodic and open ones tinted, moving walls with their displacement in a tenth of a second.</summary>
     internal static class FaceGizmos
     {
         const float Tint = 0.08f;

@@ -28,12 +28,12 @@ namespace SphFluid
                 if ((query.Periodic & name) != 0 && EndsAtAFace(bounds, 0.5f * query.DomainSize[axis], reach, axis))
                     messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.ColliderAtPeriodicFace, collider,
                         $"The {collider.GetType().Name} ends at a periodic face of '{owner.name}' along {name}. Colliders are not repeated behind such faces: " +
-                        "liquid that leaves through it does not meet this one from the other side.",
+                        "liquid that leaves through it does not touch this one from the other side.",
                         $"Keep it {reach:0.###} m or more inside the faces, or let it reach as far beyond both and look the same at both, or take {name} out of Boundaries.Periodic."));
             }
         }
 
-        // What goes on beyond both faces may be the same wall everywhere; what is well inside is met from one side only.
+        // What goes on beyond both faces may be the same wall everywhere; what is well inside is touched from one side only.
         static bool EndsAtAFace(in Bounds bounds, float half, float reach, int axis)
         {
             float low = bounds.min[axis], high = bounds.max[axis];

@@ -44,7 +44,7 @@ namespace SphFluid
         public Vector3 HalfExtents => DomainSize * 0.5f + Vector3.one * Spacing;
     }
 
-    /// <summary>Finds the colliders in a domain and tells whether anything changed since the last look.</summary>
+    /// <summary>Finds the colliders in a domain and reports whether anything changed since the last look.</summary>
     internal sealed class ColliderFinder
     {
         Collider[] hits = new Collider[32];
@@ -60,7 +60,7 @@ namespace SphFluid
         /// <returns>Whether a collider came, went, moved or changed its shape.</returns>
         public bool Find(in CollisionQuery query)
         {
-            // Queries see the transforms of the last physics step unless told otherwise.
+            // Queries see the transforms of the last physics step unless they are synchronised first.
             Physics.SyncTransforms();
             int count = Overlap(query);
             if (!SameHits(count)) Order(count);

@@ -53,7 +53,7 @@ namespace SphFluid
             }
         }
 
-        /// <summary>Whether the states have the same mesh, with the same vertices as far as that is cheap to tell, or both none.</summary>
+        /// <summary>Whether the states have the same mesh, with the same vertices as far as that is cheap to find out, or both none.</summary>
         public bool HasMeshOf(in ColliderState other) => ReferenceEquals(Mesh, other.Mesh) && stamp.Equals(other.stamp);
 
         /// <summary>Whether the states differ by the transform only.</summary>

@@ -25,7 +25,7 @@ namespace SphFluid
         /// <summary>Colliders that take part, with all their triangles.</summary>
         public IReadOnlyList<ColliderSolid> Solids => solids;
 
-        /// <summary>Triangles that meet the domain, in the order of the GPU buffer.</summary>
+        /// <summary>Triangles that intersect the domain, in the order of the GPU buffer.</summary>
         public IReadOnlyList<CollisionTriangle> Triangles => triangles;
 
         /// <summary>Ranges of <see cref="Triangles"/>, one a collider.</summary>

@@ -22,7 +22,7 @@ namespace SphFluid
             }
         }
 
-        // A mesh that cannot be read still tells its bounds; one without vertices is where its transform is.
+        // A mesh that cannot be read still has its bounds; one without vertices is where its transform is.
         static bool IntersectsDomain(MeshCollider collider, in Matrix4x4 worldToSimulation, Vector3 half)
         {
             Matrix4x4 toSimulation = worldToSimulation * collider.transform.localToWorldMatrix;

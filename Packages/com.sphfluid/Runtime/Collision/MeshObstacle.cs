@@ -5,8 +5,8 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Tells whether a point lies inside a closed mesh or close to any of its triangles. Triangles are binned by their
-    /// (y, z) projection, so that a test along x meets one bin.
+    /// Finds whether a point lies inside a closed mesh or close to any of its triangles. Triangles are binned by their
+    /// (y, z) projection, so that a test along x looks at one bin.
     /// </summary>
     internal sealed class MeshObstacle
     {
@@ -36,11 +36,11 @@ namespace SphFluid
 
         /// <summary>
         /// Whether the surface winds outward round the point: the crossings of a ray along +x, each counted by its
-        /// direction, sum to more than zero. A closed room with inward faces holds no solid; an open mesh has no inside.
+        /// direction, sum to more than zero. A closed surface whose faces look inward holds no solid; an open mesh has no inside.
         /// </summary>
         public bool Contains(Vector3 point) => Winding(point) > 0;
 
-        /// <summary>Times a closed surface winds round the point: 1 inside faces that look outward, −1 inside a room; 0 for an open mesh.</summary>
+        /// <summary>Times a closed surface winds round the point: 1 inside faces that look outward, −1 inside faces that look inward; 0 for an open mesh.</summary>
         public int Winding(Vector3 point)
         {
             if (!mesh.IsClosed || !bounds.Contains(point)) return 0;

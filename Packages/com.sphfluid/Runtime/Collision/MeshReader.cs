@@ -48,7 +48,7 @@ namespace SphFluid
         }
     }
 
-    /// <summary>What tells cheaply that a mesh has changed: counts and bounds.</summary>
+    /// <summary>What shows cheaply that a mesh has changed: counts and bounds.</summary>
     internal readonly struct MeshStamp : System.IEquatable<MeshStamp>
     {
         readonly int vertices;

@@ -35,7 +35,7 @@ namespace SphFluid
         /// <param name="pose">Position and rotation in simulation space.</param>
         /// <param name="radius">Radius [m].</param>
         /// <param name="halfLength">Half the length of the cylinder between the caps [m].</param>
-        /// <param name="chordError">Largest wanted distance between triangles and the true surface [m].</param>
+        /// <param name="chordError">Largest allowed distance between triangles and the true surface [m].</param>
         public static TriangleMesh Capsule(in Matrix4x4 pose, float radius, float halfLength, float chordError)
         {
             int segments = Segments(radius, chordError);

@@ -23,8 +23,8 @@ namespace SphFluid
             ((double)b.y - a.y) * ((double)c.z - a.z) - ((double)b.z - a.z) * ((double)c.y - a.y);
 
         /// <summary>
-        /// Where the line along x through a point meets a triangle: +1 where its face looks along +x, −1 where against it, 0 for a
-        /// miss. A line through a mesh never slips between two triangles and never meets both at their edge.
+        /// Where the line along x through a point intersects a triangle: +1 where its face looks along +x, −1 where against it, 0 for a
+        /// miss. A line through a mesh never slips between two triangles and never intersects both at their edge.
         /// </summary>
         public static int LineCrossing(Vector3 p, Vector3 a, Vector3 b, Vector3 c, out double x)
         {
@@ -67,7 +67,7 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Whether the triangle may meet the axis-aligned box: their bounds overlap and the triangle's plane cuts the box.
+        /// Whether the triangle may intersect the axis-aligned box: their bounds overlap and the triangle's plane cuts the box.
         /// Never false for one that does.
         /// </summary>
         public static bool MayOverlap(Vector3 center, Vector3 halfExtents, Vector3 a, Vector3 b, Vector3 c)

@@ -26,10 +26,10 @@ namespace SphFluid
         public int[] Indices { get; }
         public int TriangleCount => Indices.Length / 3;
 
-        /// <summary>Whether every edge is shared by as many triangles running one way as the other, so that there is an inside.</summary>
+        /// <summary>Whether every edge is shared by as many triangles running in one direction as in the other, so that there is an inside.</summary>
         public bool IsClosed => closed ??= TriangleCount > 0 && FindOpenEdges() == 0;
 
-        /// <summary>Number of edges whose triangles do not run one way as often as the other; 0 for a closed mesh.</summary>
+        /// <summary>Number of edges whose triangles do not run in one direction as often as in the other; 0 for a closed mesh.</summary>
         public int OpenEdges => Math.Max(FindOpenEdges(), 0);
 
         /// <summary>Bounds of the finite corners.</summary>

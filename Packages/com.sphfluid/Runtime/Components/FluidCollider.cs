@@ -4,7 +4,7 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// How a liquid meets the colliders of this object and of those below it, where that differs from the simulation's settings.
+    /// How a liquid interacts with the colliders of this object and of those below it, where that differs from the simulation's settings.
     /// Colliders need no such component to act. The nearest one upwards counts; a disabled one
     /// leaves them to the simulation's settings.
     /// </summary>

@@ -61,7 +61,7 @@ namespace SphFluid
         /// <summary>Energies are compared from the next measurement on: for scripts that give the liquid energy on purpose.</summary>
         public void Rebase() => detectors?.Rebase();
 
-        internal static bool RunsIn(bool editor, bool developmentBuild, bool wanted) => editor || developmentBuild || wanted;
+        internal static bool RunsIn(bool editor, bool developmentBuild, bool requested) => editor || developmentBuild || requested;
 
         void LateUpdate()
         {

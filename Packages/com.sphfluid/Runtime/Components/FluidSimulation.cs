@@ -76,7 +76,7 @@ namespace SphFluid
         FluidStartRelaxation startRelaxation;
 
         FluidRun run;
-        bool wanted;
+        bool requested;
         (FluidStartKey, FluidLiveKey)? failed;
         readonly List<FluidMessage> messages = new List<FluidMessage>();
 
@@ -225,7 +225,7 @@ namespace SphFluid
         /// <returns>Whether it runs; if not, the messages say why.</returns>
         public bool StartSimulation()
         {
-            wanted = true;
+            requested = true;
             Release();
             messages.Clear();
             if (FluidReports.NotPlaying(this) is FluidMessage obstacle) Report(obstacle);
@@ -238,7 +238,7 @@ namespace SphFluid
         /// <summary>Stops the liquid and frees its GPU memory.</summary>
         public void StopSimulation()
         {
-            wanted = false;
+            requested = false;
             Release();
         }
 
@@ -259,7 +259,7 @@ namespace SphFluid
         public bool TryReadParticles(List<FluidParticle> particles) => FluidReports.TryReadParticles(Solver, particles);
 
         /// <summary>Spacing at which the liquid volumes hold as near to a number of particles as the lattice allows [m].</summary>
-        /// <param name="count">Wanted number of particles, 1 or more.</param>
+        /// <param name="count">Requested number of particles, 1 or more.</param>
         /// <returns>The spacing; <see cref="Spacing"/> is not changed.</returns>
         /// <exception cref="InvalidOperationException">There is no liquid to measure, or this is a prefab asset, which has none around it.</exception>
         public float SpacingForParticleCount(int count) => ParticleCountFit.Spacing(Spec, FluidScene.Volumes(this), count);
@@ -275,7 +275,7 @@ namespace SphFluid
         void OnEnable()
         {
             ActiveList.Add(this);
-            wanted = playOnEnable;
+            requested = playOnEnable;
             failed = null;
         }
 
@@ -287,7 +287,7 @@ namespace SphFluid
 
         void LateUpdate()
         {
-            if (!wanted) return;
+            if (!requested) return;
             FluidSpec spec = Spec;
             if (run == null || !run.Key.Equals(FluidStartKey.Of(spec)))
             {

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace SphFluid
 {
-    /// <summary>The rules that a simulation's settings have to meet. One set serves the inspector, the console and tests.</summary>
+    /// <summary>What a simulation's settings have to fulfil. One set of checks serves the inspector, the console and tests.</summary>
     public static class FluidSimulationChecks
     {
         /// <summary>Checks a simulation with its liquid and its colliders, of a prefab asset only the settings; changes nothing.</summary>
@@ -15,7 +15,7 @@ namespace SphFluid
         /// <returns>True when one is an error.</returns>
         public static bool HasErrors(IReadOnlyList<FluidMessage> messages) => FluidChecks.HasErrors(messages);
 
-        /// <summary>Checks like <see cref="Validate"/> and tells the constants that the simulation would start with.</summary>
+        /// <summary>Checks like <see cref="Validate"/> and gives the constants that the simulation would start with.</summary>
         /// <param name="simulation">The simulation.</param>
         /// <param name="constants">Null when there is an error.</param>
         /// <returns>The messages, errors first.</returns>

@@ -72,7 +72,7 @@ namespace SphFluid
 
         /// <summary>Makes what drawing needs; called before the first draw and when the shader set changes.</summary>
         /// <param name="shaders">The profile's shader set, never null.</param>
-        /// <exception cref="FluidDeviceException">The device or the shader set lacks something.</exception>
+        /// <exception cref="FluidDeviceException">Something is missing in the device or in the shader set.</exception>
         protected abstract void CreateResources(FluidShaderSet shaders);
 
         /// <summary>Releases what <see cref="CreateResources"/> made; may be called with nothing made.</summary>

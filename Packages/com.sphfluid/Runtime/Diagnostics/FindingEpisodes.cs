@@ -2,7 +2,7 @@ using System;
 
 namespace SphFluid
 {
-    /// <summary>Tells a failure once an episode: the episode ends after a while of measurements without it.</summary>
+    /// <summary>Reports a failure once an episode: the episode ends after a while of measurements without it.</summary>
     internal sealed class FindingEpisodes
     {
         const int QuietMeasurements = 10;

@@ -82,7 +82,7 @@ namespace SphFluid
             return FluidStatisticsRecord.Sum(values, groups, new FluidMoment(solver, false));
         }
 
-        /// <summary>Frees the GPU memory. Measurements under way are dropped.</summary>
+        /// <summary>Frees the GPU memory. Measurements that have not arrived are dropped.</summary>
         public void Dispose() => GpuBuffers.Dispose(ref records);
 
         void RecordKernel(CommandBuffer cmd)

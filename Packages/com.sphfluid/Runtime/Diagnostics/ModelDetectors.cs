@@ -85,7 +85,7 @@ namespace SphFluid
                 "Lower the profile's Max Compression, or raise its Sound Speed Ratio.");
         }
 
-        // Liquid volume over the domain's cross-section across gravity; more where colliders take room.
+        // Liquid volume over the domain's cross-section across gravity; more where colliders fill a part of it.
         static double Depth(FluidEvidence e)
         {
             Vector3 size = e.Settings.DomainSize, up = e.Settings.Gravity.normalized;

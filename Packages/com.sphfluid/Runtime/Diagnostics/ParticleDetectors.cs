@@ -13,7 +13,7 @@ namespace SphFluid
         const double EscapedLimit = 0.001;
         const double AtWallsLimit = 0.01;
 
-        // The thesis's walls gather 1.5 (κ = 2) to 1.9 (κ = 2.5) layers at rest: the density there lacks what would be behind the wall.
+        // The thesis's walls gather 1.5 (κ = 2) to 1.9 (κ = 2.5) layers at rest: the density misses what would be behind the wall.
         const double CrowdingLimit = 2.25;
 
         // Where no pressure acts, at walls and surfaces, pairs of the thesis method end in one place: 2 % of the particles in a few seconds.
@@ -49,7 +49,7 @@ namespace SphFluid
             double share = e.Share(e.Now.Coincident);
             if (!(share > limit)) return null;
             return new FluidFinding(FluidFailure.CoincidentParticles, share, limit,
-                Invariant($"{e.Now.Coincident} particles lie in the place of another, where no pressure can part them the right way."),
+                Invariant($"{e.Now.Coincident} particles lie in the place of another, where no pressure can part them in a definite direction."),
                 e.Now.Step == 0 ? "Give each particle a place of its own, or use Start Jitter." : "Lower the profile's Support Ratio to 2, or raise its Viscosity Ratio.");
         }
 

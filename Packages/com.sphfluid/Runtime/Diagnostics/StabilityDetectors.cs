@@ -53,10 +53,10 @@ namespace SphFluid
 
         public static FluidFinding? Tunnelling(FluidEvidence e)
         {
-            double way = e.Now.MaxSpeed * e.TimeStep / e.Settings.Spacing;
-            if (!(way > TimeStepAdvice.SpeedLimit * (1.0 + Rounding))) return null;
-            return new FluidFinding(FluidFailure.Tunnelling, way, TimeStepAdvice.SpeedLimit,
-                Invariant($"The fastest particle, at {e.Now.MaxSpeed:G3} m/s, moves {way:0.00} spacings a step: ") +
+            double displacement = e.Now.MaxSpeed * e.TimeStep / e.Settings.Spacing;
+            if (!(displacement > TimeStepAdvice.SpeedLimit * (1.0 + Rounding))) return null;
+            return new FluidFinding(FluidFailure.Tunnelling, displacement, TimeStepAdvice.SpeedLimit,
+                Invariant($"The fastest particle, at {e.Now.MaxSpeed:G3} m/s, moves {displacement:0.00} spacings a step: ") +
                 (e.Has(FluidMethodFeatures.PenaltyWalls) ? "it can cross a thin wall before the wall pushes." : "colliders hold it, but it is amid other liquid before pressure acts."),
                 e.Has(FluidMethodFeatures.PenaltyWalls) ? "Raise Expected Speed to the fastest speed, or shorten the time step; make thin colliders thicker than a spacing."
                     : "Raise Expected Speed to the fastest speed, or set Time Step Mode to Adaptive.");

@@ -24,7 +24,7 @@ namespace SphFluid
         ProfileMissing,
         /// <summary>The profile has no shader set, or the set has empty entries.</summary>
         ShadersMissing,
-        /// <summary>The device lacks something that the simulation needs.</summary>
+        /// <summary>The device does not offer something that the simulation needs.</summary>
         DeviceUnsupported,
         /// <summary>The domain size is zero, negative or not a number.</summary>
         DomainSizeInvalid,
@@ -92,7 +92,7 @@ namespace SphFluid
         MethodUnknown,
     }
 
-    /// <summary>One thing to tell the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>
+    /// <summary>One message to the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>
     public readonly struct FluidMessage : IEquatable<FluidMessage>
     {
         /// <summary>Prefix of every console line of this package.</summary>

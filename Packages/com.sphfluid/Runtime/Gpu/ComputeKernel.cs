@@ -191,7 +191,7 @@ namespace SphFluid
             Dispatch(cmd, Groups(x, GroupSize.x), Groups(y, GroupSize.y), Groups(z, GroupSize.z));
         }
 
-        /// <summary>Records a dispatch of as many groups as a buffer tells when it runs.</summary>
+        /// <summary>Records a dispatch of as many groups as a buffer holds when it runs.</summary>
         /// <param name="cmd">Command buffer.</param>
         /// <param name="arguments">Groups along x, y and z, uint each; made for <see cref="GraphicsBuffer.Target.IndirectArguments"/>.</param>
         public void DispatchIndirect(CommandBuffer cmd, GraphicsBuffer arguments)

@@ -12,10 +12,10 @@ namespace SphFluid
         /// <summary>Times a particle's position or velocity was not a finite number, since the start; it was stopped where it had been.</summary>
         public long NonFinite;
 
-        /// <summary>Times a step met a triangle and was changed, since the start.</summary>
+        /// <summary>Times a step hit a triangle and was changed, since the start.</summary>
         public long Contacts;
 
-        /// <summary>Times a particle was as good as stopped because no way past the triangles was found, since the start. A few in narrow corners are normal.</summary>
+        /// <summary>Times a particle was as good as stopped because no path past the triangles was found, since the start. A few in narrow corners are normal.</summary>
         public long ContactFallbacks;
 
         /// <summary>Times a particle had no free place left, between colliders that close or a collider and a wall, since the start; it may now be on the wrong side.</summary>

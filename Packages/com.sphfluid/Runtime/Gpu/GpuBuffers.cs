@@ -11,7 +11,7 @@ namespace SphFluid
         /// <param name="stride">Bytes of an element.</param>
         /// <param name="target">What it is used for; it settles how shaders declare it.</param>
         /// <returns>The buffer; the caller disposes it.</returns>
-        /// <exception cref="FluidDeviceException">The device has no room for a buffer of this size.</exception>
+        /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
         public static GraphicsBuffer Create(string name, long count, int stride,
             GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured)
         {
@@ -42,7 +42,7 @@ namespace SphFluid
         /// <param name="name">Name shown by frame debuggers and error messages.</param>
         /// <param name="count">Least number of elements.</param>
         /// <param name="stride">Bytes of an element.</param>
-        /// <exception cref="FluidDeviceException">The device has no room for a buffer of this size.</exception>
+        /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
         internal static void Reserve(ref GraphicsBuffer buffer, string name, long count, int stride)
         {
             if (buffer != null && buffer.count >= count) return;

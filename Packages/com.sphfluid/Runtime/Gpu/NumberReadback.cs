@@ -38,7 +38,7 @@ namespace SphFluid
             taken(values);
         }
 
-        /// <summary>Read-backs under way are dropped.</summary>
+        /// <summary>Read-backs that have not arrived are dropped.</summary>
         public void Dispose()
         {
             disposed = true;

@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Render pipelines that the drawings tell apart. The package references none of their assemblies.</summary>
+    /// <summary>Render pipelines that the drawings distinguish. The package references none of their assemblies.</summary>
     enum DrawPipelineKind
     {
         /// <summary>Built-in.</summary>

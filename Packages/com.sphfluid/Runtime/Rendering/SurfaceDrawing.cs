@@ -12,9 +12,9 @@ namespace SphFluid
         /// <exception cref="FluidDeviceException">The shader is missing, or the device cannot run it.</exception>
         protected SurfaceDrawing(FluidShaderSet shaders, string shader)
         {
-            string lack = MissingSupport();
-            if (lack != null)
-                throw new FluidDeviceException(lack);
+            string shortfall = MissingSupport();
+            if (shortfall != null)
+                throw new FluidDeviceException(shortfall);
             material = DrawMaterial.Create(shaders, shader);
         }
 
@@ -23,14 +23,14 @@ namespace SphFluid
         /// <summary>The properties filled last.</summary>
         public MaterialPropertyBlock Block { get; } = new MaterialPropertyBlock();
 
-        /// <summary>What the device lacks to draw a sparse surface, as a sentence; null when nothing.</summary>
+        /// <summary>What keeps the device from drawing a sparse surface, as a sentence; null when nothing.</summary>
         public static string MissingSupport()
         {
             DeviceCapabilities device = DeviceCapabilities.Query();
-            foreach (string lack in ShaderGroup.Drawing.Shortfalls(device))
-                return lack;
-            foreach (string lack in ShaderGroup.Surface.Shortfalls(device))
-                return lack;
+            foreach (string shortfall in ShaderGroup.Drawing.Shortfalls(device))
+                return shortfall;
+            foreach (string shortfall in ShaderGroup.Surface.Shortfalls(device))
+                return shortfall;
             if (!SystemInfo.supportsIndirectArgumentsBuffer)
                 return $"{device.Name} cannot draw what the GPU has counted, which the surface needs.";
             return null;

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>The rules that a simulation has to meet, by its spec. They look and change nothing; one set serves the inspector, the console and tests.</summary>
+    /// <summary>What a simulation has to fulfil, by its spec. The checks look and change nothing; one set serves the inspector, the console and tests.</summary>
     internal static class FluidChecks
     {
         const float ScaleTolerance = 1e-4f;
@@ -25,7 +25,7 @@ namespace SphFluid
             }
         }
 
-        /// <summary>Checks a simulation and, when nothing speaks against it, tells its start.</summary>
+        /// <summary>Checks a simulation and, when nothing speaks against it, gives its start.</summary>
         /// <param name="spec">The simulation.</param>
         /// <param name="volumes">Its liquid volumes, in hierarchy order.</param>
         /// <param name="collision">Receives the colliders.</param>

@@ -47,7 +47,7 @@ namespace SphFluid
             FluidSeverity.Error, exception is FluidDeviceException ? FluidIssue.DeviceUnsupported : FluidIssue.StartFailed,
             simulation, exception.Message, "");
 
-        /// <summary>What to report when a run failed: a check names the setting and the cure; the failure is told where no check knows of it.</summary>
+        /// <summary>What to report when a run failed: a check names the setting and the cure; the failure itself is reported where no check knows of it.</summary>
         public static IEnumerable<FluidMessage> ErrorsOf(IReadOnlyList<FluidMessage> check, FluidMessage failure)
         {
             IReadOnlyList<FluidMessage> found = FluidChecks.HasErrors(check) ? check : new[] { failure };

@@ -1,6 +1,6 @@
 namespace SphFluid
 {
-    /// <summary>How far a liquid is on its way to rest.</summary>
+    /// <summary>How far a liquid has settled.</summary>
     public readonly struct FluidStartProgress
     {
         internal FluidStartProgress(int steps, double seconds, double secondsLeft)

@@ -115,7 +115,7 @@ namespace SphFluid
 
         void AddShortfalls(List<FluidMessage> messages, FluidSeverity severity, ShaderGroup needs, string cure)
         {
-            foreach (string lack in needs.Shortfalls(device)) Add(messages, severity, lack, cure);
+            foreach (string shortfall in needs.Shortfalls(device)) Add(messages, severity, shortfall, cure);
         }
 
         static void Add(List<FluidMessage> messages, FluidSeverity severity, string text, string cure) =>

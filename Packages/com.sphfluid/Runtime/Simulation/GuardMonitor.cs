@@ -2,14 +2,14 @@ using System.Collections.Generic;
 
 namespace SphFluid
 {
-    /// <summary>Tells once a run for each kind of guard that had to act on the particles.</summary>
+    /// <summary>Reports once a run for each kind of guard that had to act on the particles.</summary>
     internal sealed class GuardMonitor
     {
         bool nonFinite, clamped, limited, squeezed, overlapped, shortened;
 
         /// <summary>Takes note of the counters.</summary>
         /// <param name="counters">What the GPU counted.</param>
-        /// <returns>What to tell the user; null when nothing new.</returns>
+        /// <returns>What to report to the user; null when nothing new.</returns>
         public string Note(in FluidCounters counters)
         {
             List<string> news = null;
@@ -24,10 +24,10 @@ namespace SphFluid
 
         static void Add(ref List<string> news, string text) => (news ??= new List<string>()).Add(text);
 
-        static bool IsNew(long count, ref bool told)
+        static bool IsNew(long count, ref bool reported)
         {
-            if (told || count == 0) return false;
-            return told = true;
+            if (reported || count == 0) return false;
+            return reported = true;
         }
     }
 }

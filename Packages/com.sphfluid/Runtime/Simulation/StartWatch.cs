@@ -19,7 +19,7 @@ namespace SphFluid
         /// <summary>Whether to go on; true where nobody watches.</summary>
         public bool Continue(FluidStartProgress progress) => goesOn == null || goesOn(progress);
 
-        /// <summary>Tells that the start has ended.</summary>
+        /// <summary>Reports that the start has ended.</summary>
         public void End() => ended?.Invoke();
     }
 }

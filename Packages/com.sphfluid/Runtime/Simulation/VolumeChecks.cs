@@ -32,7 +32,7 @@ namespace SphFluid
             return new LiquidBox(volume.Name, frame, velocity);
         }
 
-        /// <summary>Tells whether a vessel that was fitted holds its liquid.</summary>
+        /// <summary>Checks whether a vessel that was fitted holds its liquid.</summary>
         /// <returns>False when an error was added to the messages.</returns>
         public static bool CheckVessel(in VolumeSpec volume, LiquidVessel vessel, in FluidSpec spec, List<FluidMessage> messages)
         {
@@ -47,13 +47,13 @@ namespace SphFluid
             Vector3 place = spec.LocalToWorld.MultiplyPoint3x4(leak.Position);
             string near = FormattableString.Invariant($"near ({place.x:0.###}, {place.y:0.###}, {place.z:0.###})");
             bool rim = leak.HoldsTo > 0f;
-            string way = rim
+            string outlet = rim
                 ? FormattableString.Invariant($"over its rim {near} at a level of {volume.Level:0.###} m.")
                 : $"through a gap {near}.";
             string cure = rim
                 ? FormattableString.Invariant($"Set Level to {leak.HoldsTo:0.###} m or less")
                 : "Close the gap in the colliders";
-            messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.VesselLeaks, volume.Owner, "The liquid runs out of the vessel " + way,
+            messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.VesselLeaks, volume.Owner, "The liquid runs out of the vessel " + outlet,
                 cure + ", or switch Domain Holds on if the domain's faces are to hold the liquid too."));
             return false;
         }

@@ -9,12 +9,12 @@ namespace SphFluid
     /// </summary>
     internal sealed class AdaptiveClock : IStepClock
     {
-        // A frame of exactly n steps must give n, whichever way its float was rounded.
+        // A frame of exactly n steps must give n, however its float was rounded.
         const double RoundingSlack = 1e-6;
 
         // The target grows by 2 % a frame, and stays below the longest stable step by 5 %, the flicker of a calm liquid's speed.
         const double Growth = 1.02;
-        const double Room = 1.05;
+        const double Margin = 1.05;
 
         double stable, target, pending;
 
@@ -75,7 +75,7 @@ namespace SphFluid
                 return 0;
             }
 
-            target = Math.Max(target, Math.Min(target * Growth, stable / Room));
+            target = Math.Max(target, Math.Min(target * Growth, stable / Margin));
             pending += deltaTime;
             if (pending < 0.5 * target)
             {

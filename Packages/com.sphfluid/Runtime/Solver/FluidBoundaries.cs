@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>What the six faces of the domain box do to the liquid. The default is six walls at rest that push but do not rub.</summary>
+    /// <summary>What the six faces of the domain box do to the liquid. The default is six frictionless walls at rest.</summary>
     [Serializable]
     public struct FluidBoundaries : IEquatable<FluidBoundaries>
     {
@@ -17,7 +17,7 @@ namespace SphFluid
 
         /// <summary>
         /// Share of the liquid's own viscous stress, τ = µ (v − v_wall)/distance, by which walls drag the layer next to them: 1 holds it
-        /// (no slip), 0 only pushes (free slip), as the thesis's walls do. Colliders rub so too, unless a <see cref="FluidCollider"/> says otherwise.
+        /// (no slip), 0 only pushes (free slip), as the thesis's walls do. Colliders have the same friction, unless a <see cref="FluidCollider"/> says otherwise.
         /// </summary>
         [Range(0f, 1f), Tooltip("How much walls and colliders hold the liquid next to them: 0 lets it slip freely, 1 holds it by its own viscosity (no slip).")]
         public float Friction;

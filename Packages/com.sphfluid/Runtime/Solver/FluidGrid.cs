@@ -9,7 +9,7 @@ namespace SphFluid
     /// </summary>
     public readonly struct FluidGrid
     {
-        // Two cells of 2R, the octant's, or three of R: with fewer the loop would meet one of them twice.
+        // Two cells of 2R, the octant's, or three of R: with fewer the loop would visit one of them twice.
         const int OctantCells = 2;
         const int RowCells = 3;
 

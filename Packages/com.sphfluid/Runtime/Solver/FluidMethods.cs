@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace SphFluid
 {
-    /// <summary>The ways to compute the liquid's motion.</summary>
+    /// <summary>Methods to compute the liquid's motion.</summary>
     public enum FluidMethodKind
     {
         /// <summary>Figueroa's thesis (2012), corrected: Müller's kernels, bitonic sort, one time step after another.</summary>

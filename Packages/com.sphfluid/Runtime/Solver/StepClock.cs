@@ -8,7 +8,7 @@ namespace SphFluid
     /// </summary>
     public sealed class StepClock : IStepClock
     {
-        // A frame of exactly n steps must give n, whichever way its sum of floats was rounded.
+        // A frame of exactly n steps must give n, however its sum of floats was rounded.
         const double RoundingSlack = 1e-6;
 
         double pending;

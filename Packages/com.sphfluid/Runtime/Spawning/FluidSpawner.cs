@@ -69,7 +69,7 @@ namespace SphFluid
             return MeasureOutside(request, tallies);
         }
 
-        // Every shape holding the site is told: the first fills it or finds it covered, later ones share it.
+        // Every shape that holds the site is asked: the first fills it or finds it covered, later ones share it.
         static int FindOwner(SpawnRequest request, Vector3 site, SpawnTally[] tallies)
         {
             int owner = -1;

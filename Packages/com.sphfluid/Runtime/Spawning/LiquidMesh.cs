@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>The inside of a closed mesh as liquid, whichever way its faces look.</summary>
+    /// <summary>The inside of a closed mesh as liquid, whether its faces look in or out.</summary>
     internal sealed class LiquidMesh : LiquidShape
     {
         readonly MeshObstacle inside;

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>Finds the spacing at which the same liquid has a wanted number of particles.</summary>
+    /// <summary>Finds the spacing at which the same liquid has a requested number of particles.</summary>
     internal static class ParticleCountFit
     {
         const int Iterations = 16;
@@ -31,7 +31,7 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Spacing for a request: dx ← dx·(N/wanted)^⅓ from the volume's own estimate. Counts are steps of dx, so the best
+        /// Spacing for a request: dx ← dx·(N/requested)^⅓ from the volume's own estimate. Counts are steps of dx, so the best
         /// of a few rounds is kept.
         /// </summary>
         /// <exception cref="ArgumentOutOfRangeException">The count is less than one.</exception>

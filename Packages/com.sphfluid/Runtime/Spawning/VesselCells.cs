@@ -4,7 +4,7 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// A block of lattice sites and which neighbours a triangle separates. The lines between sites are met with the triangles
+    /// A block of lattice sites and which neighbours a triangle separates. The lines between sites are intersected with the triangles
     /// by a test that never slips between two of them (<see cref="TriangleMath.Side"/>).
     /// </summary>
     internal sealed class VesselCells
@@ -18,7 +18,7 @@ namespace SphFluid
         readonly int[] strides = new int[3];
         readonly byte[] walls;
 
-        /// <summary>The sites within bounds and, below them, a layer that only tells what separates it from them.</summary>
+        /// <summary>The sites within bounds and, below them, a layer that only records what separates it from them.</summary>
         public VesselCells(in SpawnLattice lattice, Bounds bounds)
         {
             this.lattice = lattice;

@@ -21,7 +21,7 @@ namespace SphFluid
     }
 
     /// <summary>
-    /// Floods a vessel from a seed, the lowest cell first, as water does, so that the way out of a vessel that leaks has the lowest
+    /// Floods a vessel from a seed, the lowest cell first, as water does, so that the path out of a vessel that leaks has the lowest
     /// possible highest point: its rim (R. Barnes et al., "Priority-Flood", Computers &amp; Geosciences 62, 2014).
     /// </summary>
     internal sealed class VesselFlood

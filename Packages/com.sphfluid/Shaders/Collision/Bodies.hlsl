@@ -1,9 +1,9 @@
 #ifndef SPHFLUID_BODIES
 #define SPHFLUID_BODIES
 
-// The scene's triangles as bodies, each in a frame of its own in which its triangles rest: all that does not move and rubs
+// The scene's triangles as bodies, each in a frame of its own in which its triangles rest: all that does not move and has the friction
 // alike is one.
-// A body's cells list the triangles that meet the cell inflated by R, so one cell serves a particle: it has every triangle
+// A body's cells list the triangles that intersect the cell inflated by R, so one cell serves a particle: it has every triangle
 // within R. Outside the cells there is none within R.
 #define BODY_MOVES 1u
 #define BODY_STRETCHES 2u
@@ -43,7 +43,7 @@ struct CollisionBody
     float3 StretchShear1;
 };
 
-// Mirrored by BodyTriangle.cs; 48 bytes. Normal: unit, zero for a needle, whose plane float cannot tell.
+// Mirrored by BodyTriangle.cs; 48 bytes. Normal: unit, zero for a needle, whose plane float cannot resolve.
 struct BodyTriangle
 {
     float3 A;

@@ -58,7 +58,7 @@ float3 ClosestPointOnTriangle(float3 p, float3 a, float3 b, float3 c, out bool o
 }
 
 // Moller and Trumbore, reference [15] of the thesis, from either side: the fraction of the segment from p along move
-// at which it meets the triangle, 2 where it does not.
+// at which it intersects the triangle, 2 where it does not.
 float SegmentTriangle(float3 p, float3 move, float3 a, float3 b, float3 c)
 {
     const float3 ab = b - a;

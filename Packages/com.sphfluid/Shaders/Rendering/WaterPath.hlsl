@@ -109,7 +109,7 @@ bool IsSeen(WaterRay ray, float metres)
     return scene >= ray.front && scene >= ray.front + ray.depthStep * metres;
 }
 
-// How far a line runs, halving the last doubt each time: to a thirty-second of the longest way.
+// How far a line runs, halving the last doubt each time: to a thirty-second of the longest path.
 float RayLength(WaterRay ray, float longest)
 {
     float clear = 0.0;

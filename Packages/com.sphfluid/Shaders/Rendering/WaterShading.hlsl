@@ -1,4 +1,4 @@
-// Clear water: refracted scene, absorption and scattering along the way, mirror of the surroundings, highlight of the sun.
+// Clear water: refracted scene, absorption and scattering along the path, mirror of the surroundings, highlight of the sun.
 #ifndef SPHFLUID_WATER_SHADING_INCLUDED
 #define SPHFLUID_WATER_SHADING_INCLUDED
 

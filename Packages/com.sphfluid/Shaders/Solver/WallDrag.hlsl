@@ -19,7 +19,7 @@ float3 DragRate(float3 wallDistance)
     return wallDistance < _DragDistance ? _DragSpeed / max(wallDistance, 0.05 * _DragDistance) : float3(0.0, 0.0, 0.0);
 }
 
-// The six faces; each rubs along two axes. A step takes the whole difference of the velocities at most.
+// The six faces; each has friction along two axes. A step takes the whole difference of the velocities at most.
 // Worked example: 0.5 dx from the lower y face, nu dt = 0.1 dx^2: rates (0, r, 0), r = 2 nu / dx^2; x and z lose 0.2 of v.
 float3 DomainDrag(float3 low, float3 high, float3 velocity)
 {

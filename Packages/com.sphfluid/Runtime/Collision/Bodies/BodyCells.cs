@@ -36,7 +36,7 @@ namespace SphFluid
         }
     }
 
-    /// <summary>Goes through the cells that list a triangle: those whose cube, inflated by the reach, its box and its plane meet.</summary>
+    /// <summary>Goes through the cells that list a triangle: those whose cube, inflated by the reach, intersects its box and its plane.</summary>
     internal struct BodyCellWalk
     {
         readonly BodyCells cells;

@@ -6,7 +6,7 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Triangles of all bodies and each body's lists by cell, on the way to the GPU and there.</summary>
+    /// <summary>Triangles of all bodies and each body's lists by cell, on the CPU and on the GPU.</summary>
     internal sealed class BodyGeometry : IDisposable
     {
         static readonly int TrianglesId = Shader.PropertyToID("_BodyTriangles");
@@ -60,7 +60,7 @@ namespace SphFluid
 
         /// <summary>Makes the lists of the triangles added since the last body.</summary>
         /// <param name="within">Bounds beyond which no particle is; null for none.</param>
-        /// <param name="leastStretch">Smallest stretch that the triangles are met at: their cells look farther by its inverse.</param>
+        /// <param name="leastStretch">Smallest stretch of the triangles in use: their cells look farther by its inverse.</param>
         /// <param name="body">Receives cells and bounds; the pose is none.</param>
         /// <returns>False when there are no triangles.</returns>
         public bool TryEndBody(Bounds? within, float leastStretch, out CollisionBody body)

@@ -6,7 +6,7 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Lists of triangles by cell: a cell has each triangle whose box and plane meet the cell inflated by the reach. A particle's own cell
+    /// Lists of triangles by cell: a cell has each triangle whose box and plane intersect the cell inflated by the reach. A particle's own cell
     /// then has every triangle within that reach of it. Made by Burst jobs.
     /// </summary>
     internal sealed class BodyGrid : IDisposable

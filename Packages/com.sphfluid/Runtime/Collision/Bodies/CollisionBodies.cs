@@ -7,7 +7,7 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// The scene's triangles for methods that prove every motion free: what rests and rubs alike is one body, each collider that
+    /// The scene's triangles for methods that prove every motion free: what rests and has the same friction is one body, each collider that
     /// has moved is one of its own. Lists are made anew only when the set of bodies changes; motion changes poses.
     /// </summary>
     internal sealed class CollisionBodies : IDisposable
@@ -65,7 +65,7 @@ namespace SphFluid
         /// <summary>Bytes of the GPU buffers.</summary>
         public long Bytes => bodyBuffer == null ? 0 : GpuBuffers.Size(bodyBuffer) + geometry.Bytes;
 
-        /// <summary>Whether a body still has a way to go: its motion of the frame was not stepped through.</summary>
+        /// <summary>Whether a body is still moving: the steps have not gone through all of its motion of the frame.</summary>
         public bool IsUnderWay { get; private set; }
 
         /// <summary>Times a body's motion could not be followed, since the start; it was put at its new place at once.</summary>
@@ -190,10 +190,10 @@ namespace SphFluid
         // Also where a particle's line in the frame of the triangles bends more than the parts follow that it is looked up in.
         bool IsTooFar(BodyMotion motion, in CollisionBody body)
         {
-            float way = motion.LongestDisplacement(body.BoundsMin, body.BoundsMax);
-            if (way > JumpOverReach * reach) return true;
+            float displacement = motion.LongestDisplacement(body.BoundsMin, body.BoundsMax);
+            if (displacement > JumpOverReach * reach) return true;
             if (!motion.IsStretched) return false;
-            return (way + longestStep) / motion.FrameRange().least * PartsPerMetre(motion) > MostParts - 1.0;
+            return (displacement + longestStep) / motion.FrameRange().least * PartsPerMetre(motion) > MostParts - 1.0;
         }
 
         bool IsSame(IReadOnlyList<ColliderSolid> solids)
@@ -276,8 +276,8 @@ namespace SphFluid
         static Vector3 BeyondFaces(in FluidSolverSettings settings)
         {
             Vector3 period = settings.PeriodLength;
-            float way = ContactDistances.LongestDisplacement(settings);
-            return new Vector3(period.x > 0f ? way : 0f, period.y > 0f ? way : 0f, period.z > 0f ? way : 0f);
+            float displacement = ContactDistances.LongestDisplacement(settings);
+            return new Vector3(period.x > 0f ? displacement : 0f, period.y > 0f ? displacement : 0f, period.z > 0f ? displacement : 0f);
         }
     }
 }

@@ -41,7 +41,7 @@ namespace SphFluid
     {
         public const int Stride = 48;
 
-        // A plane that float can tell: the area is no less than this part of the longest edge's square.
+        // A plane that float resolves: the area is no less than this part of the longest edge's square.
         const double NeedleArea = 1e-3;
 
         public Vector3 A;

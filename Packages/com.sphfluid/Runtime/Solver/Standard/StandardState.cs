@@ -4,7 +4,7 @@ namespace SphFluid
     internal sealed class StandardState : FluidState
     {
         public StandardState(in FluidSolverSettings settings, int particleCount)
-            : base(settings, particleCount)
+            : base(Countable(settings), particleCount)
         {
             try
             {
@@ -54,6 +54,13 @@ namespace SphFluid
             List?.Dispose();
             List = null;
             List = new NeighbourList(ParticleCount, length);
+        }
+
+        // Too many cells are named before any buffer is made.
+        static FluidSolverSettings Countable(in FluidSolverSettings settings)
+        {
+            _ = new CellRows(FluidGrid.For(settings));
+            return settings;
         }
 
         /// <inheritdoc/>

@@ -6,7 +6,7 @@ namespace SphFluid
         /// <summary>Nothing.</summary>
         Off = 0,
 
-        /// <summary>One spacing a step, dx/dt²: an emergency that normal runs never meet, and counted.</summary>
+        /// <summary>One spacing a step, dx/dt²: an emergency that normal runs never come to; it is counted.</summary>
         Emergency = 1,
 
         /// <summary>As printed: MaxVelocity, a speed in m/s, is taken for an acceleration in m/s².</summary>

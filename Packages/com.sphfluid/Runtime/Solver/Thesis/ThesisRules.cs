@@ -48,7 +48,7 @@ namespace SphFluid
             double wallRate = Math.Sqrt(input.WallStiffnessRatio) * speed / wallDistance;
             double wallDamping = 2.0 * input.WallDampingRatio * wallRate;
 
-            // The fraction has room for the liquid's speed, a fifth of the sound's: it is of the limit at rest.
+            // The fraction leaves a margin for the liquid's speed, a fifth of the sound's: it is of the limit at rest.
             TimeStepAdvice atRest = Advise(dx, radius, sound, 0.0, kinematic, wallRate * wallRate, wallDamping);
             TimeStepAdvice atSpeed = Advise(dx, radius, sound, speed, kinematic, wallRate * wallRate, wallDamping);
             double step = Math.Min(atRest.Step(input.TimeStepFraction), atSpeed.Speed);

@@ -30,11 +30,11 @@ float _NoSlipViscosity; // m^2/s
 float3 MeshFriction(NearWall wall, float3 velocity)
 {
     float3 drag = float3(0.0, 0.0, 0.0);
-    const uint rubs = (wall.Flags >> 4u) & 3u;
+    const uint frictional = (wall.Flags >> 4u) & 3u;
     [unroll]
     for (uint k = 0u; k < uint(WALL_PLANES); k++)
     {
-        if (k == rubs)
+        if (k == frictional)
         {
             const float3 n = wall.Planes[k].xyz;
             const float3 relative = velocity - wall.Velocity;

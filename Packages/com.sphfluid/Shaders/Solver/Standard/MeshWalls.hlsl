@@ -16,7 +16,7 @@ NearWall WallOf(uint slot)
     return UnpackWall(_NearWalls[max(slot, 1u) - 1u]);
 }
 
-// Whether a way from a particle, -d, goes through a face that it sees.
+// Whether a segment from a particle, -d, goes through a face that it sees.
 bool PassesFace(NearWall wall, float3 d)
 {
     bool passes = false;

@@ -1,7 +1,7 @@
 #ifndef SPHFLUID_NEIGHBOUR_LIST
 #define SPHFLUID_NEIGHBOUR_LIST
 
-// Neighbours that the density pass met, for the motion pass of the same step. 32 particles lie side by side: their n-th entries are
+// Neighbours that the density pass found, for the motion pass of the same step. 32 particles lie side by side: their n-th entries are
 // one line of memory. Worked example: particle 33, the second of its 32, length 72: entry 0 stands at 72 * 32 + 1, entry 1 32 behind.
 #define LIST_LANES 32u // mirrored by NeighbourList.Lanes
 

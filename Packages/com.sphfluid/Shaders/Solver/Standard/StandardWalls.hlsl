@@ -8,7 +8,7 @@
 // energy as the liquid does: the usual forms do not, and a pool boils on them. Profile of a plane at distance d:
 //   w(z)  = 21 (1/14 - z^2/2 + 5 z^4/2 - 4 z^5 + 5 z^6/2 - 4 z^7/7), the slice integral of Wendland's C2 at z = distance/R
 //   L(d)  = (1/kappa) sum_{l=0..2} w(z_l),  z_l = (2d + l dx)/R < 1
-// Worked example: kappa = 2, d = dx/2: z_0 = 0.5, L = 0.129, what the lattice lacks there.
+// Worked example: kappa = 2, d = dx/2: z_0 = 0.5, L = 0.129, the deficit of the lattice there.
 float _SupportRatio;     // kappa = R/dx
 float _MirrorSpacing;    // dx/R
 float3 _DomainHalfSize;  // m

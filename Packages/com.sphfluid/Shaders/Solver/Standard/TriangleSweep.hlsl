@@ -2,7 +2,7 @@
 #define SPHFLUID_TRIANGLE_SWEEP
 
 // Motion of a point against one triangle, by separating planes. For any unit n, min_i (x - v_i).n over the corners is a lower
-// bound of the distance; where it is positive at both ends of a straight way, the way misses the triangle, its edges and its
+// bound of the distance; where it is positive at both ends of a segment, the segment misses the triangle, its edges and its
 // corners. A badly rounded n proves less, never wrongly. The same holds where the corners go straight too: (x - v_i).n is linear in
 // time for a constant n.
 #include "../../Collision/Bodies.hlsl"
@@ -22,7 +22,7 @@ struct Gap
 
 struct Sweep
 {
-    bool Hit;      // the whole way is not proved free
+    bool Hit;      // the whole segment is not proved free
     bool Soft;     // free, but it ends nearer than the contact distance
     float Time;    // proved free up to here, 0 to 1
     float3 Normal;

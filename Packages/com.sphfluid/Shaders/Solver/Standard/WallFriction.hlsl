@@ -21,7 +21,7 @@ float3 MirrorDrag(float3 d)
     return 42.0 * u2 * u2 * u * (1.0 - 1.5 * u + (4.0 / 7.0) * u2) / q * (_InverseSupport * _InverseSupport);
 }
 
-// The six faces; each rubs along its two axes.
+// The six faces; each has friction along its two axes.
 float3 WallFriction(float3 position, float3 velocity)
 {
     const float3 rateLow = MirrorDrag(position - _WallsLow);

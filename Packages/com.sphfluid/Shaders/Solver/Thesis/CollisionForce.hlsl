@@ -43,7 +43,7 @@ float3 ColliderForce(CollisionCollider collider, float3 position, float3 velocit
 {
     const bool closed = (collider.TriangleCount & COLLIDER_CLOSED) != 0u;
     const uint end = collider.FirstTriangle + (collider.TriangleCount & COLLIDER_COUNT_MASK);
-    const float range = closed ? max(_WallReach, reach) : reach; // the nearest triangle tells inside from outside
+    const float range = closed ? max(_WallReach, reach) : reach; // the nearest triangle decides between inside and outside
     const float3 move = velocity * _TimeStep;
     const float tie = 1e-4 * _WallDistance;
     float3 faces = float3(0.0, 0.0, 0.0);
