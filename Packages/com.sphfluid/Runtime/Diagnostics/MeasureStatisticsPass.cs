@@ -53,7 +53,7 @@ namespace SphFluid
                 kernel.SetVector(cmd, PotentialCentre, settings.BodyForce.Centre);
                 kernel.SetVector(cmd, PotentialRate, settings.BodyForce.RateSquared);
                 kernel.SetVector(cmd, DomainHalfSize, 0.5f * settings.DomainSize);
-                DomainFaces.Set(cmd, kernel, settings);
+                DomainBindings.SetFaces(cmd, kernel, settings);
                 kernel.DispatchThreads(cmd, solver.ParticleCount);
             }
         }

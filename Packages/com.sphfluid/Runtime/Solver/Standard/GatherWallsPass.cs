@@ -5,8 +5,6 @@ namespace SphFluid
     /// <summary>The walls of triangles near each particle.</summary>
     internal sealed class GatherWallsPass : ComputePass
     {
-        const string Keyword = "FLUID_MESH_WALLS";
-
         static readonly int ParticleCount = Id("_ParticleCount");
         static readonly int TimeStep = Id("_TimeStep");
 
@@ -22,7 +20,7 @@ namespace SphFluid
         {
             using (Sample(cmd))
             {
-                StandardWallBinding.Set(cmd, kernel, state.Settings);
+                StandardBindings.SetFaces(cmd, kernel, state.Settings);
                 MeshContact.Set(cmd, kernel, state.Settings);
                 state.Bodies.Bind(cmd, kernel, state.BodyStep.x, state.BodyStep.y);
                 kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
@@ -33,15 +31,6 @@ namespace SphFluid
                 kernel.SetOut(cmd, state.Walls.ContactArguments);
                 kernel.DispatchThreads(cmd, state.ParticleCount);
             }
-        }
-
-        /// <summary>Records what a kernel needs that includes Shaders/Solver/Standard/MeshWalls.hlsl.</summary>
-        public static void SetWalls(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
-        {
-            kernel.SetKeyword(cmd, Keyword, state.HasBodies);
-            if (!state.HasBodies) return;
-            kernel.Set(cmd, state.Walls.WallSlot);
-            kernel.Set(cmd, state.Walls.NearWalls);
         }
     }
 }

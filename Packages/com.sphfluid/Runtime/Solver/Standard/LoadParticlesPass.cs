@@ -24,7 +24,7 @@ namespace SphFluid
                 clear.SetInt(cmd, CellTotal, state.Buffers.CellCount.Count);
                 clear.Set(cmd, state.Buffers.CellCount);
                 clear.DispatchThreads(cmd, state.Buffers.CellCount.Count);
-                CellRowsBinding.Set(cmd, load, state.Cells);
+                StandardBindings.SetCells(cmd, load, state.Cells);
                 load.SetInt(cmd, ParticleCount, state.ParticleCount);
                 load.Set(cmd, state.Published.Particles);
                 load.SetOut(cmd, state.Buffers.NewPositions);

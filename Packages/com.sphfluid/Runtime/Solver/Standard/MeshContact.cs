@@ -25,10 +25,9 @@ namespace SphFluid
         /// <summary>What both passes over a step's contacts need.</summary>
         public static void SetStep(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
         {
-            CellRowsBinding.Set(cmd, kernel, state.Cells, state.Buffers.CellStart);
-            DomainFaces.Set(cmd, kernel, state.Settings, ContactDistances.Rest(state.Settings));
+            StandardBindings.SetSearch(cmd, kernel, state);
+            DomainBindings.SetFaces(cmd, kernel, state.Settings, ContactDistances.Rest(state.Settings));
             kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
-            DomainBindings.SetPeriodic(cmd, kernel, state.Settings);
             Set(cmd, kernel, state.Settings);
             state.Bodies.Bind(cmd, kernel, state.BodyStep.x, state.BodyStep.y);
             kernel.Set(cmd, state.Buffers.Positions);

@@ -37,12 +37,10 @@ namespace SphFluid
             bool isHeld = friction > 0f || state.HasBodies && state.Bodies.HoldLiquid;
             using (Sample(cmd))
             {
-                CellRowsBinding.Set(cmd, kernel, state.Cells, state.Buffers.CellStart);
-                DomainBindings.SetPeriodic(cmd, kernel, settings);
+                StandardBindings.SetSearch(cmd, kernel, state);
+                StandardBindings.SetWalls(cmd, kernel, state);
                 DomainBindings.SetBodyForce(cmd, kernel, settings.BodyForce);
                 DomainBindings.SetWallVelocities(cmd, kernel, settings.Boundaries);
-                StandardWallBinding.Set(cmd, kernel, settings);
-                GatherWallsPass.SetWalls(cmd, kernel, state);
                 state.List.Set(cmd, kernel);
                 kernel.SetFloat(cmd, FaceDistance, ContactDistances.Rest(settings));
                 kernel.SetInt(cmd, ParticleCount, state.ParticleCount);

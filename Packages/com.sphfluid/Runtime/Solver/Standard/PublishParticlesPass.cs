@@ -28,7 +28,7 @@ namespace SphFluid
                 particles.Set(cmd, state.Published.Density);
                 particles.Set(cmd, state.Published.Pressure);
                 particles.DispatchThreads(cmd, state.ParticleCount);
-                CellRowsBinding.Set(cmd, ranges, state.Cells, state.Buffers.CellStart);
+                StandardBindings.SetCells(cmd, ranges, state.Cells, state.Buffers.CellStart);
                 GridNeighbours.SetGrid(cmd, ranges, state.Grid);
                 ranges.SetOut(cmd, state.Published.GridIndices);
                 ranges.DispatchThreads(cmd, state.Grid.CellCount);

@@ -44,7 +44,7 @@ namespace SphFluid
 
         static void Bind(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
         {
-            CellRowsBinding.Set(cmd, kernel, state.Cells, state.Buffers.CellStart);
+            StandardBindings.SetCells(cmd, kernel, state.Cells, state.Buffers.CellStart);
             kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
             kernel.Set(cmd, state.Buffers.NewPositions);
             kernel.Set(cmd, state.Buffers.NewVelocities);

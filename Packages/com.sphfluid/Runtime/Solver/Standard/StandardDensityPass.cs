@@ -23,10 +23,8 @@ namespace SphFluid
             FluidSolverSettings settings = state.Settings;
             using (Sample(cmd))
             {
-                CellRowsBinding.Set(cmd, kernel, state.Cells, state.Buffers.CellStart);
-                DomainBindings.SetPeriodic(cmd, kernel, settings);
-                StandardWallBinding.Set(cmd, kernel, settings);
-                GatherWallsPass.SetWalls(cmd, kernel, state);
+                StandardBindings.SetSearch(cmd, kernel, state);
+                StandardBindings.SetWalls(cmd, kernel, state);
                 state.List.SetOut(cmd, kernel);
                 kernel.SetFloat(cmd, DensityFactor, (float)(settings.ParticleMass * WendlandKernel.Factor(settings.SupportRadius)));
                 kernel.SetFloat(cmd, InverseMoment, (float)(1.0 / WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing)));

@@ -37,8 +37,8 @@ float3 DomainForce(float3 position, float3 velocity)
 
 // What one mesh does to a particle. Faces whose prism holds the particle add up: two at a concave edge are two walls.
 // Edges and vertices count only where no face is in contact, and then the nearest alone,
-// so that triangles which share an edge or a plane are not counted twice. The drag goes on from that of the meshes before:
-// each takes from what is left of the velocity.
+// so that triangles which share an edge or a plane are not counted twice. The drags of several meshes act one after the other,
+// each on the velocity that the one before left.
 float3 ColliderForce(CollisionCollider collider, float3 position, float3 velocity, float reach, inout float3 drag)
 {
     const bool closed = (collider.TriangleCount & COLLIDER_CLOSED) != 0u;

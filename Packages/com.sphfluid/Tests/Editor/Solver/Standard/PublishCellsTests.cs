@@ -26,7 +26,7 @@ namespace SphFluid.Tests
                 ranges.SetData(Enumerable.Repeat(untouched, ranges.count).ToArray());
                 GpuTest.Run(cmd =>
                 {
-                    CellRowsBinding.Set(cmd, kernel, cells, cellStart);
+                    StandardBindings.SetCells(cmd, kernel, cells, cellStart);
                     GridNeighbours.SetGrid(cmd, kernel, grid);
                     kernel.SetBuffer(cmd, Shader.PropertyToID("_GridIndicesOut"), ranges);
                     kernel.DispatchThreads(cmd, grid.CellCount);

@@ -1,0 +1,71 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Records the globals that several kernels of the method share, by the files of Shaders/Solver/Standard that declare them.</summary>
+    internal static class StandardBindings
+    {
+        const string MeshWalls = "FLUID_MESH_WALLS";
+
+        static readonly int CellOrigin = Shader.PropertyToID("_CellOrigin");
+        static readonly int CellsPerMetre = Shader.PropertyToID("_CellsPerMetre");
+        static readonly int CellCounts = Shader.PropertyToID("_CellCounts");
+        static readonly int CellStart = Shader.PropertyToID("_CellStart");
+        static readonly int InverseSupport = Shader.PropertyToID("_InverseSupport");
+        static readonly int SupportRatio = Shader.PropertyToID("_SupportRatio");
+        static readonly int MirrorSpacing = Shader.PropertyToID("_MirrorSpacing");
+        static readonly int RestDensity = Shader.PropertyToID("_RestDensity");
+        static readonly int DomainHalfSize = Shader.PropertyToID("_DomainHalfSize");
+
+        // Copied when recorded, so one array serves; command buffers are recorded on the main thread.
+        static readonly int[] Counts = new int[3];
+
+        /// <summary>CellRows.hlsl: the cells.</summary>
+        public static void SetCells(CommandBuffer cmd, ComputeKernel kernel, in CellRows cells)
+        {
+            Counts[0] = cells.Counts.x;
+            Counts[1] = cells.Counts.y;
+            Counts[2] = cells.Counts.z;
+            Vector3 side = cells.CellSize;
+            kernel.SetVector(cmd, CellOrigin, cells.Origin);
+            kernel.SetVector(cmd, CellsPerMetre, new Vector3(1f / side.x, 1f / side.y, 1f / side.z));
+            kernel.SetInts(cmd, CellCounts, Counts);
+        }
+
+        /// <summary>CellRows.hlsl: the cells and the first particle of each.</summary>
+        public static void SetCells(CommandBuffer cmd, ComputeKernel kernel, in CellRows cells, GraphicsBuffer cellStart)
+        {
+            SetCells(cmd, kernel, cells);
+            kernel.SetBuffer(cmd, CellStart, cellStart);
+        }
+
+        /// <summary>CellRows.hlsl and PeriodicAxes.hlsl: the search for neighbours.</summary>
+        public static void SetSearch(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
+        {
+            SetCells(cmd, kernel, state.Cells, state.Buffers.CellStart);
+            DomainBindings.SetPeriodic(cmd, kernel, state.Settings);
+        }
+
+        /// <summary>Wendland.hlsl and StandardWalls.hlsl: the kernel, and what the faces of the domain add to its sums.</summary>
+        public static void SetFaces(CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings)
+        {
+            kernel.SetFloat(cmd, InverseSupport, 1f / settings.SupportRadius);
+            kernel.SetFloat(cmd, SupportRatio, settings.SupportRadius / settings.Spacing);
+            kernel.SetFloat(cmd, MirrorSpacing, settings.Spacing / settings.SupportRadius);
+            kernel.SetFloat(cmd, RestDensity, settings.RestDensity);
+            kernel.SetVector(cmd, DomainHalfSize, 0.5f * settings.DomainSize);
+            DomainBindings.SetFaces(cmd, kernel, settings);
+        }
+
+        /// <summary>Those, and MeshWalls.hlsl: what triangles near a particle add.</summary>
+        public static void SetWalls(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
+        {
+            SetFaces(cmd, kernel, state.Settings);
+            kernel.SetKeyword(cmd, MeshWalls, state.HasBodies);
+            if (!state.HasBodies) return;
+            kernel.Set(cmd, state.Walls.WallSlot);
+            kernel.Set(cmd, state.Walls.NearWalls);
+        }
+    }
+}
