@@ -4,7 +4,7 @@ using System.Text.RegularExpressions;
 
 namespace Headless.Checks.Cross;
 
-/// <summary>A kernel variant on its way into another shading language.</summary>
+/// <summary>A kernel variant in another shading language.</summary>
 internal sealed partial class CrossKernel(ShaderVariant variant, ShaderBinary binary)
 {
     private const string Front = "glslangValidator", Translator = "spirv-cross";

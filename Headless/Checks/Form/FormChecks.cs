@@ -1,6 +1,6 @@
 namespace Headless.Checks.Form;
 
-/// <summary>Everything that the Editor expects of files, and what users would meet first if it were wrong.</summary>
+/// <summary>Everything that the Editor expects of files, and what users would see first if it were wrong.</summary>
 internal static class FormChecks
 {
     public static IEnumerable<CheckReport> Run(ProjectPackages packages) =>

@@ -1,6 +1,6 @@
 namespace Headless.Checks.Fxc;
 
-/// <summary>What a user waits for and what small devices lack: time of each compilation, number of the product's compute variants, shared memory.</summary>
+/// <summary>What a user waits for and what small devices are short of: time of each compilation, number of the product's compute variants, shared memory.</summary>
 internal sealed class FxcBudget(string packageRoot)
 {
     public const int MaxMilliseconds = 2000, MaxVariants = 60, MaxSharedBytes = 16 * 1024;

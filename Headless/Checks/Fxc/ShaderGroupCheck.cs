@@ -14,7 +14,9 @@ internal sealed partial class ShaderGroupCheck(string packageRoot)
     {
         var runtime = Path.Combine(packageRoot, "Runtime");
         if (!Directory.Exists(runtime)) return;
-        var stated = Directory.GetFiles(runtime, "*.cs", SearchOption.AllDirectories).SelectMany(f => Stated().Matches(File.ReadAllText(f))).Select(Read).ToList();
+        var sources = Directory.GetFiles(runtime, "*.cs", SearchOption.AllDirectories);
+        if (!sources.Any(f => Path.GetFileName(f) == "ShaderGroup.cs")) return;
+        var stated = sources.SelectMany(f => Stated().Matches(File.ReadAllText(f))).Select(Read).ToList();
         if (stated.Count == 0) { report.Findings.Add("Runtime has no shader group that this check can read"); return; }
         var parts = results.GroupBy(r => FolderOf(r.Job.File, stated));
         foreach (var part in parts.Where(p => p.Key is not null))

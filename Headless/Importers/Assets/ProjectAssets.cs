@@ -80,7 +80,7 @@ public sealed class ProjectAssets : IReferenceResolver
             found = BuiltinResources.IsBuiltin(reference.Guid) ? BuiltinResources.Find(reference, where, Report) : FindAsset(reference, where);
         }
         if (found is null || expected.IsInstanceOfType(found)) return found;
-        // A field of a component type may be given by its GameObject and the other way round: Unity shows a type mismatch.
+        // A field of a component type may be given by its GameObject and vice versa: Unity shows a type mismatch.
         Report($"{where}: {reference} is a {found.GetType().Name}, not a {expected.Name}; the reference is null.");
         return null;
     }

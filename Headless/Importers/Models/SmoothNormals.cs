@@ -35,7 +35,7 @@ public static class SmoothNormals
         {
             var (at, most) = meeting.MaxBy(m => m.Value.Count);
             throw new FormatException(FormattableString.Invariant(
-                $"{most.Count} corners of triangles meet at ({at.X}, {at.Y}, {at.Z}), too many to smooth normals over. Export the model with normals, or set Normals to None in its import settings."));
+                $"{most.Count} corners of triangles lie at ({at.X}, {at.Y}, {at.Z}), too many to smooth normals over. Export the model with normals, or set Normals to None in its import settings."));
         }
 
         float limit = MathF.Cos(Math.Clamp(smoothingAngleDegrees, 0, 180) * MathF.PI / 180) - 1e-5f;

@@ -73,7 +73,7 @@ public sealed partial class OutputFolder
         return [.. File.ReadLines(list).Take(MostListed).Where(IsOurs)];
     }
 
-    /// <summary>Before there was a list, summary.json told how many frames there are.</summary>
+    /// <summary>Before there was a list, summary.json gave the number of frames.</summary>
     private HashSet<string> OfEarlierVersion()
     {
         string summary = System.IO.Path.Combine(Path, SummaryFile.FileName);

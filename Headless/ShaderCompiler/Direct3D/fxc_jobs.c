@@ -121,6 +121,6 @@ int main(int argc, char **argv)
     if (!library) { fprintf(stderr, "d3dcompiler_47.dll not found beside fxc_jobs.exe\n"); return NO_LIBRARY; }
     compile = (compile_fn)(void *)GetProcAddress(library, "D3DCompile");
     disassemble = (disassemble_fn)(void *)GetProcAddress(library, "D3DDisassemble");
-    if (!compile || !disassemble) { fprintf(stderr, "d3dcompiler_47.dll lacks D3DCompile or D3DDisassemble\n"); return NO_ENTRY_POINT; }
+    if (!compile || !disassemble) { fprintf(stderr, "d3dcompiler_47.dll has no D3DCompile or no D3DDisassemble\n"); return NO_ENTRY_POINT; }
     return run_jobs(argv[1], run_job);
 }

@@ -7,7 +7,7 @@ namespace Headless.Shaders;
 /// OneMinusDstColor 4, SrcAlpha 5, OneMinusSrcColor 6, DstAlpha 7, OneMinusDstAlpha 8, SrcAlphaSaturate 9,
 /// OneMinusSrcAlpha 10), BlendOp (Add 0, Subtract 1, ReverseSubtract 2, Min 3, Max 4),
 /// ColorWriteMask (Alpha 1, Blue 2, Green 4, Red 8). ZTest and ZWrite are as written: with reversed Z the device compares
-/// the other way round.
+/// vice versa.
 /// </remarks>
 public sealed record RenderState
 {

@@ -62,8 +62,8 @@ internal sealed class ShaderLabReader(string file, List<ShaderLabToken> tokens)
         }
     }
 
-    public ShaderCompileException Unexpected(string wanted) =>
-        Error(Peek.Line, $"unexpected '{OneLine.Value(Describe(Peek))}', expected {wanted}");
+    public ShaderCompileException Unexpected(string requested) =>
+        Error(Peek.Line, $"unexpected '{OneLine.Value(Describe(Peek))}', expected {requested}");
 
     public ShaderCompileException Error(int line, string message) => new(File, line, message);
 

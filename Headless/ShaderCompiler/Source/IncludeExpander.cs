@@ -113,10 +113,10 @@ internal sealed class IncludeExpander(IncludeResolver includes)
         {
             throw new ShaderCompileException(includes.Shown(path), number, "#include expects \"file\" or <file>");
         }
-        string wanted = name[1..end];
-        if (includes.Resolve(wanted, path) is not { } found)
+        string requested = name[1..end];
+        if (includes.Resolve(requested, path) is not { } found)
         {
-            Error($"Couldn't open include file '{wanted}'.");
+            Error($"Couldn't open include file '{requested}'.");
             return;
         }
         if (_open.Contains(found))

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Headless.Engine;
 
-/// <summary>Collects the log of one test and judges it. Expectations are met in the order in which they were stated.</summary>
+/// <summary>Collects the log of one test and checks it. Expectations are fulfilled in the order in which they were stated.</summary>
 sealed class LogScope : IDisposable
 {
     static readonly Stack<LogScope> s_Scopes = new();

@@ -79,7 +79,7 @@ public sealed class FormCheckTests
             class A : MonoBehaviour
             {
                 [SerializeField] float bare;
-                [SerializeField, Tooltip("words")] float told;
+                [SerializeField, Tooltip("words")] float documented;
                 [SerializeField, HideInInspector] float hidden;
                 float own;
             }

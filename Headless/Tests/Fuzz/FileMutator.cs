@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Headless.Tests.Fuzz;
 
-/// <summary>Breaks a file in one of the ways that disks, merges, editors and enemies do; the same seed breaks it the same way.</summary>
+/// <summary>Breaks a file as disks, merges, editors and attackers do; the same seed gives the same break.</summary>
 internal sealed class FileMutator(Random random)
 {
     private const int LargestGrowth = 4 << 20;

@@ -48,7 +48,7 @@ public sealed class Picture
         return (c.r + c.g + c.b) / 765f;
     }
 
-    /// <summary>Share of the pixels that meet a condition.</summary>
+    /// <summary>Share of the pixels that fulfil a condition.</summary>
     public float Share(Predicate<Color32> condition)
     {
         int count = 0;

@@ -102,7 +102,7 @@ public sealed class ReflectionTests : SceneFixture
     public void ObjectsMirrorTheMostImportantProbeThatTouchesThem()
     {
         Mirror(Faces([Color.black, Color.black, Color.black, Color.black, Color.black, Color.black], false));
-        ReflectionProbe room = AddProbe(Color.green, Vector3.zero, 10f);
+        ReflectionProbe probe = AddProbe(Color.green, Vector3.zero, 10f);
         ReflectionProbe corner = AddProbe(Color.red, Vector3.zero, 1f);
         Assert.That(IsGreen(Seen(Vector3.up)), Is.True, "of equals, the one that shares more");
         corner.importance = 2;
@@ -110,9 +110,9 @@ public sealed class ReflectionTests : SceneFixture
         corner.transform.position = new Vector3(0f, 0f, 50f);
         Assert.That(IsGreen(Seen(Vector3.up)), Is.True, "only where its box is");
         Assert.That(IsBlack(Seen(Vector3.up, 0f, ReflectionProbeUsage.Off)), Is.True, "without probes");
-        room.intensity = 0.25f;
+        probe.intensity = 0.25f;
         Assert.That(((Color)Seen(Vector3.up)).linear.g, Is.EqualTo(0.25f).Within(0.01f));
-        room.enabled = false;
+        probe.enabled = false;
         Assert.That(IsBlack(Seen(Vector3.up)), Is.True);
     }
 

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Headless.Tests.Shaders;
 
-/// <summary>Stages of a pass: varyings meet by semantic, system values, descriptor sets.</summary>
+/// <summary>Stages of a pass: varyings are linked by semantic, system values, descriptor sets.</summary>
 public sealed class StageTests : SandboxTests
 {
     private const string Geometry = """

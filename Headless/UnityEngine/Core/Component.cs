@@ -39,10 +39,10 @@ public partial class Component : Object
     /// <summary>Adds to or removes from the running scene, whatever active state and enabled flag ask for.</summary>
     internal void RefreshActivation()
     {
-        bool wanted = IsAlive && m_GameObject is { } owner && owner.IsActiveCached && EnabledSelf;
-        if (wanted == IsAdded) return;
-        IsAdded = wanted;
-        if (wanted) OnAdded();
+        bool requested = IsAlive && m_GameObject is { } owner && owner.IsActiveCached && EnabledSelf;
+        if (requested == IsAdded) return;
+        IsAdded = requested;
+        if (requested) OnAdded();
         else OnRemoved();
     }
 

@@ -4,7 +4,7 @@ using System.Text;
 
 namespace UnityEngine;
 
-/// <summary>The text form shared by the value types: parenthesised, comma separated, two decimals unless told.</summary>
+/// <summary>The text form shared by the value types: parenthesised, comma separated, two decimals unless a format is given.</summary>
 static class Formatting
 {
     public static string Tuple(string? format, IFormatProvider? provider, params ReadOnlySpan<float> values)

@@ -28,23 +28,23 @@ internal static unsafe class AdapterList
     }
 
     /// <summary>The device of an index or name part; without either the first of the best kind.</summary>
-    public static PhysicalAdapter Choose(IReadOnlyList<PhysicalAdapter> adapters, string? wanted)
+    public static PhysicalAdapter Choose(IReadOnlyList<PhysicalAdapter> adapters, string? requested)
     {
         if (adapters.Count == 0)
         {
             throw new GpuException("No Vulkan device on this machine. Install a driver; on Debian: apt install mesa-vulkan-drivers.");
         }
 
-        if (string.IsNullOrWhiteSpace(wanted))
+        if (string.IsNullOrWhiteSpace(requested))
         {
             return adapters.MinBy(adapter => Array.IndexOf(Preference, adapter.Info.Type))!;
         }
 
-        bool byIndex = int.TryParse(wanted, NumberStyles.None, CultureInfo.InvariantCulture, out int index);
+        bool byIndex = int.TryParse(requested, NumberStyles.None, CultureInfo.InvariantCulture, out int index);
         return adapters.FirstOrDefault(adapter => byIndex
                 ? adapter.Info.Index == index
-                : adapter.Info.Name.Contains(wanted, StringComparison.OrdinalIgnoreCase))
-            ?? throw new UnknownAdapterException($"No Vulkan device '{wanted}'. There is: {string.Join("; ", adapters.Select(adapter => adapter.Info))}.");
+                : adapter.Info.Name.Contains(requested, StringComparison.OrdinalIgnoreCase))
+            ?? throw new UnknownAdapterException($"No Vulkan device '{requested}'. There is: {string.Join("; ", adapters.Select(adapter => adapter.Info))}.");
     }
 
     private static PhysicalAdapter Describe(VkPhysicalDevice handle, int index)

@@ -75,7 +75,7 @@ internal sealed record DeviceFeatures(VkPhysicalDeviceFeatures Core, bool Mirror
     {
         if (feature == 0)
         {
-            throw new GpuException($"Device '{adapter.Info.Name}' lacks the Vulkan feature {name}. Update its driver or choose another device.");
+            throw new GpuException($"Device '{adapter.Info.Name}' has no Vulkan feature {name}. Update its driver or choose another device.");
         }
     }
 

@@ -24,7 +24,7 @@ internal sealed unsafe class VulkanInstance : IDisposable
         using Utf8Texts texts = new();
         byte** layers = stackalloc byte*[1];
         byte** extensions = stackalloc byte*[1];
-        VkApplicationInfo application = new() { pApplicationName = texts.Add("sphfluid"), apiVersion = Version13 };
+        VkApplicationInfo application = new() { pApplicationName = texts.Add("sphplayer"), apiVersion = Version13 };
         VkInstanceCreateInfo info = new() { pApplicationInfo = &application };
         VkValidationFeatureEnableEXT enabled = VkValidationFeatureEnableEXT.SynchronizationValidation;
         VkValidationFeaturesEXT features = new() { enabledValidationFeatureCount = 1, pEnabledValidationFeatures = &enabled };
@@ -115,6 +115,6 @@ internal sealed unsafe class VulkanInstance : IDisposable
     {
         using Utf8Texts texts = new();
         nint address = Vk.vkGetInstanceProcAddr(Handle, texts.Add(name));
-        return address != 0 ? address : throw new GpuException($"The Vulkan loader lacks {name}; update it.");
+        return address != 0 ? address : throw new GpuException($"The Vulkan loader has no {name}; update it.");
     }
 }

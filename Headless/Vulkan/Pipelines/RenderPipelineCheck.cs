@@ -30,7 +30,7 @@ internal static class RenderPipelineCheck
 
         if ((!d.DepthClip && context.Features.Core.depthClamp == 0) || (d.Wireframe && context.Features.Core.fillModeNonSolid == 0))
         {
-            throw new GpuException($"Shader '{name}' wants depth clamping or wireframe, which device '{device}' lacks.");
+            throw new GpuException($"Shader '{name}' needs depth clamping or wireframe, which device '{device}' does not have.");
         }
 
         int constants = d.Stages.Sum(stage => stage.Resources.Count(resource => resource.Kind == ResourceKind.ConstantBuffer));
@@ -65,7 +65,7 @@ internal static class RenderPipelineCheck
         {
             if (!d.Attributes.Any(attribute => attribute.Location == input.Location))
             {
-                throw new GpuException($"Shader '{name}' reads the vertex attribute {input.Semantic}, which the mesh's layout lacks.");
+                throw new GpuException($"Shader '{name}' reads the vertex attribute {input.Semantic}, which the mesh's layout does not have.");
             }
         }
 

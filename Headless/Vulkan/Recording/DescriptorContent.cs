@@ -59,10 +59,10 @@ internal sealed class DescriptorContent(DeviceContext context)
         return words.AsSpan(0, length);
     }
 
-    private static GpuException Missing(GpuPipeline pipeline, LayoutEntry entry, in BindingSlot slot, string wanted)
+    private static GpuException Missing(GpuPipeline pipeline, LayoutEntry entry, in BindingSlot slot, string requested)
     {
         string found = slot.Kind == BindingKind.Empty ? "nothing" : $"a {slot.Kind.ToString().ToLowerInvariant()}";
-        return new GpuException($"'{pipeline.Name}': '{entry.Resource.Name}' wants a {wanted}, but {found} is bound.");
+        return new GpuException($"'{pipeline.Name}': '{entry.Resource.Name}' needs a {requested}, but {found} is bound.");
     }
 
     private void Uniform(

@@ -42,18 +42,18 @@ internal sealed unsafe class PipelineBinder(DeviceContext context)
 
         for (int set = 0; set < pipeline.Stages.Length; set++)
         {
-            SetState wanted = next[set];
-            if (pipeline.Stages[set].Entries.Length == 0 || bound.Sets[set].Same(wanted))
+            SetState requested = next[set];
+            if (pipeline.Stages[set].Entries.Length == 0 || bound.Sets[set].Same(requested))
             {
                 continue;
             }
 
-            bound.Sets[set].Assign(wanted.Set, wanted.Offsets);
-            VkDescriptorSet handle = wanted.Set;
-            fixed (uint* offsets = wanted.Offsets)
+            bound.Sets[set].Assign(requested.Set, requested.Offsets);
+            VkDescriptorSet handle = requested.Set;
+            fixed (uint* offsets = requested.Offsets)
             {
                 Vk.vkCmdBindDescriptorSets(
-                    commands, pipeline.BindPoint, pipeline.Layout, (uint)set, 1, &handle, (uint)wanted.Offsets.Length, offsets);
+                    commands, pipeline.BindPoint, pipeline.Layout, (uint)set, 1, &handle, (uint)requested.Offsets.Length, offsets);
             }
         }
     }

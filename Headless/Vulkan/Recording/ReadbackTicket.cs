@@ -1,6 +1,6 @@
 namespace Headless.Vulkan;
 
-/// <summary>Bytes on their way from the device; complete when the work recorded before the request has run.</summary>
+/// <summary>Bytes that are read back from the device; complete when the work recorded before the request has run.</summary>
 public sealed class ReadbackTicket
 {
     private readonly SubmissionRing ring;

@@ -27,21 +27,21 @@ internal static class RenderTargetCheck
     /// <summary>Throws unless the pipeline was made for these formats and samples.</summary>
     public static void Match(RenderTargets targets, GpuRenderPipeline pipeline)
     {
-        RenderPipelineDescription wanted = pipeline.Description;
+        RenderPipelineDescription requested = pipeline.Description;
         GpuFormat depth = targets.Depth?.Texture.Description.Format ?? GpuFormat.None;
-        bool same = targets.Colors.Count == wanted.ColorFormats.Count && depth == wanted.DepthFormat;
+        bool same = targets.Colors.Count == requested.ColorFormats.Count && depth == requested.DepthFormat;
         for (int i = 0; same && i < targets.Colors.Count; i++)
         {
             GpuTextureDescription color = targets.Colors[i].Texture.Description;
-            same = color.Format == wanted.ColorFormats[i] && color.Samples == wanted.Samples;
+            same = color.Format == requested.ColorFormats[i] && color.Samples == requested.Samples;
         }
 
-        same &= targets.Depth is null || targets.Depth.Texture.Description.Samples == wanted.Samples;
+        same &= targets.Depth is null || targets.Depth.Texture.Description.Samples == requested.Samples;
         if (!same)
         {
             string formats = string.Join(", ", targets.Colors.Select(color => $"{color.Texture.Description.Format} x{color.Texture.Description.Samples}"));
             throw new GpuException(
-                $"Shader '{pipeline.Name}' was made for ({string.Join(", ", wanted.ColorFormats)}; {wanted.DepthFormat}) with {wanted.Samples} samples; " +
+                $"Shader '{pipeline.Name}' was made for ({string.Join(", ", requested.ColorFormats)}; {requested.DepthFormat}) with {requested.Samples} samples; " +
                 $"the targets are ({formats}; {depth}).");
         }
     }

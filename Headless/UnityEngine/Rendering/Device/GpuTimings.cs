@@ -21,7 +21,7 @@ internal static class GpuTimings
 
     public static double TotalMilliseconds { get; private set; }
 
-    /// <summary>Told each finished scope by name with its milliseconds.</summary>
+    /// <summary>Receives each finished scope by name with its milliseconds.</summary>
     public static event Action<string, double>? Finished;
 
     public static void Collect()

@@ -14,7 +14,7 @@ internal sealed class ScreenReadback(int depth = 3)
     /// <summary>Asks for the screen as it is now.</summary>
     public void Capture(int frame) => pending.Enqueue((frame, ScreenTarget.Width, ScreenTarget.Height, ScreenTarget.RequestPixels()));
 
-    /// <summary>Takes the oldest frame if it has arrived, or waits for it when too many are on their way or finish is set.</summary>
+    /// <summary>Takes the oldest frame if it has arrived, or waits for it when too many have not arrived or finish is set.</summary>
     public bool TryTake(bool finish, out CapturedFrame frame)
     {
         frame = default;

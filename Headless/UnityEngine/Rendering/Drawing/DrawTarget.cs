@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Headless.Engine;
 
-/// <summary>Where drawing goes: color and depth textures, and which way up pictures lie in them.</summary>
+/// <summary>Where drawing goes: color and depth textures, and whether pictures lie upside down in them.</summary>
 internal sealed class DrawTarget
 {
     public GpuTexture[] Colors { get; init; } = [];

@@ -26,7 +26,7 @@ internal static class ViewState
         Apply();
     }
 
-    /// <summary>Writes the matrices anew, for a target that may lie the other way up.</summary>
+    /// <summary>Writes the matrices anew, for a target that may be upside down.</summary>
     public static void Apply()
     {
         bool flipped = TargetState.Current?.Flipped ?? false;

@@ -66,8 +66,8 @@ internal sealed class CameraTargets
     private static DrawTarget Final(Camera camera) =>
         camera.targetTexture != null ? DrawTarget.Of(camera.targetTexture) : DrawTarget.Screen;
 
-    private static int Samples(int wanted) =>
-        SystemInfo.GetRenderTextureSupportedMSAASampleCount(new RenderTextureDescriptor(1, 1) { msaaSamples = wanted is 2 or 4 or 8 ? wanted : 1 });
+    private static int Samples(int requested) =>
+        SystemInfo.GetRenderTextureSupportedMSAASampleCount(new RenderTextureDescriptor(1, 1) { msaaSamples = requested is 2 or 4 or 8 ? requested : 1 });
 
     private static void Clear(Camera camera)
     {

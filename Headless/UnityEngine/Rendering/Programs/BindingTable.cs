@@ -36,6 +36,6 @@ internal sealed class BindingTable
         return new BufferEntry(ShaderNames.Id(name), name, resource.Binding, resource.Kind, resource.Stride, resource.Register);
     }
 
-    private static IEnumerable<ShaderResource> Of(ShaderBinary binary, Func<ResourceKind, bool> wanted) =>
-        binary.Resources.Where(r => wanted(r.Kind));
+    private static IEnumerable<ShaderResource> Of(ShaderBinary binary, Func<ResourceKind, bool> requested) =>
+        binary.Resources.Where(r => requested(r.Kind));
 }

@@ -62,7 +62,7 @@ internal sealed class ShaderProgramSet
 
     public static bool IsTexture(ShaderProperty property) => property.Type >= ShaderPropertyType.Texture2D;
 
-    /// <summary>A SubShader for another render pipeline, or that needs a stage the device lacks, does not fit.</summary>
+    /// <summary>A SubShader for another render pipeline, or that needs a stage that the device does not have, does not fit.</summary>
     private static bool Fits(SubShader subShader)
     {
         bool otherPipeline = subShader.Tags.Any(t =>

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Headless.Engine;
 
-/// <summary>The CPU copy of a texture's mip levels and its way to the GPU.</summary>
+/// <summary>The CPU copy of a texture's mip levels and its upload to the GPU.</summary>
 internal sealed class PixelStore
 {
     private readonly int[] offsets;

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Headless.Engine;
 
-/// <summary>What a render texture's description must meet.</summary>
+/// <summary>What a render texture's description must fulfil.</summary>
 internal static class RenderTextureRules
 {
     public static void Check(in RenderTextureDescriptor d)
