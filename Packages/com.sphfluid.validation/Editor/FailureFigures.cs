@@ -22,7 +22,7 @@ namespace SphFluid.Validation.Editor
         /// </summary>
         public static void Write()
         {
-            if (!FigureCommandLine.TryRead("figures", FailureExperiments.All().Select(e => e.Name).ToArray(), PictureOf, out string only, out string folder))
+            if (!FigureCommandLine.TryRead(FailureExperiments.All().Select(e => e.Name).ToArray(), PictureOf, out string only, out string folder))
                 return;
             var audit = AssetDatabase.LoadAssetAtPath<ComputeShader>(AuditShader);
             if (folder != null)

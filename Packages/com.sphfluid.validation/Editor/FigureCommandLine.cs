@@ -14,16 +14,16 @@ namespace SphFluid.Validation.Editor
         const int UsageExitCode = 2;
 
         /// <summary>Reads the command line of the process; a wrong flag ends the program with exit code 2.</summary>
-        /// <param name="verb">For messages.</param>
         /// <param name="names">The experiments.</param>
         /// <param name="picture">Name of an experiment's picture.</param>
         /// <param name="only">The one that is asked for; null for all.</param>
         /// <param name="folder">The folder, which is made; null when none is named.</param>
-        public static bool TryRead(string verb, string[] names, Func<string, string> picture, out string only, out string folder)
+        public static bool TryRead(string[] names, Func<string, string> picture, out string only, out string folder)
         {
             try
             {
-                (only, folder) = FigureArguments.Parse(Environment.GetCommandLineArgs(), verb, names);
+                FigureArguments arguments = FigureArguments.Parse(Environment.GetCommandLineArgs(), names);
+                (only, folder) = (arguments.Only, arguments.OutputFolder);
                 // The package's own pictures are replaced; they are under version control.
                 if (folder != null && Path.GetFullPath(folder) != Path.GetFullPath(PackageImages))
                     ResultFolder.Open(folder, (only == null ? names : new[] { only }).Select(n => ResultFile.Picture(picture(n))));

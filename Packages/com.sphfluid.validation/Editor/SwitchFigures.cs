@@ -21,7 +21,7 @@ namespace SphFluid.Validation.Editor
         /// </summary>
         public static void Write()
         {
-            if (!FigureCommandLine.TryRead("figures", SwitchExperiments.All().Select(e => e.Name).ToArray(), PictureOf, out string only, out string folder))
+            if (!FigureCommandLine.TryRead(SwitchExperiments.All().Select(e => e.Name).ToArray(), PictureOf, out string only, out string folder))
                 return;
             folder = folder ?? FigureCommandLine.PackageImages;
             Directory.CreateDirectory(folder);

@@ -32,7 +32,7 @@ namespace SphFluid.Validation
         }
 
         internal ChartSession(ChartArguments arguments, ChartPlan plan, Runner runner, SessionProgress progress, string device, SessionRate rate)
-            : base(arguments.OutputFolder, "runs", arguments.Slice, rate, progress)
+            : base(arguments, "runs", device, progress, rate)
         {
             this.arguments = arguments;
             this.plan = plan;
@@ -40,8 +40,6 @@ namespace SphFluid.Validation
             table = ChartTable.Load(arguments.OutputFolder, device);
             Claim(Files(arguments.Cases));
         }
-
-        private protected override string Device => table.Device;
 
         private protected override IEnumerable<SessionJob> Jobs()
         {

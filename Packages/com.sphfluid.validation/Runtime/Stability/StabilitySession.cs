@@ -33,8 +33,7 @@ namespace SphFluid.Validation
         }
 
         internal StabilitySession(StabilityArguments arguments, StabilityPlan plan, Runner runner, SessionProgress progress, string device)
-            : base(arguments.OutputFolder, "runs and borders", arguments.Slice,
-                new SessionRate(SurfaceGridSizes.IsSoftwareDevice ? SoftwareRate : (double?)null), progress)
+            : base(arguments, "runs and borders", device, progress, new SessionRate(SurfaceGridSizes.IsSoftwareDevice ? SoftwareRate : (double?)null))
         {
             folder = arguments.OutputFolder;
             this.plan = plan;
@@ -42,8 +41,6 @@ namespace SphFluid.Validation
             files = new StabilityFiles(folder, device);
             Claim(Files());
         }
-
-        private protected override string Device => files.Device;
 
         private protected override IEnumerable<SessionJob> Jobs() =>
             plan.Runs.Select(Cell).Concat(plan.Limits.Select(l => Border(l.Limit, l.Method))).Concat(plan.Clamped.Select(Cell));
