@@ -7,7 +7,7 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>The rows that one device gave, and their file, which is written whole after every change.</summary>
-    public sealed class ResultTable<TRow> where TRow : MeasuredRow, new()
+    public sealed class ResultTable<TRow> where TRow : MeasuredRow
     {
         const string Cure = "Choose another folder with --out, or move the file away.";
 
@@ -39,13 +39,14 @@ namespace SphFluid.Validation
         /// <param name="format">Name and columns of the file.</param>
         /// <param name="folder">Folder of the file.</param>
         /// <param name="device">The device that continues.</param>
+        /// <param name="create">An empty row.</param>
         /// <exception cref="CommandLineException">The file has other columns, a broken line, or another device's runs.</exception>
-        public static ResultTable<TRow> Resume(TableFormat<TRow> format, string folder, string device)
+        public static ResultTable<TRow> Resume(TableFormat<TRow> format, string folder, string device, Func<TRow> create)
         {
             var table = new ResultTable<TRow>(format, folder, device);
             string file = Path.Combine(folder, format.FileName);
             if (File.Exists(file))
-                table.Load(file);
+                table.Load(file, create);
             return table;
         }
 
@@ -78,14 +79,14 @@ namespace SphFluid.Validation
                 keys.Add(row.Key);
         }
 
-        void Load(string file)
+        void Load(string file, Func<TRow> create)
         {
             string[] lines = File.ReadAllLines(file);
             if (lines.Length == 0 || lines[0] != Format.FirstLine)
                 throw new CommandLineException($"'{file}' does not have the columns of this version. {Cure}");
             for (int i = 1; i < lines.Length; i++)
             {
-                var row = new TRow();
+                TRow row = create();
                 try
                 {
                     Format.Read(lines[i], row);

@@ -12,7 +12,7 @@ namespace SphFluid.Validation
         StabilityArguments() : base("stability", "Build/stability")
         {
             AddQuick();
-            AddChoice("--map", maps, StabilityMaps.All, m => m.Name);
+            AddChoice("--map", maps, StabilityMap.All, m => m.Name);
             AddChoice("--method", methods, CaseMethod.All, m => m.Name);
             AddFolder();
             AddSlice();
@@ -35,7 +35,7 @@ namespace SphFluid.Validation
             result.Read(commandLine);
             result.Limits = result.maps.Count == 0;
             if (result.maps.Count == 0)
-                result.maps.AddRange(StabilityMaps.All);
+                result.maps.AddRange(StabilityMap.All);
             if (result.methods.Count == 0)
                 result.methods.AddRange(CaseMethod.All.Where(m => !result.Quick || m.Kind != FluidMethodKind.ThesisPrinted));
             return result;
