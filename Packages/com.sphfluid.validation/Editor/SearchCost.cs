@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace SphFluid.Validation.Editor
 {
@@ -44,11 +43,7 @@ namespace SphFluid.Validation.Editor
         static double Time(FluidSolver solver)
         {
             var watch = Stopwatch.StartNew();
-            using (var cmd = new CommandBuffer { name = "Search Cost" })
-            {
-                solver.RecordSteps(cmd, StepsPerTurn);
-                Graphics.ExecuteCommandBuffer(cmd);
-            }
+            GpuWork.Step("Search Cost", solver, StepsPerTurn);
             solver.ReadCountersNow();
             return watch.Elapsed.TotalMilliseconds / StepsPerTurn;
         }
