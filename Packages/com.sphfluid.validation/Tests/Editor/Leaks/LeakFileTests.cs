@@ -44,7 +44,7 @@ namespace SphFluid.Tests
         public void WritesALineForEachRun()
         {
             LeakScene scene = LeakScenes.Find("two-sided").Build(2.0);
-            var table = new LeakTable(folder, "a device, with a comma");
+            var table = new ResultTable<LeakResult>(LeakResult.Format, folder, "a device, with a comma");
             table.Add(new LeakResult { Scene = scene, Escapes = 3, End = scene.Particles });
             table.Add(new LeakResult { Scene = scene, End = scene.Particles });
 
