@@ -82,9 +82,9 @@ namespace SphFluid.Tests
             string folder = Path.Combine(Path.GetTempPath(), "SphFluidSurfaces" + System.Diagnostics.Process.GetCurrentProcess().Id);
             try
             {
-                var table = new SurfaceQualityTable(folder, "a device");
-                table.Add("drops", "thesis-1", new SurfaceQuality { Triangles = 12.5, OpenEdges = 3 });
-                table.Add("drops", "thesis-0.5", new SurfaceQuality());
+                var table = new ResultTable<SurfaceQuality>(SurfaceQuality.Format, folder, "a device");
+                table.Add(new SurfaceQuality { State = "drops", Variant = "thesis-1", Triangles = 12.5, OpenEdges = 3 });
+                table.Add(new SurfaceQuality { State = "drops", Variant = "thesis-0.5" });
 
                 string[] lines = File.ReadAllLines(Path.Combine(folder, "surface-quality.csv"));
                 string[] columns = CsvText.Split(lines[0]), cells = CsvText.Split(lines[1]);
