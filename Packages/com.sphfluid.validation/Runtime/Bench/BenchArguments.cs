@@ -64,7 +64,7 @@ namespace SphFluid.Validation
 
         /// <summary>Whether a table is asked for.</summary>
         /// <param name="table">Its name.</param>
-        internal bool Wants(string table) => Table == table || Table == AllTables;
+        internal bool Includes(string table) => Table == table || Table == AllTables;
 
         void SetSweep(bool sweep) =>
             Sweep = Sweep.HasValue ? throw new CommandLineException("--sweep and --no-sweep exclude each other; give one.") : sweep;
