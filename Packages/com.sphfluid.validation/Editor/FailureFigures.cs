@@ -7,7 +7,7 @@ using UnityEngine;
 namespace SphFluid.Validation.Editor
 {
     /// <summary>
-    /// Figures and findings of <see cref="FailureExperiments"/> on the console, and pictures failure-NAME.png, failing on the left and
+    /// Figures and findings of <see cref="FailureCatalogue"/> on the console, and pictures failure-NAME.png, failing on the left and
     /// cured on the right, for Documentation~/failure-modes.md.
     /// </summary>
     public static class FailureFigures
@@ -22,7 +22,7 @@ namespace SphFluid.Validation.Editor
         public static void Write()
         {
             var audit = AssetDatabase.LoadAssetAtPath<ComputeShader>(AuditShader);
-            FigureSession.Write(FailureExperiments.All(), e => e.Name, "failure", null, e => Draw(Run(e, false, audit), Run(e, true, audit)));
+            FigureSession.Write(FailureCatalogue.All(), e => e.Name, "failure", null, e => Draw(Run(e, false, audit), Run(e, true, audit)));
         }
 
         static FailureResult Run(FailureExperiment experiment, bool cured, ComputeShader audit)

@@ -15,7 +15,7 @@ namespace SphFluid.Validation.Editor
         /// <summary>Entry point for <c>-batchmode -executeMethod SphFluid.Validation.Editor.SearchCost.Write</c>.</summary>
         public static void Write()
         {
-            FluidParticle[] start = SwitchExperiments.Cube(24, out FluidSolverSettings octant);
+            FluidParticle[] start = SwitchCatalogue.Cube(24, out FluidSolverSettings octant);
             FluidSolverSettings rows = octant;
             rows.OctantSearch = false;
             using (var a = new FluidSolver(octant, SessionAssets.PackageShaders, start))

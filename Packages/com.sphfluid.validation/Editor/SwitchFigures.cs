@@ -7,7 +7,7 @@ namespace SphFluid.Validation.Editor
 {
     /// <summary>
     /// Pictures of what the thesis's printed forms do, for Documentation~/printed-forms.md: thesis-NAME.png for each of
-    /// <see cref="SwitchExperiments"/>, corrected on the left and printed on the right, and a line of figures on the console.
+    /// <see cref="SwitchCatalogue"/>, corrected on the left and printed on the right, and a line of figures on the console.
     /// </summary>
     public static class SwitchFigures
     {
@@ -18,7 +18,7 @@ namespace SphFluid.Validation.Editor
         /// Entry point for <c>-batchmode -executeMethod SphFluid.Validation.Editor.SwitchFigures.Write</c>; <c>--out DIR</c> names the folder,
         /// <c>--only NAME</c> one experiment.
         /// </summary>
-        public static void Write() => FigureSession.Write(SwitchExperiments.All(), e => e.Name, "thesis", FigureSession.PackageImages, Run);
+        public static void Write() => FigureSession.Write(SwitchCatalogue.All(), e => e.Name, "thesis", FigureSession.PackageImages, Run);
 
         static ParticlePicture Run(SwitchExperiment experiment)
         {

@@ -86,7 +86,7 @@ namespace SphFluid.Validation
                 BenchSolver.ThesisCells, BenchSolver.ThesisOctant, BenchSolver.Standard, BenchSolver.StandardSearch,
                 BenchSolver.StandardUnordered, BenchSolver.StandardMesh, BenchSolver.StandardWide,
             }.Select(BenchConfig.Step).ToArray();
-            return new BenchPlan("solver", configs, particles ?? ForDevice(SolverParticles), BenchBlocks.Step, new SolverLayout(BenchBlocks.Step.Select(b => b.Name)))
+            return new BenchPlan("solver", configs, particles ?? ForDevice(SolverParticles), FrameBlocks.Step, new SolverLayout(FrameBlocks.Step.Select(b => b.Name)))
             {
                 SizeBySize = true,
                 NeedsCopySpeed = true,
@@ -110,8 +110,8 @@ namespace SphFluid.Validation
                 configs.Add(BenchConfig.SparseSurface(cells));
             }
             configs.AddRange(new[] { FluidSurfaceQuality.Cheap, FluidSurfaceQuality.Default, FluidSurfaceQuality.High }.Select(BenchConfig.SparseSurface));
-            var plan = new BenchPlan("surface", configs, particles ?? ForDevice(SurfaceParticles), BenchBlocks.Surface,
-                new SurfaceLayout(BenchBlocks.Surface.Select(b => b.Name)))
+            var plan = new BenchPlan("surface", configs, particles ?? ForDevice(SurfaceParticles), FrameBlocks.Surface,
+                new SurfaceLayout(FrameBlocks.Surface.Select(b => b.Name)))
             { SizeBySize = true };
             if (missing != null)
                 plan.LeftOut = missing + " The rows of the geometry shader are left out.";
@@ -135,6 +135,6 @@ namespace SphFluid.Validation
         static int[] ForDevice(int[] sizes) => sizes.Where(n => n <= MostOnCpu || !SurfaceGridSizes.IsSoftwareDevice).ToArray();
 
         static BenchPlan Thesis(string name, IReadOnlyList<BenchConfig> configs, IReadOnlyList<int> particles) =>
-            new BenchPlan(name, configs, particles, BenchBlocks.Thesis, new ThesisLayout(name, BenchBlocks.Thesis.Select(b => b.Name)));
+            new BenchPlan(name, configs, particles, FrameBlocks.Thesis, new ThesisLayout(name, FrameBlocks.Thesis.Select(b => b.Name)));
     }
 }

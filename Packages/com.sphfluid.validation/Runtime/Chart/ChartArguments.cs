@@ -30,7 +30,7 @@ namespace SphFluid.Validation
 
         /// <summary>Reads the command line of the process.</summary>
         /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>
-        public static ChartArguments Parse(IReadOnlyList<string> commandLine) => Parse(commandLine, ValidationCases.All);
+        public static ChartArguments Parse(IReadOnlyList<string> commandLine) => Parse(commandLine, CaseCatalogue.All);
 
         internal static ChartArguments Parse(IReadOnlyList<string> commandLine, IReadOnlyList<ValidationCase> known)
         {

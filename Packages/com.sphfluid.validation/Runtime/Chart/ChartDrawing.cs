@@ -19,7 +19,7 @@ namespace SphFluid.Validation
             this.table = table;
             this.progress = progress;
             // Cases that an earlier chart in the folder measured are drawn too.
-            cases = ValidationCases.All.Union(selected).Where(c => table.Rows.Any(r => r.Case == c.Name)).ToList();
+            cases = CaseCatalogue.All.Union(selected).Where(c => table.Rows.Any(r => r.Case == c.Name)).ToList();
         }
 
         public void Write()

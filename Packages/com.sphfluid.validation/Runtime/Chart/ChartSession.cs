@@ -56,7 +56,7 @@ namespace SphFluid.Validation
         static IEnumerable<ResultFile> Files(IEnumerable<ValidationCase> selected)
         {
             var tables = new[] { ChartRow.Format.File, ParetoFront.Format.File, EqualCost.Format.File };
-            return tables.Concat(ChartScript.Files()).Concat(ValidationCases.All.Union(selected)
+            return tables.Concat(ChartScript.Files()).Concat(CaseCatalogue.All.Union(selected)
                 .SelectMany(c => CurveScript.Files(c).Concat(CaseMethod.All.Select(m => CurveFile.Of(c.Name, m.Name)))));
         }
 

@@ -5,16 +5,16 @@ namespace SphFluid.Validation
     /// <summary>What <c>leaks</c> plays and where it writes.</summary>
     public sealed class LeakArguments : MeasuringArguments
     {
-        readonly List<LeakScenes> scenes = new List<LeakScenes>();
+        readonly List<LeakSceneEntry> scenes = new List<LeakSceneEntry>();
 
         LeakArguments() : base("leaks", "Build/leaks")
         {
-            AddChoice("--scene", scenes, LeakScenes.All, s => s.Name);
+            AddChoice("--scene", scenes, LeakSceneEntry.All, s => s.Name);
             AddFolder();
         }
 
         /// <summary>The scenes.</summary>
-        internal IReadOnlyList<LeakScenes> Scenes => scenes;
+        internal IReadOnlyList<LeakSceneEntry> Scenes => scenes;
 
         /// <summary>Reads the command line of the process.</summary>
         /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>
@@ -23,7 +23,7 @@ namespace SphFluid.Validation
             var result = new LeakArguments();
             result.Read(commandLine);
             if (result.scenes.Count == 0)
-                result.scenes.AddRange(LeakScenes.All);
+                result.scenes.AddRange(LeakSceneEntry.All);
             return result;
         }
     }

@@ -32,12 +32,12 @@ namespace SphFluid.Validation
         private protected override IEnumerable<SessionJob> Jobs() =>
             arguments.Scenes.Select(s => new SessionJob(s.Name, s.Speeds.Count, () => false, () => Play(s)));
 
-        IEnumerator Play(LeakScenes scenes)
+        IEnumerator Play(LeakSceneEntry entry)
         {
             bool failed = false;
-            foreach (double speed in scenes.Speeds.TakeWhile(_ => !failed))
+            foreach (double speed in entry.Speeds.TakeWhile(_ => !failed))
             {
-                using (var run = new LeakRun(scenes.Build(speed), shaders))
+                using (var run = new LeakRun(entry.Build(speed), shaders))
                 {
                     yield return run.Run();
                     table.Add(run.Result);

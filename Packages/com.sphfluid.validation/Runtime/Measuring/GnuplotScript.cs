@@ -26,7 +26,7 @@ namespace SphFluid.Validation
 
         /// <summary>Script and pictures, for <see cref="ResultFolder"/>.</summary>
         internal static IEnumerable<ResultFile> Files(string stem, params string[] formats) =>
-            new[] { ResultFile.Text(FileOf(stem), FirstLine(stem, formats)) }.Concat(formats.Select(f => ResultFile.Drawn($"{stem}.{f}", FileOf(stem))));
+            formats.Select(f => ResultFile.Drawn($"{stem}.{f}", FileOf(stem))).Prepend(ResultFile.Text(FileOf(stem), FirstLine(stem, formats)));
 
         /// <summary>Writes scripts and draws them, up to the first that cannot be drawn.</summary>
         /// <param name="folder">Folder of scripts and pictures.</param>

@@ -27,7 +27,8 @@ namespace SphFluid.Validation
         /// <param name="device">The graphics device.</param>
         /// <param name="progress">Where it says how far it is.</param>
         /// <param name="rate">How fast jobs go.</param>
-        internal JobSession(MeasuringArguments arguments, string noun, string device, SessionProgress progress, SessionRate rate) : base(arguments, progress)
+        internal JobSession(MeasuringArguments arguments, string noun, string device, SessionProgress progress, SessionRate rate)
+            : base(arguments, progress)
         {
             this.noun = noun;
             this.device = device;

@@ -42,9 +42,11 @@ namespace SphFluid.Validation
 
         private protected void Add(string name, Action<CommandLineFlag> read) => options.Add((name, read));
 
-        /// <summary>Reads the whole command line of the process: the flags behind a lone <c>--</c>; without one, flags of others are passed over.</summary>
+        /// <summary>
+        /// Reads the whole command line of the process: the flags behind a lone <c>--</c>; without one, flags of others are passed over.
+        /// </summary>
         /// <exception cref="CommandLineException">A flag behind <c>--</c> is unknown, or a value is missing or wrong.</exception>
-        private protected void Read(IReadOnlyList<string> commandLine) => CommandLineFlag.Read(commandLine, verb, options.Select(o => o.Flag).ToArray(),
-            flag => options.Find(o => o.Flag == flag.Name).Read(flag));
+        private protected void Read(IReadOnlyList<string> commandLine) => CommandLineFlag.Read(
+            commandLine, verb, options.Select(o => o.Flag).ToArray(), flag => options.Find(o => o.Flag == flag.Name).Read(flag));
     }
 }

@@ -93,7 +93,8 @@ namespace SphFluid.Validation
                 }
                 catch (Exception exception) when (exception is FormatException || exception is OverflowException)
                 {
-                    throw new CommandLineException($"'{file}' has a broken line {i + 1}: {exception.Message}. Remove the line, and its run is done again.");
+                    throw new CommandLineException(
+                        $"'{file}' has a broken line {i + 1}: {exception.Message}. Remove the line, and its run is done again.");
                 }
                 Append(row);
             }

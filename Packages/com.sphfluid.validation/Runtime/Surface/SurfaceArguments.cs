@@ -6,22 +6,22 @@ namespace SphFluid.Validation
     /// <summary>Which surfaces <c>surfaces</c> makes of which states, and where it writes.</summary>
     public sealed class SurfaceArguments : MeasuringArguments
     {
-        readonly List<SurfaceStates> states = new List<SurfaceStates>();
-        readonly List<SurfaceVariants> variants = new List<SurfaceVariants>();
+        readonly List<SurfaceStateEntry> states = new List<SurfaceStateEntry>();
+        readonly List<SurfaceVariantEntry> variants = new List<SurfaceVariantEntry>();
 
         SurfaceArguments() : base("surfaces", "Build/surfaces")
         {
             AddQuick();
-            AddChoice("--state", states, SurfaceStates.All, s => s.Name);
-            AddChoice("--variant", variants, SurfaceVariants.All, v => v.Name);
+            AddChoice("--state", states, SurfaceStateEntry.All, s => s.Name);
+            AddChoice("--variant", variants, SurfaceVariantEntry.All, v => v.Name);
             AddFolder();
         }
 
         /// <summary>The states.</summary>
-        internal IReadOnlyList<SurfaceStates> States => states;
+        internal IReadOnlyList<SurfaceStateEntry> States => states;
 
         /// <summary>The variants; the short plan has fewer.</summary>
-        internal IReadOnlyList<SurfaceVariants> Variants => variants;
+        internal IReadOnlyList<SurfaceVariantEntry> Variants => variants;
 
         /// <summary>Reads the command line of the process.</summary>
         /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>
@@ -30,9 +30,9 @@ namespace SphFluid.Validation
             var result = new SurfaceArguments();
             result.Read(commandLine);
             if (result.states.Count == 0)
-                result.states.AddRange(SurfaceStates.All);
+                result.states.AddRange(SurfaceStateEntry.All);
             if (result.variants.Count == 0)
-                result.variants.AddRange(SurfaceVariants.All.Where(v => v.Quick || !result.Quick));
+                result.variants.AddRange(SurfaceVariantEntry.All.Where(v => v.Quick || !result.Quick));
             return result;
         }
     }

@@ -77,10 +77,10 @@ namespace SphFluid.Tests
             using (var field = new SurfaceField(shaders, BenchLiquid.SurfaceGrid(cells)))
             using (var twin = new SurfacePolygoniser(shaders))
             {
-                Assert.That(surface.HasRoom, Is.False);
+                Assert.That(surface.HasCapacity, Is.False);
                 GpuTest.Run(cmd => surface.RecordTrial(cmd, liquid.Solver));
                 surface.TakeTrial();
-                Assert.That(surface.HasRoom, Is.True);
+                Assert.That(surface.HasCapacity, Is.True);
                 GpuTest.Run(cmd => surface.Record(cmd, liquid.Solver, drawing));
                 GpuTest.Run(cmd => field.Record(cmd, liquid.Solver));
 
@@ -116,7 +116,7 @@ namespace SphFluid.Tests
         {
             using (surface)
             {
-                while (!surface.HasRoom)
+                while (!surface.HasCapacity)
                 {
                     GpuTest.Run(cmd => surface.RecordTrial(cmd, solver));
                     surface.TakeTrial();

@@ -129,7 +129,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void ABrokenScriptIsTold()
+        public void ABrokenScriptIsReported()
         {
             if (Gnuplot.Draw(Write("empty.gp", "")) != null)
                 Assert.Ignore("gnuplot is not installed.");

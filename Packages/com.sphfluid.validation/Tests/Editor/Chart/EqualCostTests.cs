@@ -5,7 +5,7 @@ using SphFluid.Validation;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Points are made up; those of a method are told apart by their κ.</summary>
+    /// <summary>Points are made up; those of a method are identified by their κ.</summary>
     public sealed class EqualCostTests
     {
         static readonly FlatCase flat = new FlatCase("flat");

@@ -5,7 +5,7 @@ using SphFluid.Validation;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Points are told apart by their κ; every one has three seeds around its median.</summary>
+    /// <summary>Points are identified by their κ; every one has three seeds around its median.</summary>
     public sealed class ParetoFrontTests
     {
         static readonly FlatCase flat = new FlatCase("flat");

@@ -141,7 +141,7 @@ namespace SphFluid.Tests
             AssertDegraded(Outcome(StabilityStates.Scenario, StabilityStates.Column(), counters), cause);
         }
 
-        // Half of the particles move at 0.5 m/s each way, 80 kg m/s in all; one in 1,000 of it is 0.08.
+        // Half of the particles move at 0.5 m/s in each direction, 80 kg m/s in all; one in 1,000 of it is 0.08.
         [TestCase(true, 0.0009f, StabilityCause.None)]
         [TestCase(true, 0.0011f, StabilityCause.Drift)]
         [TestCase(false, 0.0011f, StabilityCause.None)]

@@ -5,7 +5,7 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>One experiment for each place where the thesis's text and the form that works part (<see cref="ThesisSwitches"/>).</summary>
-    public static class SwitchExperiments
+    public static class SwitchCatalogue
     {
         // Suction tears a liquid of the rules' stiffness apart in hundredths of a second: a hundredth of it lets one see how.
         const float Calm = 0.01f;

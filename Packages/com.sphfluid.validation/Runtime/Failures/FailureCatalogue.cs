@@ -3,7 +3,7 @@ using System.Collections.Generic;
 namespace SphFluid.Validation
 {
     /// <summary>One experiment for each failure mode of Documentation~/failure-modes.md, in its order.</summary>
-    public static class FailureExperiments
+    public static class FailureCatalogue
     {
         /// <summary>All.</summary>
         public static IReadOnlyList<FailureExperiment> All() => new[]

@@ -4,7 +4,7 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>The parts that are measured.</summary>
-    static class BenchBlocks
+    static class FrameBlocks
     {
         public const string DrawParticles = "DrawParticles";
         public const string DrawSurface = "DrawSurface";

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 namespace SphFluid.Validation
 {
     /// <summary>All cases, in the order of the chart; the gates last.</summary>
-    public static class ValidationCases
+    public static class CaseCatalogue
     {
         /// <summary>All cases.</summary>
         public static IReadOnlyList<ValidationCase> All { get; } = new ValidationCase[]
