@@ -1,4 +1,3 @@
-using System;
 using System.IO;
 using System.Linq;
 using NUnit.Framework;
@@ -6,22 +5,11 @@ using SphFluid.Validation;
 
 namespace SphFluid.Tests
 {
-    public sealed class ChartTableTests
+    public sealed class ChartTableTests : FolderTests
     {
         const string Device = "A \"fast\" one, with 2 cores";
 
         static readonly FlatCase flat = new FlatCase("flat");
-        string folder;
-
-        [SetUp]
-        public void SetUp() => folder = Path.Combine(Path.GetTempPath(), "sphfluid-chart-" + Guid.NewGuid().ToString("N"));
-
-        [TearDown]
-        public void TearDown()
-        {
-            if (Directory.Exists(folder))
-                Directory.Delete(folder, true);
-        }
 
         [Test]
         public void HasTheColumnsThatOthersRead()

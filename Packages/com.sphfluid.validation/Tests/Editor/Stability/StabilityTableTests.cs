@@ -1,4 +1,3 @@
-using System;
 using System.IO;
 using System.Linq;
 using NUnit.Framework;
@@ -6,20 +5,8 @@ using SphFluid.Validation;
 
 namespace SphFluid.Tests
 {
-    public sealed class StabilityTableTests
+    public sealed class StabilityTableTests : FolderTests
     {
-        string folder;
-
-        [SetUp]
-        public void SetUp() => folder = Path.Combine(Path.GetTempPath(), "sphfluid-stability-" + Guid.NewGuid().ToString("N"));
-
-        [TearDown]
-        public void TearDown()
-        {
-            if (Directory.Exists(folder))
-                Directory.Delete(folder, true);
-        }
-
         [Test]
         public void ReadsItsOwnLines()
         {
