@@ -1,6 +1,5 @@
 using System;
 using System.Globalization;
-using System.IO;
 using System.Linq;
 using UnityEditor;
 using UnityEngine;
@@ -8,7 +7,7 @@ using UnityEngine;
 namespace SphFluid.Validation.Editor
 {
     /// <summary>
-    /// Figures and findings of <see cref="FailureExperiments"/> on the console, and pictures failure-NAME.png, failing on the left and
+    /// Figures and findings of <see cref="FailureCatalogue"/> on the console, and pictures failure-NAME.png, failing on the left and
     /// cured on the right, for Documentation~/failure-modes.md.
     /// </summary>
     public static class FailureFigures
@@ -22,21 +21,9 @@ namespace SphFluid.Validation.Editor
         /// </summary>
         public static void Write()
         {
-            if (!FigureCommandLine.TryRead("figures", FailureExperiments.All().Select(e => e.Name).ToArray(), PictureOf, out string only, out string folder))
-                return;
             var audit = AssetDatabase.LoadAssetAtPath<ComputeShader>(AuditShader);
-            if (folder != null)
-                Directory.CreateDirectory(folder);
-            Console.WriteLine(SystemInfo.graphicsDeviceName);
-            foreach (FailureExperiment experiment in FailureExperiments.All().Where(e => only == null || e.Name == only))
-            {
-                FailureResult failing = Run(experiment, false, audit), cured = Run(experiment, true, audit);
-                if (folder != null)
-                    File.WriteAllBytes(Path.Combine(folder, PictureOf(experiment.Name)), Draw(failing, cured));
-            }
+            FigureSession.Write(FailureCatalogue.All(), e => e.Name, "failure", null, e => Draw(Run(e, false, audit), Run(e, true, audit)));
         }
-
-        static string PictureOf(string experiment) => $"failure-{experiment}.png";
 
         static FailureResult Run(FailureExperiment experiment, bool cured, ComputeShader audit)
         {
@@ -50,7 +37,7 @@ namespace SphFluid.Validation.Editor
         }
 
         // Blue to red: density from 0.7 to 1.3 of the rest density.
-        static byte[] Draw(FailureResult failing, FailureResult cured)
+        static ParticlePicture Draw(FailureResult failing, FailureResult cured)
         {
             Vector3 box = failing.Settings.DomainSize;
             var picture = new ParticlePicture(2, Mathf.RoundToInt(PanelHeight * box.x / box.y), PanelHeight);
@@ -62,7 +49,7 @@ namespace SphFluid.Validation.Editor
                 float[] value = end.Densities.Select(d => (d / result.Settings.RestDensity - 0.7f) / 0.6f).ToArray();
                 picture.Draw(panel++, particles, value, box, false, 0.4f * result.Settings.Spacing);
             }
-            return picture.ToPng();
+            return picture;
         }
     }
 }

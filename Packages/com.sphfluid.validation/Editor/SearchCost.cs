@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace SphFluid.Validation.Editor
 {
@@ -16,7 +15,7 @@ namespace SphFluid.Validation.Editor
         /// <summary>Entry point for <c>-batchmode -executeMethod SphFluid.Validation.Editor.SearchCost.Write</c>.</summary>
         public static void Write()
         {
-            FluidParticle[] start = SwitchExperiments.Cube(24, out FluidSolverSettings octant);
+            FluidParticle[] start = SwitchCatalogue.Cube(24, out FluidSolverSettings octant);
             FluidSolverSettings rows = octant;
             rows.OctantSearch = false;
             using (var a = new FluidSolver(octant, SessionAssets.PackageShaders, start))
@@ -44,11 +43,7 @@ namespace SphFluid.Validation.Editor
         static double Time(FluidSolver solver)
         {
             var watch = Stopwatch.StartNew();
-            using (var cmd = new CommandBuffer { name = "Search Cost" })
-            {
-                solver.RecordSteps(cmd, StepsPerTurn);
-                Graphics.ExecuteCommandBuffer(cmd);
-            }
+            GpuWork.Step("Search Cost", solver, StepsPerTurn);
             solver.ReadCountersNow();
             return watch.Elapsed.TotalMilliseconds / StepsPerTurn;
         }

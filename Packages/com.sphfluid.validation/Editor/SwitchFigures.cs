@@ -1,6 +1,5 @@
 using System;
 using System.Globalization;
-using System.IO;
 using System.Linq;
 using UnityEngine;
 
@@ -8,7 +7,7 @@ namespace SphFluid.Validation.Editor
 {
     /// <summary>
     /// Pictures of what the thesis's printed forms do, for Documentation~/printed-forms.md: thesis-NAME.png for each of
-    /// <see cref="SwitchExperiments"/>, corrected on the left and printed on the right, and a line of figures on the console.
+    /// <see cref="SwitchCatalogue"/>, corrected on the left and printed on the right, and a line of figures on the console.
     /// </summary>
     public static class SwitchFigures
     {
@@ -19,23 +18,9 @@ namespace SphFluid.Validation.Editor
         /// Entry point for <c>-batchmode -executeMethod SphFluid.Validation.Editor.SwitchFigures.Write</c>; <c>--out DIR</c> names the folder,
         /// <c>--only NAME</c> one experiment.
         /// </summary>
-        public static void Write()
-        {
-            if (!FigureCommandLine.TryRead("figures", SwitchExperiments.All().Select(e => e.Name).ToArray(), PictureOf, out string only, out string folder))
-                return;
-            folder = folder ?? FigureCommandLine.PackageImages;
-            Directory.CreateDirectory(folder);
-            Console.WriteLine(SystemInfo.graphicsDeviceName);
-            foreach (SwitchExperiment experiment in SwitchExperiments.All())
-            {
-                if (only == null || only == experiment.Name)
-                    Write(experiment, Path.Combine(folder, PictureOf(experiment.Name)));
-            }
-        }
+        public static void Write() => FigureSession.Write(SwitchCatalogue.All(), e => e.Name, "thesis", FigureSession.PackageImages, Run);
 
-        static string PictureOf(string experiment) => $"thesis-{experiment}.png";
-
-        static void Write(SwitchExperiment experiment, string file)
+        static ParticlePicture Run(SwitchExperiment experiment)
         {
             SwitchResult corrected = experiment.Run(false, SessionAssets.PackageShaders);
             SwitchResult printed = experiment.Run(true, SessionAssets.PackageShaders);
@@ -45,8 +30,8 @@ namespace SphFluid.Validation.Editor
             var picture = new ParticlePicture(2, Mathf.RoundToInt(scale * box.x), Mathf.RoundToInt(scale * panelHeight));
             Draw(picture, 0, corrected, experiment);
             Draw(picture, 1, printed, experiment);
-            File.WriteAllBytes(file, picture.ToPng());
             Console.WriteLine($"{experiment.Name}: corrected {Figures(corrected)}; printed {Figures(printed)}");
+            return picture;
         }
 
         static void Draw(ParticlePicture picture, int panel, SwitchResult result, SwitchExperiment experiment)

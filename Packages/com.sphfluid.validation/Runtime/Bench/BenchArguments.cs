@@ -5,7 +5,7 @@ using System.Globalization;
 namespace SphFluid.Validation
 {
     /// <summary>What <c>bench</c> measures and where it writes.</summary>
-    public sealed class BenchArguments
+    public sealed class BenchArguments : MeasuringArguments
     {
         /// <summary>Fewest samples of a row: a median of fewer says little.</summary>
         public const int MinimumSamples = 5;
@@ -24,76 +24,52 @@ namespace SphFluid.Validation
 
         const int MaximumSamples = 1000;
         const int MinimumParticles = 64;
-        static readonly string[] flags = { "--table", "--particles", "--grids", "--repeat", "--out", "--sweep", "--no-sweep" };
+
         static readonly string[] tables = { ThesisTable, SolverTable, SurfaceTable, AllTables };
 
-        int[] particles;
-        int[] grids;
+        BenchArguments() : base("bench", "Build/bench")
+        {
+            Add("--table", flag => Table = flag.OneOf(tables));
+            Add("--particles", flag => Particles = List(flag.Name, flag.Value(), MinimumParticles, FluidProfile.ParticleLimit));
+            Add("--grids", flag => Grids = Cells(flag.Name, flag.Value()));
+            Add("--repeat", flag => Samples = Number(flag.Name, flag.Value(), MinimumSamples, MaximumSamples));
+            AddFolder();
+            Add("--sweep", flag => SetSweep(flag.On()));
+            Add("--no-sweep", flag => SetSweep(!flag.On()));
+        }
 
         /// <summary>The table: <see cref="ThesisTable"/>, <see cref="SolverTable"/>, <see cref="SurfaceTable"/> or <see cref="AllTables"/>.</summary>
         public string Table { get; private set; } = ThesisTable;
 
         /// <summary>Numbers of particles; null leaves them to the table and the device.</summary>
-        public IReadOnlyList<int> Particles => particles;
+        public IReadOnlyList<int> Particles { get; private set; }
 
         /// <summary>Cells a side of the marching-cubes grids; null leaves them to the table.</summary>
-        public IReadOnlyList<int> Grids => grids;
+        public IReadOnlyList<int> Grids { get; private set; }
 
         /// <summary>Samples of each row, <see cref="MinimumSamples"/> or more.</summary>
         public int Samples { get; private set; } = MinimumSamples;
 
-        /// <summary>Folder of the files.</summary>
-        public string OutputFolder { get; private set; } = "Build/bench";
-
         /// <summary>Whether the sweep over the number of particles is measured too; null leaves it to the device: yes on a graphics card.</summary>
         public bool? Sweep { get; private set; }
 
-        /// <summary>
-        /// Reads the whole command line of the process: the flags behind a lone <c>--</c>; without one, flags of others are passed over.
-        /// </summary>
-        /// <exception cref="CommandLineException">A flag behind <c>--</c> is unknown, or a value is missing or wrong.</exception>
+        /// <summary>Reads the command line of the process.</summary>
+        /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>
         public static BenchArguments Parse(IReadOnlyList<string> commandLine)
         {
             var result = new BenchArguments();
-            CommandLineFlag.Read(commandLine, "bench", flags, flag =>
-            {
-                if (flag.Name == "--sweep" || flag.Name == "--no-sweep")
-                {
-                    if (result.Sweep.HasValue)
-                        throw new CommandLineException("--sweep and --no-sweep exclude each other; give one.");
-                    result.Sweep = flag.On() && flag.Name == "--sweep";
-                }
-                else if (flag.Name == "--out")
-                    result.OutputFolder = flag.Folder();
-                else
-                    result.Read(flag.Name, flag.Value());
-            });
+            result.Read(commandLine);
             return result;
         }
 
         /// <summary>Whether a table is asked for.</summary>
         /// <param name="table">Its name.</param>
-        internal bool Wants(string table) => Table == table || Table == AllTables;
+        internal bool Includes(string table) => Table == table || Table == AllTables;
 
-        void Read(string flag, string value)
-        {
-            switch (flag)
-            {
-                case "--table":
-                    CommandLineWords.RequireOneOf(flag, value, tables);
-                    Table = value;
-                    break;
-                case "--particles":
-                    particles = List(flag, value, MinimumParticles, FluidProfile.ParticleLimit);
-                    break;
-                case "--grids":
-                    grids = value == "none" ? Array.Empty<int>() : List(flag, value, 1, SurfaceGrid.MaximumCells);
-                    break;
-                case "--repeat":
-                    Samples = Number(flag, value, MinimumSamples, MaximumSamples);
-                    break;
-            }
-        }
+        void SetSweep(bool sweep) =>
+            Sweep = Sweep.HasValue ? throw new CommandLineException("--sweep and --no-sweep exclude each other; give one.") : sweep;
+
+        static int[] Cells(string flag, string value) => value == "none" ? Array.Empty<int>() : List(flag, value, 1, SurfaceGrid.MaximumCells);
 
         static int[] List(string flag, string value, int minimum, int maximum)
         {

@@ -26,8 +26,8 @@ namespace SphFluid.Validation
 
         const float SquareSize = 1.2f; // as FluidParticleRenderer's default
 
-        static readonly ProfilerMarker ParticlesMarker = ComputeKernel.CreateMarker(BenchBlocks.DrawParticles);
-        static readonly ProfilerMarker SurfaceMarker = ComputeKernel.CreateMarker(BenchBlocks.DrawSurface);
+        static readonly ProfilerMarker ParticlesMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawParticles);
+        static readonly ProfilerMarker SurfaceMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawSurface);
         static readonly Vector3 Eye = new Vector3(1f, 0.7f, -1.6f);
         static readonly int CameraPosition = Shader.PropertyToID("_WorldSpaceCameraPos");
         static readonly int LightDirection = Shader.PropertyToID("_WorldSpaceLightPos0");

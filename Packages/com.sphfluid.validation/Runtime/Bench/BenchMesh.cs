@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>A sphere of triangles that stands on the floor in the measured liquid. Its collider is inactive: it is in no scene's way.</summary>
+    /// <summary>A sphere of triangles that stands on the floor in the measured liquid. Its collider is inactive: it touches no scene.</summary>
     sealed class BenchMesh : IDisposable
     {
         const float Radius = 0.12f;

@@ -25,7 +25,7 @@ namespace SphFluid.Validation
 
         Func<BenchConfig, int, bool> isLeftOut = (config, particles) => false;
 
-        BenchPlan(string name, IReadOnlyList<BenchConfig> configs, IReadOnlyList<int> particles, IReadOnlyList<BenchBlock> blocks, IBenchLayout layout)
+        BenchPlan(string name, IReadOnlyList<BenchConfig> configs, IReadOnlyList<int> particles, IReadOnlyList<BenchBlock> blocks, BenchLayout layout)
         {
             Name = name;
             Configs = configs;
@@ -47,7 +47,7 @@ namespace SphFluid.Validation
         /// <summary>What is timed within a frame.</summary>
         public IReadOnlyList<BenchBlock> Blocks { get; }
 
-        public IBenchLayout Layout { get; }
+        public BenchLayout Layout { get; }
 
         /// <summary>True: all rounds of a number of particles before the next number, so that one size is in memory at a time.</summary>
         public bool SizeBySize { get; private set; }
@@ -61,16 +61,16 @@ namespace SphFluid.Validation
         /// <summary>Tables 3 and 4 of the thesis.</summary>
         /// <param name="particles">Numbers of particles; null for the thesis's.</param>
         /// <param name="grids">Marching-cubes grids; null for the thesis's.</param>
-        /// <param name="lack">What the device lacks for the geometry shader, as a sentence; null when nothing.</param>
-        public static BenchPlan Thesis(IReadOnlyList<int> particles, IReadOnlyList<int> grids, string lack)
+        /// <param name="missing">What the device misses for the geometry shader, as a sentence; null when nothing.</param>
+        public static BenchPlan Thesis(IReadOnlyList<int> particles, IReadOnlyList<int> grids, string missing)
         {
             grids ??= ThesisGrids;
             var configs = new List<BenchConfig> { BenchConfig.SphOnly, BenchConfig.SphParticles };
-            if (lack == null)
+            if (missing == null)
                 configs.AddRange(grids.Select(BenchConfig.SphMarchingCubes));
             BenchPlan plan = Thesis("thesis", configs, particles ?? ThesisParticles);
-            if (lack != null && grids.Count > 0)
-                plan.LeftOut = lack + " The rows with marching cubes are left out.";
+            if (missing != null && grids.Count > 0)
+                plan.LeftOut = missing + " The rows with marching cubes are left out.";
             return plan;
         }
 
@@ -86,7 +86,7 @@ namespace SphFluid.Validation
                 BenchSolver.ThesisCells, BenchSolver.ThesisOctant, BenchSolver.Standard, BenchSolver.StandardSearch,
                 BenchSolver.StandardUnordered, BenchSolver.StandardMesh, BenchSolver.StandardWide,
             }.Select(BenchConfig.Step).ToArray();
-            return new BenchPlan("solver", configs, particles ?? ForDevice(SolverParticles), BenchBlocks.Step, new SolverLayout(BenchBlocks.Step.Select(b => b.Name)))
+            return new BenchPlan("solver", configs, particles ?? ForDevice(SolverParticles), FrameBlocks.Step, new SolverLayout(FrameBlocks.Step.Select(b => b.Name)))
             {
                 SizeBySize = true,
                 NeedsCopySpeed = true,
@@ -96,25 +96,25 @@ namespace SphFluid.Validation
         /// <summary>Surfaces without steps: the thesis's and a dense compute one up to 256 cells a side, sparse ones at the same and their own cells.</summary>
         /// <param name="particles">Numbers of particles; null for those that suit the device.</param>
         /// <param name="grids">Cells a side with the thesis's field; null for the table's own.</param>
-        /// <param name="lack">What the device lacks for the geometry shader, as a sentence; null when nothing.</param>
-        public static BenchPlan Surface(IReadOnlyList<int> particles, IReadOnlyList<int> grids, string lack)
+        /// <param name="missing">What the device misses for the geometry shader, as a sentence; null when nothing.</param>
+        public static BenchPlan Surface(IReadOnlyList<int> particles, IReadOnlyList<int> grids, string missing)
         {
             var configs = new List<BenchConfig>();
             foreach (int cells in grids ?? SurfaceGrids)
             {
                 bool dense = cells <= MostDenseCells;
-                if (dense && lack == null)
+                if (dense && missing == null)
                     configs.Add(BenchConfig.GeometrySurface(cells));
                 if (dense)
                     configs.Add(BenchConfig.DenseSurface(cells));
                 configs.Add(BenchConfig.SparseSurface(cells));
             }
             configs.AddRange(new[] { FluidSurfaceQuality.Cheap, FluidSurfaceQuality.Default, FluidSurfaceQuality.High }.Select(BenchConfig.SparseSurface));
-            var plan = new BenchPlan("surface", configs, particles ?? ForDevice(SurfaceParticles), BenchBlocks.Surface,
-                new SurfaceLayout(BenchBlocks.Surface.Select(b => b.Name)))
+            var plan = new BenchPlan("surface", configs, particles ?? ForDevice(SurfaceParticles), FrameBlocks.Surface,
+                new SurfaceLayout(FrameBlocks.Surface.Select(b => b.Name)))
             { SizeBySize = true };
-            if (lack != null)
-                plan.LeftOut = lack + " The rows of the geometry shader are left out.";
+            if (missing != null)
+                plan.LeftOut = missing + " The rows of the geometry shader are left out.";
             else if (particles == null && SurfaceGridSizes.IsSoftwareDevice && configs.Exists(IsSlowOnCpu))
                 plan.LeaveOutSlowRows();
             return plan;
@@ -135,6 +135,6 @@ namespace SphFluid.Validation
         static int[] ForDevice(int[] sizes) => sizes.Where(n => n <= MostOnCpu || !SurfaceGridSizes.IsSoftwareDevice).ToArray();
 
         static BenchPlan Thesis(string name, IReadOnlyList<BenchConfig> configs, IReadOnlyList<int> particles) =>
-            new BenchPlan(name, configs, particles, BenchBlocks.Thesis, new ThesisLayout(BenchBlocks.Thesis.Select(b => b.Name)));
+            new BenchPlan(name, configs, particles, FrameBlocks.Thesis, new ThesisLayout(name, FrameBlocks.Thesis.Select(b => b.Name)));
     }
 }

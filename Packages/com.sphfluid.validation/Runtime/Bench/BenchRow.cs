@@ -4,7 +4,7 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>A row of a table: what was measured, and its samples.</summary>
-    public sealed class BenchRow
+    public sealed class BenchRow : MeasuredRow
     {
         readonly List<BenchTimes> samples = new List<BenchTimes>();
         readonly List<double> setups = new List<double>();
@@ -17,6 +17,12 @@ namespace SphFluid.Validation
             Config = config;
             Particles = particles;
         }
+
+        /// <summary>All rows of the table, for columns that compare.</summary>
+        internal IReadOnlyList<BenchRow> Peers { get; set; }
+
+        /// <inheritdoc/>
+        public override bool IsMeasured => samples.Count > 0;
 
         /// <summary>What a frame does.</summary>
         public BenchConfig Config { get; }

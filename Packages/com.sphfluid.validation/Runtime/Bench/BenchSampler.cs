@@ -16,7 +16,7 @@ namespace SphFluid.Validation
         const int EngineFramesToWait = 200;
         const int MostTrials = 16;
 
-        static readonly ProfilerMarker frameMarker = ComputeKernel.CreateMarker(BenchBlocks.Frame);
+        static readonly ProfilerMarker frameMarker = ComputeKernel.CreateMarker(FrameBlocks.Frame);
 
         readonly FluidShaderSet shaders;
         readonly Dictionary<BenchConfig, IBenchSurface> surfaces = new Dictionary<BenchConfig, IBenchSurface>();
@@ -120,10 +120,10 @@ namespace SphFluid.Validation
         {
             yield return Prepare(solver, () => solver.RecordNeighbourSetup(cmd));
             NeighbourSetup = Last.Total;
-            for (int trial = 0; !surface.HasRoom; trial++)
+            for (int trial = 0; !surface.HasCapacity; trial++)
             {
                 if (trial == MostTrials)
-                    throw new FluidDeviceException($"A surface found no room for its mesh in {MostTrials} frames.");
+                    throw new FluidDeviceException($"A surface reached no capacity for its mesh in {MostTrials} frames.");
                 yield return Prepare(solver, () => surface.RecordTrial(cmd, solver));
                 surface.TakeTrial();
             }

@@ -1,31 +1,20 @@
-using System;
 using System.Collections;
 using System.Collections.Generic;
-using System.Globalization;
 using System.IO;
 using System.Linq;
 using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>
-    /// A whole benchmark. <see cref="Step"/> is called once a frame of the engine, by a component in play mode or by the Editor's
-    /// update; it needs no scene.
-    /// </summary>
-    public sealed class BenchSession : IValidationSession
+    /// <summary>A whole benchmark; it needs no scene.</summary>
+    public sealed class BenchSession : MeasuringSession
     {
         const int LeastSweepParticles = 4096;
         const int MostSweepParticles = 1024 * 1024;
 
         readonly BenchArguments arguments;
         readonly FluidShaderSet shaders;
-        readonly SessionProgress progress;
-        readonly SessionWork work;
-        readonly ResultFolder results;
-        readonly List<BenchTable> tables = new List<BenchTable>();
-        BenchSampler sampler;
-        BenchTableRun run;
-        bool isDisposed;
+        readonly List<(BenchPlan Plan, ResultTable<BenchRow> Table)> tables = new List<(BenchPlan, ResultTable<BenchRow>)>();
 
         /// <summary>Prepares a benchmark; nothing is measured yet.</summary>
         /// <param name="arguments">What to measure.</param>
@@ -33,43 +22,22 @@ namespace SphFluid.Validation
         /// <param name="progress">Where it says how far it is.</param>
         /// <exception cref="FluidDeviceException">The device cannot run it, or has no GPU times.</exception>
         /// <exception cref="CommandLineException">The output folder cannot be written, or holds other files of the tables' names.</exception>
-        public BenchSession(BenchArguments arguments, FluidShaderSet shaders, SessionProgress progress)
+        public BenchSession(BenchArguments arguments, FluidShaderSet shaders, SessionProgress progress) : base(arguments, progress)
         {
             this.arguments = arguments;
             this.shaders = SessionAssets.Require(shaders, "The benchmark has");
-            this.progress = progress;
             if (!SystemInfo.supportsGpuRecorder)
             {
                 throw new FluidDeviceException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) has no GPU times in Unity's profiler. " +
                     "Run the benchmark with Direct3D 11 or 12.");
             }
-            results = ResultFolder.Open(
-                arguments.OutputFolder, Plans().Select(p => ResultFile.Text(BenchTable.FileOf(p.Name), BenchTable.FirstLineOf(p.Layout))));
-            work = new SessionWork(Run());
+            Claim(Plans().Select(p => p.Layout.Format.File));
         }
 
         /// <summary>Least GPU time of a sample [ms].</summary>
         internal double SampleMilliseconds { get; set; } = 200.0;
 
-        /// <summary>Goes on; waits for the GPU by returning.</summary>
-        /// <returns>False when all is measured and written.</returns>
-        /// <exception cref="FluidDeviceException">The device failed or gave no times.</exception>
-        /// <exception cref="IOException">A file cannot be written.</exception>
-        public bool Step() => work.Step();
-
-        /// <summary>Frees the GPU memory. An unfinished benchmark leaves the files of its last whole round, and says so.</summary>
-        public void Dispose()
-        {
-            if (isDisposed)
-                return;
-            isDisposed = true;
-            if (!work.IsDone)
-                progress.Say($"Stopped early. The files in '{arguments.OutputFolder}' hold whole rounds; their column samples says how many.");
-            work.Clear();
-            run?.Dispose();
-            sampler?.Dispose();
-            results.Close();
-        }
+        private protected override string Unfinished => $"The files in '{Folder}' hold whole rounds; their column samples says how many.";
 
         /// <summary>4,096, 8,192, ... 1,048,576.</summary>
         internal static IReadOnlyList<int> SweepParticles()
@@ -80,56 +48,51 @@ namespace SphFluid.Validation
             return counts;
         }
 
-        IEnumerator Run()
+        private protected override IEnumerator Run()
         {
             foreach (BenchPlan plan in Plans())
                 yield return Measure(plan);
-            foreach (BenchTable table in tables)
-                SayTable(table);
+            foreach ((BenchPlan plan, ResultTable<BenchRow> table) in tables)
+                SayTable(plan.Layout, table);
         }
 
         IEnumerable<BenchPlan> Plans()
         {
-            string lack = GeometrySurface.MissingSupport();
-            if (arguments.Wants(BenchArguments.ThesisTable))
+            string missing = GeometrySurface.MissingSupport();
+            if (arguments.Includes(BenchArguments.ThesisTable))
             {
-                yield return BenchPlan.Thesis(arguments.Particles, arguments.Grids, lack);
+                yield return BenchPlan.Thesis(arguments.Particles, arguments.Grids, missing);
                 if (arguments.Sweep ?? !SurfaceGridSizes.IsSoftwareDevice)
                     yield return BenchPlan.Sweep(SweepParticles());
             }
-            if (arguments.Wants(BenchArguments.SolverTable))
+            if (arguments.Includes(BenchArguments.SolverTable))
                 yield return BenchPlan.Solver(arguments.Particles);
-            if (arguments.Wants(BenchArguments.SurfaceTable))
-                yield return BenchPlan.Surface(arguments.Particles, arguments.Grids, lack);
+            if (arguments.Includes(BenchArguments.SurfaceTable))
+                yield return BenchPlan.Surface(arguments.Particles, arguments.Grids, missing);
         }
 
         IEnumerator Measure(BenchPlan plan)
         {
-            string date = DateTime.UtcNow.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture);
-            var table = new BenchTable(plan.Name, SystemInfo.graphicsDeviceName, date, plan.Layout);
-            tables.Add(table);
-            table.Write(arguments.OutputFolder);
+            var table = new ResultTable<BenchRow>(plan.Layout.Format, Folder, SystemInfo.graphicsDeviceName);
+            tables.Add((plan, table));
+            table.Write();
             if (plan.LeftOut != null)
-                progress.Say(plan.LeftOut);
+                Progress.Say(plan.LeftOut);
             IEnumerable<IReadOnlyList<int>> sizes = plan.SizeBySize ? plan.Particles.Select(n => (IReadOnlyList<int>)new[] { n }) : new[] { plan.Particles };
             foreach (IReadOnlyList<int> particles in sizes)
             {
-                sampler = new BenchSampler(shaders, plan.Blocks) { SampleMilliseconds = SampleMilliseconds };
-                run = new BenchTableRun(table, sampler, arguments, progress);
-                yield return run.Run(shaders, plan, particles);
-                run.Dispose();
-                sampler.Dispose();
-                run = null;
-                sampler = null;
+                using (var sampler = new BenchSampler(shaders, plan.Blocks) { SampleMilliseconds = SampleMilliseconds })
+                using (var run = new BenchTableRun(table, sampler, arguments, Progress))
+                    yield return run.Run(shaders, plan, particles);
             }
         }
 
-        void SayTable(BenchTable table)
+        void SayTable(BenchLayout layout, ResultTable<BenchRow> table)
         {
-            progress.Say($"{Path.Combine(arguments.OutputFolder, BenchTable.FileOf(table.Name))}, {table.Device}:");
-            progress.Say(table.Layout.Head);
+            Progress.Say($"{Path.Combine(Folder, layout.Format.FileName)}, {table.Device}:");
+            Progress.Say(layout.Head);
             foreach (BenchRow row in table.Rows)
-                progress.Say(table.Layout.Line(table, row));
+                Progress.Say(layout.Line(row));
         }
     }
 }

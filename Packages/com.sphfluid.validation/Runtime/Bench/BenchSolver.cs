@@ -61,7 +61,7 @@ namespace SphFluid.Validation
         /// <summary>Whether particles of a cell are ordered by their ids.</summary>
         public bool StableOrder { get; private set; }
 
-        /// <summary>Whether density lists the neighbours for the forces, where the device has room for it.</summary>
+        /// <summary>Whether density lists the neighbours for the forces, where the device has the memory.</summary>
         public bool NeighbourList { get; private set; }
 
         /// <summary>Whether <see cref="BenchMesh"/> stands in the liquid.</summary>

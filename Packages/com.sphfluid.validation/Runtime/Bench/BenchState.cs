@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>A settled liquid from which samples start, and what the searches meet in it.</summary>
+    /// <summary>A settled liquid from which samples start, and what the searches find in it.</summary>
     sealed class BenchState
     {
         readonly Dictionary<float, double> neighbours = new Dictionary<float, double>();

@@ -9,7 +9,7 @@ namespace SphFluid.Validation
 {
     /// <summary>
     /// Measures rows of one table: settles the liquids, takes a sample of every row that is thrown away, then round after round one
-    /// sample of every row, so that a slow change of the machine meets all rows alike. The file is written after every round.
+    /// sample of every row, so that a slow change of the machine affects all rows alike. The file is written after every round.
     /// </summary>
     sealed class BenchTableRun : IDisposable
     {
@@ -17,13 +17,13 @@ namespace SphFluid.Validation
         readonly List<BenchRow> rows = new List<BenchRow>();
         readonly Dictionary<BenchRow, BenchLiquid> liquidOf = new Dictionary<BenchRow, BenchLiquid>();
         readonly Dictionary<BenchRow, (double Wall, double Frame)> costs = new Dictionary<BenchRow, (double, double)>();
-        readonly BenchTable table;
+        readonly ResultTable<BenchRow> table;
         readonly BenchSampler sampler;
         readonly BenchArguments arguments;
         readonly SessionProgress progress;
         double copySpeed;
 
-        public BenchTableRun(BenchTable table, BenchSampler sampler, BenchArguments arguments, SessionProgress progress)
+        public BenchTableRun(ResultTable<BenchRow> table, BenchSampler sampler, BenchArguments arguments, SessionProgress progress)
         {
             this.table = table;
             this.sampler = sampler;
@@ -34,7 +34,7 @@ namespace SphFluid.Validation
         public IEnumerator Run(FluidShaderSet shaders, BenchPlan plan, IReadOnlyList<int> particles)
         {
             var clock = Stopwatch.StartNew();
-            progress.Say($"{table.Name}: {particles.Sum(n => plan.ConfigsOf(n).Count)} rows on {table.Device}; letting {string.Join(", ", particles)} particles fall first.");
+            progress.Say($"{plan.Name}: {particles.Sum(n => plan.ConfigsOf(n).Count)} rows on {table.Device}; letting {string.Join(", ", particles)} particles fall first.");
             if (plan.NeedsCopySpeed)
                 yield return MeasureCopy();
             foreach (int count in particles)
@@ -45,7 +45,7 @@ namespace SphFluid.Validation
                 yield return Measure(rows[i], false);
             }
             TimeSpan estimate = TimeFor(arguments.Samples, 0, 0);
-            progress.Say($"{table.Name}: about {SessionProgress.Duration(estimate)} for {arguments.Samples} samples of each row, after {SessionProgress.Duration(clock.Elapsed)} of warming up.");
+            progress.Say($"{plan.Name}: about {SessionProgress.Duration(estimate)} for {arguments.Samples} samples of each row, after {SessionProgress.Duration(clock.Elapsed)} of warming up.");
             clock.Restart();
             for (int round = 0; round < arguments.Samples; round++)
             {
@@ -56,7 +56,7 @@ namespace SphFluid.Validation
                     progress.Show(share, left, $"round {round + 1} of {arguments.Samples}, {Title(rows[i])}");
                     yield return Measure(rows[i], true);
                 }
-                table.Write(arguments.OutputFolder);
+                table.Write();
             }
         }
 
@@ -119,9 +119,10 @@ namespace SphFluid.Validation
                 Cells = solver.CellCount,
                 Triangles = liquid.TriangleCount,
                 CopySpeed = copySpeed,
+                Peers = table.Rows,
                 Note = limited ? "graphics-limited" : "",
             };
-            table.Rows.Add(row);
+            table.Add(row);
             rows.Add(row);
             liquidOf.Add(row, liquid);
         }

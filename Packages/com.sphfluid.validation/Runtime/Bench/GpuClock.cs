@@ -29,7 +29,7 @@ namespace SphFluid.Validation
                 foreach (string marker in blocks[i].Markers)
                     Listen(marker, i);
             }
-            Listen(BenchBlocks.Frame, blockCount);
+            Listen(FrameBlocks.Frame, blockCount);
         }
 
         /// <summary>Forgets what came so far.</summary>

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Meshes as the bodies that the Standard method knows. Their colliders are inactive: they are in no scene's way.</summary>
+    /// <summary>Meshes as the bodies that the Standard method knows. Their colliders are inactive: they touch no scene.</summary>
     sealed class CaseBodies : IDisposable
     {
         readonly CollisionBodies bodies;

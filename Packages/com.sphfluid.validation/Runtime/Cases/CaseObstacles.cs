@@ -37,7 +37,7 @@ namespace SphFluid.Validation
             colliders.SetData(records.ToArray());
         }
 
-        /// <summary>Puts them into a solver's way, for as long as this lives.</summary>
+        /// <summary>Gives them to a solver, for as long as this lives.</summary>
         public void GiveTo(FluidSolver solver)
         {
             if (meshes.Count == 0)

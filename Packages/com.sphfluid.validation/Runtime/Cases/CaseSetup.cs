@@ -21,7 +21,7 @@ namespace SphFluid.Validation
         /// <summary>Closed obstacles, three corners a triangle, outward by the left-hand rule as Unity's meshes; empty for none.</summary>
         public IReadOnlyList<Vector3[]> Obstacles = System.Array.Empty<Vector3[]>();
 
-        /// <summary>True: the faces of the domain are out of the liquid's way, and liquid that comes there is lost.</summary>
+        /// <summary>True: the faces of the domain are out of the liquid's reach, and liquid that comes there is lost.</summary>
         public bool IsOpen;
 
         /// <summary>A speed that no right answer has [m/s], three times the fastest for instance: with it a run has failed.</summary>

@@ -16,7 +16,7 @@ namespace SphFluid.Validation
         const double SubmissionSeconds = 0.25;
         const int MostStepsAtOnce = 512;
 
-        static readonly ProfilerMarker marker = ComputeKernel.CreateMarker(BenchBlocks.Frame);
+        static readonly ProfilerMarker marker = ComputeKernel.CreateMarker(FrameBlocks.Frame);
 
         readonly FluidSolver solver;
         readonly GpuClock clock;
@@ -40,11 +40,11 @@ namespace SphFluid.Validation
         public double CpuMilliseconds => steps == 0 ? double.NaN : recording.Elapsed.TotalMilliseconds / steps;
 
         /// <summary>Does some steps and waits for the GPU.</summary>
-        /// <param name="wanted">Most steps to do.</param>
+        /// <param name="requested">Most steps to do.</param>
         /// <returns>What the solver counted up to now.</returns>
-        public FluidCounters Step(long wanted)
+        public FluidCounters Step(long requested)
         {
-            int count = (int)Math.Min(wanted, atOnce);
+            int count = (int)Math.Min(requested, atOnce);
             var submission = Stopwatch.StartNew();
             recording.Start();
             cmd.Clear();
@@ -58,7 +58,7 @@ namespace SphFluid.Validation
             submissions++;
             steps += count;
             double fits = SubmissionSeconds * count / Math.Max(1e-6, submission.Elapsed.TotalSeconds);
-            // A first step also builds pipelines: its time tells little.
+            // A first step also builds pipelines: its time says little.
             atOnce = (int)Math.Max(1.0, Math.Min(Math.Min(MostStepsAtOnce, 4.0 * atOnce), fits));
             return counters;
         }

@@ -23,7 +23,7 @@ namespace SphFluid.Validation
         const double Interval = 2.0;
         static readonly double[] Times = { 2.0, 10.0, 20.0, 100.0 };
 
-        /// <summary>False: the thesis's own walls, which do not rub.</summary>
+        /// <summary>False: the thesis's own walls, which have no friction.</summary>
         public bool NoSlip { get; set; } = true;
 
         /// <inheritdoc/>

@@ -6,7 +6,7 @@ namespace SphFluid.Validation
     /// <summary>
     /// Martin and Moyce's falling column of 1952, twice as high as wide: a = 0.05715 m as in the experiment (in units of a and
     /// √(a/g) the size does not matter, to the cost of a simulated second it does). A slab as thin as the neighbour grid allows,
-    /// periodic across, in a tank 7 a long, so that the front meets no wall; the other faces push and do not rub. The column starts
+    /// periodic across, in a tank 7 a long, so that the front reaches no wall; the other faces push without friction. The column starts
     /// compressed by its own weight, as it stands behind the gate: else its fall begins with a blow.
     /// </summary>
     public sealed class DamBreakCase : ValidationCase

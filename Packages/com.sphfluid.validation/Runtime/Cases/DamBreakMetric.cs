@@ -6,7 +6,7 @@ namespace SphFluid.Validation
 {
     /// <summary>
     /// Follows the front on the floor and the height at the closed end, and holds them against <see cref="MartinMoyce"/>. The
-    /// closed end is the domain's low face of x, the floor the low face of y. The height is told a second time without what is
+    /// closed end is the domain's low face of x, the floor the low face of y. The height is given a second time without what is
     /// next to the wall: a method that lets particles stick there has a film on it that stands above the liquid.
     /// </summary>
     public sealed class DamBreakMetric : CaseMetric

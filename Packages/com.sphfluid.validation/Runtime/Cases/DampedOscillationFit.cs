@@ -124,7 +124,7 @@ namespace SphFluid.Validation
             basis[2] = 1.0;
         }
 
-        // Gauss–Jordan with pivots; null where the functions cannot be told apart.
+        // Gauss–Jordan with pivots; null where the functions cannot be distinguished.
         static double[] Solve(double[,] m)
         {
             for (int column = 0; column < 3; column++)

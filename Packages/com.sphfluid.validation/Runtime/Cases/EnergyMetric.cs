@@ -5,7 +5,7 @@ namespace SphFluid.Validation
 {
     /// <summary>
     /// Growth of kinetic, potential and elastic energy over what the start has above the state at rest. What is left at the end is below
-    /// zero where the liquid at rest takes less room than it should.
+    /// zero where the liquid at rest takes less space than it should.
     /// </summary>
     public sealed class EnergyMetric : CaseMetric
     {

@@ -6,7 +6,7 @@ namespace SphFluid.Validation
     /// <summary>
     /// Pressure on a domain's floor, read at points a spacing apart by Shepard's average p = Σ p_j W_j / Σ W_j over the particles
     /// within R (Shepard 1968). The force of a symmetric form bears an odd-even mode in the layers at a wall, which an average
-    /// of several layers does not see. What is nearer to a side wall than three spacings is told apart.
+    /// of several layers does not see. What is nearer to a side wall than three spacings is kept apart.
     /// </summary>
     sealed class FloorPressure
     {

@@ -13,7 +13,7 @@ namespace SphFluid.Validation
         const double Edge = 0.3;
         const double Fall = 1.5;
         const double Gravity = 9.81;
-        const double Room = 0.25; // beside, above and below the block's way [m]
+        const double Margin = 0.25; // beside, above and below the block's path [m]
         const int Samples = 8;
 
         /// <inheritdoc/>
@@ -45,8 +45,8 @@ namespace SphFluid.Validation
             WallCaseSetup.Require(parameters, Name, 3);
             double dx = Edge / parameters.Resolution;
             double speed = Math.Sqrt(2.0 * Gravity * Fall);
-            var domain = new Vector3((float)(Edge + 2.0 * Room), (float)(Edge + Fall + 2.0 * Room), (float)(Edge + 2.0 * Room));
-            Vector3 corner = new Vector3((float)(-0.5 * Edge), 0.5f * domain.y - (float)(Room + Edge), (float)(-0.5 * Edge));
+            var domain = new Vector3((float)(Edge + 2.0 * Margin), (float)(Edge + Fall + 2.0 * Margin), (float)(Edge + 2.0 * Margin));
+            Vector3 corner = new Vector3((float)(-0.5 * Edge), 0.5f * domain.y - (float)(Margin + Edge), (float)(-0.5 * Edge));
             List<Vector3> block = CaseLattice.Box(Vector3Int.one * parameters.Resolution, dx, corner);
             CaseLattice.Jitter(block, parameters.Jitter * dx, parameters.Seed, 0.5f * domain);
             double duration = Math.Sqrt(2.0 * Fall / Gravity);

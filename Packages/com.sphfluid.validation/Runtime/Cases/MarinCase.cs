@@ -87,7 +87,7 @@ namespace SphFluid.Validation
             return particles;
         }
 
-        // Closed, so that a particle that got in finds its way out; it stands on the floor.
+        // Closed, so that a particle that got in gets out again; it stands on the floor.
         static Vector3[] Box()
         {
             var centre = new Vector3(BoxCentre - 0.5f * tank.x, 0.5f * (box.y - tank.y), 0f);

@@ -8,7 +8,7 @@ namespace SphFluid.Validation
     /// Reads the water's height at the four gauges and holds it against <see cref="MarinHeights"/>. The gauges' x counts from
     /// the domain's low face of x, the floor is the low face of y, the centreline z = 0.
     /// <para>A gauge sees the particles nearer than two spacings along x and z, weighted by a tent, so that how the lattice lies
-    /// to the gauge does not matter. Its height is their volume over the tent's area, as a wire that tells its wetted length
+    /// to the gauge does not matter. Its height is their volume over the tent's area, as a wire that reports its wetted length
     /// sees it; particles above a stretch of two spacings with less than half a layer are spray and do not count.</para>
     /// </summary>
     public sealed class MarinMetric : CaseMetric

@@ -6,7 +6,7 @@ namespace SphFluid.Validation
 {
     /// <summary>
     /// A standing wave of length 2 and amplitude 0.05 on a liquid of depth 1, g = 1, ν = 0.004 (Re = 250), after AQUAgpusph's
-    /// standing wave (Souto-Iglesias and others). Periodic along x and z: the floor is the only wall, and it does not rub.
+    /// standing wave (Souto-Iglesias and others). Periodic along x and z: the floor is the only wall, and it has no friction.
     /// <para>
     /// Two things stand between the set and the measured viscosity. A force µ∇²v by pairs, as Müller's, dissipates µ ∫|∇v|²; a
     /// Newtonian liquid with a stress-free surface dissipates 2µ ∫ e:e, which is twice as much where the flow has no vorticity:

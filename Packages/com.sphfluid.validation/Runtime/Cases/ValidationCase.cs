@@ -12,7 +12,7 @@ namespace SphFluid.Validation
         /// <summary>Where the reference comes from.</summary>
         public abstract string Source { get; }
 
-        /// <summary>Name of the main error, the first that its metric tells.</summary>
+        /// <summary>Name of the main error, the first of its metric.</summary>
         public abstract string ErrorName { get; }
 
         /// <summary>Errors below this are below what the reference itself is good for.</summary>

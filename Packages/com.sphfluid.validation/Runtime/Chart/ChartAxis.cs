@@ -27,8 +27,8 @@ namespace SphFluid.Validation
 
         /// <summary>An axis that shows some values with a margin.</summary>
         /// <param name="values">Values; those that are not finite and positive are not shown.</param>
-        /// <param name="below">Free room below the least, over the length that the values need.</param>
-        /// <param name="above">Free room above the greatest, likewise.</param>
+        /// <param name="below">Free space below the least, over the length that the values need.</param>
+        /// <param name="above">Free space above the greatest, likewise.</param>
         public static ChartAxis Of(IEnumerable<double> values, double below = 0.0, double above = 0.0)
         {
             List<double> shown = values.Where(v => v > 0.0 && !double.IsInfinity(v)).ToList();

@@ -9,17 +9,17 @@ namespace SphFluid.Validation
     sealed class ChartDrawing
     {
         readonly string folder;
-        readonly ChartTable table;
+        readonly ResultTable<ChartRow> table;
         readonly IReadOnlyList<ValidationCase> cases;
         readonly SessionProgress progress;
 
-        public ChartDrawing(string folder, ChartTable table, IReadOnlyList<ValidationCase> selected, SessionProgress progress)
+        public ChartDrawing(string folder, ResultTable<ChartRow> table, IReadOnlyList<ValidationCase> selected, SessionProgress progress)
         {
             this.folder = folder;
             this.table = table;
             this.progress = progress;
             // Cases that an earlier chart in the folder measured are drawn too.
-            cases = ValidationCases.All.Union(selected).Where(c => table.Rows.Any(r => r.Case == c.Name)).ToList();
+            cases = CaseCatalogue.All.Union(selected).Where(c => table.Rows.Any(r => r.Case == c.Name)).ToList();
         }
 
         public void Write()
@@ -28,23 +28,16 @@ namespace SphFluid.Validation
             if (groups.Count == 0)
                 return;
             List<IReadOnlyList<ChartPoint>> fronts = groups.Select(g => ParetoFront.Of(g[0].Points)).ToList();
-            ParetoFront.Write(folder, fronts.SelectMany(f => f));
+            ParetoFront.Format.Write(folder, fronts.SelectMany(f => f));
             SayFronts(groups, fronts);
             List<EqualCost.Comparison> comparisons = groups.SelectMany(g => EqualCost.Of(g[0].Points, g[0].Case.Floor)).ToList();
-            EqualCost.Write(folder, comparisons);
+            EqualCost.Format.Write(folder, comparisons);
             SayComparisons(comparisons);
-            string date = table.Rows.Max(r => r.Date);
-            CsvText.WriteWhole(Path.Combine(folder, ChartScript.FileName), new ChartScript(groups, table.Device, date).Lines());
-            string trouble = Gnuplot.Draw(Path.Combine(folder, ChartScript.FileName));
-            foreach (ValidationCase validationCase in cases)
-            {
-                var script = new CurveScript(validationCase, folder);
-                if (script.IsEmpty)
-                    continue;
-                CsvText.WriteWhole(Path.Combine(folder, script.FileName), script.Lines());
-                trouble = trouble ?? Gnuplot.Draw(Path.Combine(folder, script.FileName));
-            }
-            progress.Say(trouble ?? $"{Path.Combine(folder, "accuracy.png")}, accuracy.svg, {ChartTable.FileName}, {ParetoFront.FileName}, {EqualCost.FileName} and case-*.png are written.");
+            var chart = new ChartScript(groups, table.Device, table.Rows.Max(r => r.Date));
+            IEnumerable<CurveScript> curves = cases.Select(c => new CurveScript(c, folder)).Where(s => !s.IsEmpty);
+            string problem = GnuplotScript.Draw(folder, new GnuplotScript[] { chart }.Concat(curves));
+            progress.Say(problem ?? $"{Path.Combine(folder, "accuracy.png")}, accuracy.svg, {ChartRow.Format.FileName}, {ParetoFront.Format.FileName}, " +
+                $"{EqualCost.Format.FileName} and case-*.png are written.");
         }
 
         // A line for each case and pair of methods: from the least ratio to the greatest, at the times of both methods' points.

@@ -96,10 +96,10 @@ namespace SphFluid.Validation
             List<ChartConfig> bases = plan.Buildable(Bases(cases, methods));
             List<ChartConfig> others = plan.Buildable(RoundRobin(cases, methods, QuickSweeps));
             List<ChartConfig> first = bases.Select(b => Affordable(b, share)).ToList();
-            IEnumerable<ChartRun> wanted = Seeded(first, 1, 1).Concat(Seeded(others, 1, 1)).Concat(Seeded(bases.Where(IsSwept), 1, QuickBaseSeeds));
+            IEnumerable<ChartRun> candidates = Seeded(first, 1, 1).Concat(Seeded(others, 1, 1)).Concat(Seeded(bases.Where(IsSwept), 1, QuickBaseSeeds));
             var taken = new HashSet<string>();
             double cost = 0.0;
-            foreach (ChartRun run in wanted.Where(r => taken.Add(r.Config.Key + "|" + r.Seed)))
+            foreach (ChartRun run in candidates.Where(r => taken.Add(r.Key)))
             {
                 bool fits = cost + run.Cost <= budget;
                 (fits ? plan.runs : plan.leftOut).Add(run);

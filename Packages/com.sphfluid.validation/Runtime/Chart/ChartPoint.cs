@@ -42,7 +42,7 @@ namespace SphFluid.Validation
         public string Date => first.Date;
 
         /// <summary>The name of the point: see <see cref="ChartConfig.Key"/>.</summary>
-        public string Key => first.Key;
+        public string Key => first.Point;
 
         /// <summary>Name of the error.</summary>
         public string ErrorName { get; private set; }
@@ -69,7 +69,7 @@ namespace SphFluid.Validation
         public static IReadOnlyList<ChartPoint> Of(IEnumerable<ChartRow> rows, string caseName, string errorName)
         {
             var points = new List<ChartPoint>();
-            foreach (IGrouping<string, ChartRow> group in rows.Where(r => r.Case == caseName).GroupBy(r => r.Key))
+            foreach (IGrouping<string, ChartRow> group in rows.Where(r => r.Case == caseName).GroupBy(r => r.Point))
             {
                 List<ChartRow> runs = group.GroupBy(r => r.Seed).Select(seed => seed.FirstOrDefault(r => r.ErrorName == errorName) ?? seed.First()).ToList();
                 List<ChartRow> passed = runs.Where(r => !r.Failed).ToList();

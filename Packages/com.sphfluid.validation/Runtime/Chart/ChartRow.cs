@@ -1,19 +1,30 @@
-using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.Linq;
 
 namespace SphFluid.Validation
 {
     /// <summary>A line of accuracy.csv: one error of one run.</summary>
-    public sealed class ChartRow
+    public sealed class ChartRow : MeasuredRow
     {
-        /// <summary>The columns of the file.</summary>
-        public static readonly IReadOnlyList<string> Columns = new[]
-        {
-            "case", "method", "dx", "kappa", "dt_fraction", "c_or_iterations", "particles", "seed", "gpu_ms_per_sim_s", "cpu_ms_per_sim_s",
-            "error", "error_name", "failed", "reason", "device", "date", "steps",
-        };
+        /// <summary>The file.</summary>
+        public static readonly TableFormat<ChartRow> Format = new TableFormat<ChartRow>("accuracy.csv")
+            .Text("case", r => r.Case, (r, v) => r.Case = v)
+            .Text("method", r => r.Method, (r, v) => r.Method = v)
+            .Number("dx", r => r.Spacing, (r, v) => r.Spacing = v)
+            .Number("kappa", r => r.SupportRatio, (r, v) => r.SupportRatio = v)
+            .Number("dt_fraction", r => r.TimeStepFraction, (r, v) => r.TimeStepFraction = v)
+            .Number("c_or_iterations", r => r.SoundSpeedRatio, (r, v) => r.SoundSpeedRatio = v)
+            .Count("particles", r => r.Particles, (r, v) => r.Particles = checked((int)v))
+            .Count("seed", r => r.Seed, (r, v) => r.Seed = checked((int)v))
+            .Number("gpu_ms_per_sim_s", r => r.GpuMsPerSecond, (r, v) => r.GpuMsPerSecond = v)
+            .Number("cpu_ms_per_sim_s", r => r.CpuMsPerSecond, (r, v) => r.CpuMsPerSecond = v)
+            .Number("error", r => r.Error, (r, v) => r.Error = v)
+            .Text("error_name", r => r.ErrorName, (r, v) => r.ErrorName = v)
+            .Flag("failed", r => r.Failed, (r, v) => r.Failed = v)
+            .Text("reason", r => r.Reason, (r, v) => r.Reason = v)
+            .Text("device", r => r.Device, (r, v) => r.Device = v)
+            .Text("date", r => r.Date, (r, v) => r.Date = v)
+            .Count("steps", r => r.Steps, (r, v) => r.Steps = v);
 
         /// <summary>Name of the case.</summary>
         public string Case { get; private set; }
@@ -57,24 +68,19 @@ namespace SphFluid.Validation
         /// <summary>Why; empty when it did not.</summary>
         public string Reason { get; private set; }
 
-        /// <summary>The graphics device.</summary>
-        public string Device { get; private set; }
-
-        /// <summary>Day of the run, e.g. 2026-11-21.</summary>
-        public string Date { get; private set; }
-
         /// <summary>Steps done.</summary>
         public long Steps { get; private set; }
 
+        /// <summary>Equal to the key of its run, which may have several errors.</summary>
+        public override string Key => ChartRun.KeyOf(Point, Seed);
+
         /// <summary>The name of the point: see <see cref="ChartConfig.Key"/>.</summary>
-        public string Key => ChartConfig.KeyOf(Case, Method, Spacing, SupportRatio, TimeStepFraction, SoundSpeedRatio);
+        public string Point => ChartConfig.KeyOf(Case, Method, Spacing, SupportRatio, TimeStepFraction, SoundSpeedRatio);
 
         /// <summary>The lines of a run: one for each error, the main one first; one without an error when it has none.</summary>
         /// <param name="run">What was run.</param>
         /// <param name="result">What came out.</param>
-        /// <param name="device">The graphics device.</param>
-        /// <param name="date">Day of the run.</param>
-        public static IReadOnlyList<ChartRow> Of(ChartRun run, CaseResult result, string device, string date)
+        public static ChartRow[] Of(ChartRun run, CaseResult result)
         {
             ChartConfig config = run.Config;
             IReadOnlyList<CaseError> errors = result.Errors.Count > 0 ? result.Errors : new[] { new CaseError(config.Case.ErrorName, double.NaN) };
@@ -96,45 +102,8 @@ namespace SphFluid.Validation
                 ErrorName = error.Name,
                 Failed = result.Failed || unmeasured,
                 Reason = reason,
-                Device = device,
-                Date = date,
                 Steps = result.Steps,
             }).ToArray();
-        }
-
-        /// <summary>The line in the file.</summary>
-        public string ToLine() => CsvText.Join(new[]
-        {
-            Case, Method, CsvText.Text(Spacing), CsvText.Text(SupportRatio), CsvText.Text(TimeStepFraction), CsvText.Text(SoundSpeedRatio),
-            CsvText.Text(Particles), CsvText.Text(Seed), CsvText.Text(GpuMsPerSecond), CsvText.Text(CpuMsPerSecond),
-            CsvText.Text(Error), ErrorName, Failed ? "1" : "0", Reason, Device, Date, CsvText.Text(Steps),
-        });
-
-        /// <summary>Reads a line of the file.</summary>
-        /// <exception cref="FormatException">It does not have the columns.</exception>
-        public static ChartRow FromLine(string line)
-        {
-            string[] cells = ResumedTable.Cells(line, Columns.Count);
-            return new ChartRow
-            {
-                Case = cells[0],
-                Method = cells[1],
-                Spacing = ResumedTable.Number(cells[2]),
-                SupportRatio = ResumedTable.Number(cells[3]),
-                TimeStepFraction = ResumedTable.Number(cells[4]),
-                SoundSpeedRatio = ResumedTable.Number(cells[5]),
-                Particles = int.Parse(cells[6], CultureInfo.InvariantCulture),
-                Seed = int.Parse(cells[7], CultureInfo.InvariantCulture),
-                GpuMsPerSecond = ResumedTable.Number(cells[8]),
-                CpuMsPerSecond = ResumedTable.Number(cells[9]),
-                Error = ResumedTable.Number(cells[10]),
-                ErrorName = cells[11],
-                Failed = cells[12] == "1",
-                Reason = cells[13],
-                Device = cells[14],
-                Date = cells[15],
-                Steps = long.Parse(cells[16], CultureInfo.InvariantCulture),
-            };
         }
     }
 }

@@ -55,7 +55,12 @@ namespace SphFluid.Validation
             }
         }
 
+        /// <summary>Equal for runs of the same point and seed.</summary>
+        public string Key => KeyOf(Config.Key, Seed);
+
         /// <summary>For progress lines.</summary>
         public override string ToString() => $"{Config}, seed {Seed}";
+
+        internal static string KeyOf(string point, int seed) => point + "|" + CsvText.Text(seed);
     }
 }

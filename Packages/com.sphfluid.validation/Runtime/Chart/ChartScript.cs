@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text;
@@ -6,13 +5,9 @@ using System.Text;
 namespace SphFluid.Validation
 {
     /// <summary>The gnuplot script of the whole chart, with its data: it draws accuracy.svg and accuracy.png in its folder.</summary>
-    public sealed class ChartScript
+    public sealed class ChartScript : GnuplotScript
     {
-        /// <summary>Name of the file.</summary>
-        public const string FileName = "accuracy.gp";
-
-        internal const string FirstLine = "# Draws accuracy.svg and accuracy.png: gnuplot " + FileName;
-
+        const string Stem = "accuracy";
         const int PanelWidth = 620, PanelHeight = 470, TitleHeight = 60;
         const int MostPanelsInTwoColumns = 5;
 
@@ -24,35 +19,32 @@ namespace SphFluid.Validation
         /// <param name="groups">The panels; those of a group stand side by side and have the same range of errors.</param>
         /// <param name="device">The graphics device.</param>
         /// <param name="date">Day of the last run.</param>
-        public ChartScript(IReadOnlyList<IReadOnlyList<ChartPanel>> groups, string device, string date)
+        public ChartScript(IReadOnlyList<IReadOnlyList<ChartPanel>> groups, string device, string date) : base(Stem, "svg", "png")
         {
             this.groups = groups;
             this.device = device;
             this.date = date;
         }
 
-        /// <summary>The script's lines.</summary>
-        public IEnumerable<string> Lines()
+        /// <summary>Script and pictures.</summary>
+        internal static IEnumerable<ResultFile> Files() => Files(Stem, "svg", "png");
+
+        private protected override IEnumerable<string> Body()
         {
             int columns = groups.Sum(g => g.Count) > MostPanelsInTwoColumns ? 3 : 2;
             List<List<ChartPanel>> rows = Rows(columns);
             var drawings = new Dictionary<ChartPanel, ChartPanelScript>();
-            yield return FirstLine;
             foreach (IReadOnlyList<ChartPanel> group in groups)
             {
                 foreach (ChartPanel panel in group)
-                {
                     drawings.Add(panel, new ChartPanelScript(panel, group, drawings.Count));
-                    foreach (string line in drawings[panel].Data())
-                        yield return line;
-                }
             }
-            string size = $"size {columns * PanelWidth},{rows.Count * PanelHeight + TitleHeight}";
-            yield return "do for [format in \"svg png\"] {";
-            yield return "reset";
-            yield return $"if (format eq \"svg\") {{ set terminal svg noenhanced {size} font 'DejaVu Sans,13' background 'white' }} " +
-                $"else {{ set terminal pngcairo noenhanced {size} font 'DejaVu Sans,10' background 'white' }}";
-            yield return "set output 'accuracy.' . format";
+            return groups.SelectMany(g => g).SelectMany(p => drawings[p].Data())
+                .Concat(InSvgAndPng($"{columns * PanelWidth},{rows.Count * PanelHeight + TitleHeight}", 13, 10, Drawing(rows, columns, drawings)));
+        }
+
+        IEnumerable<string> Drawing(List<List<ChartPanel>> rows, int columns, Dictionary<ChartPanel, ChartPanelScript> drawings)
+        {
             yield return $"set multiplot layout {rows.Count},{columns} rowsfirst title {Gnuplot.Quote($"Error against GPU time. {device}, {date}")}.\"\\n \" font ',15'";
             foreach (string line in Settings)
                 yield return line;
@@ -60,18 +52,12 @@ namespace SphFluid.Validation
             {
                 int notes = row.Count == 0 ? 0 : row.Max(p => p == null ? 0 : drawings[p].Notes.Length);
                 yield return $"set bmargin {4 + notes}";
-                foreach (ChartPanel panel in row)
-                {
-                    IEnumerable<string> cell = panel == null ? new[] { "set multiplot next" } : drawings[panel].Drawing();
-                    foreach (string line in cell)
-                        yield return line;
-                }
+                foreach (string line in row.SelectMany(p => p == null ? new[] { "set multiplot next" } : drawings[p].Drawing()))
+                    yield return line;
             }
             foreach (string line in Legend())
                 yield return line;
             yield return "unset multiplot";
-            yield return "unset output";
-            yield return "}";
         }
 
         static readonly string[] Settings =

@@ -16,14 +16,14 @@ namespace SphFluid.Validation
 
         readonly ChartArguments arguments;
         readonly Runner runner;
-        readonly ChartTable table;
+        readonly ResultTable<ChartRow> table;
         readonly ChartPlan plan;
 
         /// <summary>Prepares a chart; nothing is measured yet.</summary>
         /// <param name="arguments">What to measure.</param>
         /// <param name="shaders">The package's shaders.</param>
         /// <param name="progress">Where it says how far it is.</param>
-        /// <exception cref="CommandLineException">The folder has a chart that cannot be gone on with.</exception>
+        /// <exception cref="CommandLineException">The folder has a chart that cannot be continued.</exception>
         /// <exception cref="FluidDeviceException">The device has no GPU times.</exception>
         public ChartSession(ChartArguments arguments, FluidShaderSet shaders, SessionProgress progress)
             : this(arguments, PlanFor(arguments), new ChartRunner(shaders).Run, progress, SystemInfo.graphicsDeviceName,
@@ -32,16 +32,14 @@ namespace SphFluid.Validation
         }
 
         internal ChartSession(ChartArguments arguments, ChartPlan plan, Runner runner, SessionProgress progress, string device, SessionRate rate)
-            : base(arguments.OutputFolder, "runs", arguments.Slice, rate, progress)
+            : base(arguments, "runs", device, progress, rate)
         {
             this.arguments = arguments;
             this.plan = plan;
             this.runner = runner;
-            table = ChartTable.Load(arguments.OutputFolder, device);
+            table = ResultTable<ChartRow>.Resume(ChartRow.Format, Folder, device, () => new ChartRow());
             Claim(Files(arguments.Cases));
         }
-
-        private protected override string Device => table.Device;
 
         private protected override IEnumerable<SessionJob> Jobs()
         {
@@ -52,25 +50,14 @@ namespace SphFluid.Validation
             return plan.Runs.Select(Job);
         }
 
-        private protected override void Draw() => new ChartDrawing(arguments.OutputFolder, table, arguments.Cases, Progress).Write();
+        private protected override void Draw() => new ChartDrawing(Folder, table, arguments.Cases, Progress).Write();
 
         // Cases that an earlier chart in the folder measured are drawn too.
         static IEnumerable<ResultFile> Files(IEnumerable<ValidationCase> selected)
         {
-            yield return ResultFile.Table(ChartTable.FileName, ChartRow.Columns);
-            yield return ResultFile.Table(ParetoFront.FileName, ParetoFront.Columns);
-            yield return ResultFile.Table(EqualCost.FileName, EqualCost.Columns);
-            yield return ResultFile.Text(ChartScript.FileName, ChartScript.FirstLine);
-            yield return ResultFile.Drawn("accuracy.svg", ChartScript.FileName);
-            yield return ResultFile.Drawn("accuracy.png", ChartScript.FileName);
-            foreach (ValidationCase validationCase in ValidationCases.All.Union(selected))
-            {
-                string script = CurveScript.NameOf(validationCase);
-                yield return ResultFile.Text(script, CurveScript.FirstLineOf(validationCase));
-                yield return ResultFile.Drawn(CurveScript.PictureOf(validationCase), script);
-                foreach (CaseMethod method in CaseMethod.All)
-                    yield return ResultFile.Table(CurveFile.NameOf(validationCase.Name, method.Name), CurveFile.Columns);
-            }
+            var tables = new[] { ChartRow.Format.File, ParetoFront.Format.File, EqualCost.Format.File };
+            return tables.Concat(ChartScript.Files()).Concat(CaseCatalogue.All.Union(selected)
+                .SelectMany(c => CurveScript.Files(c).Concat(CaseMethod.All.Select(m => CurveFile.Of(c.Name, m.Name)))));
         }
 
         static ChartPlan PlanFor(ChartArguments arguments)
@@ -84,25 +71,27 @@ namespace SphFluid.Validation
         SessionJob Job(ChartRun run)
         {
             CaseResult result = null;
-            return new SessionJob(run.ToString(), run.Cost, () => table.Contains(run), () => Measure(run, r => result = r), () => SayResult(run, result));
+            return new SessionJob(run.ToString(), run.Cost, () => IsDone(run), () => Measure(run, r => result = r), () => SayResult(run, result));
         }
+
+        // A run of another number of particles, as an older version had them, is done again.
+        bool IsDone(ChartRun run) => table.Contains(run.Key) && table.Rows.Any(r => r.Key == run.Key && r.Particles == run.Config.Particles);
 
         IEnumerator Measure(ChartRun run, Action<CaseResult> done)
         {
             CaseResult result = null;
             yield return runner(run, r => result = r);
-            table.Add(run, result, DateTime.UtcNow.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture));
-            table.Write(arguments.OutputFolder);
-            string file = CurveFile.PathOf(arguments.OutputFolder, run.Config.Case.Name, run.Config.Method.Name);
-            bool best = run.Config.Factor == ChartFactor.Base || !File.Exists(file);
+            table.Add(ChartRow.Of(run, result));
+            (string caseName, string method) = (run.Config.Case.Name, run.Config.Method.Name);
+            bool best = run.Config.Factor == ChartFactor.Base || !File.Exists(CurveFile.PathOf(Folder, caseName, method));
             if (run.Seed == 1 && best && result.Series.Count > 0)
-                CurveFile.Write(file, run.Config.Constants, result.Series);
+                CurveFile.Write(Folder, caseName, method, run.Config.Constants, result.Series);
             done(result);
         }
 
         void SayResult(ChartRun run, CaseResult result)
         {
-            ChartRow row = ChartRow.Of(run, result, table.Device, "")[0];
+            ChartRow row = ChartRow.Of(run, result)[0];
             string outcome = row.Failed ? "failed: " + row.Reason : string.Format(CultureInfo.InvariantCulture, "{0} {1:G3}", row.ErrorName, row.Error);
             Progress.Say(string.Format(CultureInfo.InvariantCulture, "{0}/{1}  {2}: {3}, {4:N0} GPU ms/s{5}", Done, Count, run, outcome,
                 row.GpuMsPerSecond, TimeLeft(", ")));

@@ -6,7 +6,7 @@ namespace SphFluid.Validation
     /// <summary>Colours and symbols of the chart: a colour a method, a symbol a factor.</summary>
     static class ChartStyle
     {
-        // M. Okabe and K. Ito's colours, which colour-blind readers tell apart.
+        // M. Okabe and K. Ito's colours, which colour-blind readers can distinguish.
         static readonly string[] colours = { "#D55E00", "#0072B2", "#009E73", "#CC79A7", "#E69F00", "#56B4E9" };
 
         /// <summary>The factors in the order of the legend, with gnuplot's filled point types; the open one is the number before.</summary>

@@ -1,6 +1,4 @@
-using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.IO;
 using System.Linq;
 
@@ -9,46 +7,58 @@ namespace SphFluid.Validation
     /// <summary>The curves of a run, kept for the picture of its case: curves/CASE.METHOD.csv.</summary>
     public static class CurveFile
     {
-        internal static readonly string[] Columns = { "run", "series", "reference", "x", "y" };
+        /// <summary>The file of a case and a method.</summary>
+        internal static ResultFile Of(string caseName, string method) => FormatOf(caseName, method).File;
 
-        /// <summary>Name of a file below the chart's folder.</summary>
-        public static string PathOf(string folder, string caseName, string method) => Path.Combine(folder, NameOf(caseName, method));
-
-        internal static string NameOf(string caseName, string method) => "curves/" + caseName + "." + method + ".csv";
+        /// <summary>Path of a file below the chart's folder.</summary>
+        public static string PathOf(string folder, string caseName, string method) => Path.Combine(folder, FormatOf(caseName, method).FileName);
 
         /// <summary>Writes the curves of a run.</summary>
-        /// <param name="file">The file.</param>
+        /// <param name="folder">The chart's folder.</param>
+        /// <param name="caseName">Name of the case.</param>
+        /// <param name="method">Name of the method.</param>
         /// <param name="run">What the run is called in the picture.</param>
         /// <param name="curves">Its curves.</param>
-        public static void Write(string file, string run, IEnumerable<CaseSeries> curves)
-        {
-            IEnumerable<string> lines = from curve in curves
-                                        from i in Enumerable.Range(0, curve.X.Count)
-                                        select CsvText.Join(new[] { run, curve.Name, curve.IsReference ? "1" : "0", CsvText.Text(curve.X[i]), CsvText.Text(curve.Y[i]) });
-            CsvText.WriteWhole(file, new[] { CsvText.Join(Columns) }.Concat(lines));
-        }
+        public static void Write(string folder, string caseName, string method, string run, IEnumerable<CaseSeries> curves) =>
+            FormatOf(caseName, method).Write(folder, from curve in curves
+                                                     from i in Enumerable.Range(0, curve.X.Count)
+                                                     select new Point { Run = run, Series = curve.Name, IsReference = curve.IsReference, X = curve.X[i], Y = curve.Y[i] });
 
         /// <summary>Reads curves back; none where there is no file.</summary>
-        /// <param name="file">The file.</param>
+        /// <param name="folder">The chart's folder.</param>
+        /// <param name="caseName">Name of the case.</param>
+        /// <param name="method">Name of the method.</param>
         /// <param name="run">What the run is called.</param>
-        public static IReadOnlyList<CaseSeries> Read(string file, out string run)
+        public static IReadOnlyList<CaseSeries> Read(string folder, string caseName, string method, out string run)
         {
+            TableFormat<Point> format = FormatOf(caseName, method);
+            string file = Path.Combine(folder, format.FileName);
             var curves = new List<CaseSeries>();
-            run = "";
-            if (!File.Exists(file))
-                return curves;
-            foreach (string line in File.ReadLines(file).Skip(1))
+            var point = new Point();
+            foreach (string line in File.Exists(file) ? File.ReadLines(file).Skip(1) : Enumerable.Empty<string>())
             {
-                string[] cells = CsvText.Split(line);
-                run = cells[0];
-                CaseSeries curve = curves.Find(c => c.Name == cells[1] && c.IsReference == (cells[2] == "1"));
+                format.Read(line, point);
+                CaseSeries curve = curves.Find(c => c.Name == point.Series && c.IsReference == point.IsReference);
                 if (curve == null)
-                    curves.Add(curve = new CaseSeries(cells[1], cells[2] == "1"));
-                curve.Add(Number(cells[3]), Number(cells[4]));
+                    curves.Add(curve = new CaseSeries(point.Series, point.IsReference));
+                curve.Add(point.X, point.Y);
             }
+            run = point.Run;
             return curves;
         }
 
-        static double Number(string cell) => cell.Length == 0 ? double.NaN : double.Parse(cell, NumberStyles.Float, CultureInfo.InvariantCulture);
+        static TableFormat<Point> FormatOf(string caseName, string method) => new TableFormat<Point>($"curves/{caseName}.{method}.csv")
+            .Text("run", p => p.Run, (p, v) => p.Run = v)
+            .Text("series", p => p.Series, (p, v) => p.Series = v)
+            .Flag("reference", p => p.IsReference, (p, v) => p.IsReference = v)
+            .Number("x", p => p.X, (p, v) => p.X = v)
+            .Number("y", p => p.Y, (p, v) => p.Y = v);
+
+        sealed class Point
+        {
+            public string Run = "", Series;
+            public bool IsReference;
+            public double X, Y;
+        }
     }
 }

@@ -8,7 +8,7 @@ namespace SphFluid.Validation
     /// The gnuplot script of a case's picture, with its data: the curves of its base against the reference. Three references or more,
     /// with as many curves of each method, have a panel each; else all curves share one.
     /// </summary>
-    public sealed class CurveScript
+    public sealed class CurveScript : GnuplotScript
     {
         const int FewestPointsAsMarks = 5, MostPointsAsMarks = 40;
         const int FewestPanels = 3;
@@ -21,12 +21,12 @@ namespace SphFluid.Validation
         /// <summary>The picture of the curves that a folder has.</summary>
         /// <param name="validationCase">The case.</param>
         /// <param name="folder">The chart's folder.</param>
-        public CurveScript(ValidationCase validationCase, string folder)
+        public CurveScript(ValidationCase validationCase, string folder) : base(StemOf(validationCase), "png")
         {
             this.validationCase = validationCase;
             for (int m = 0; m < CaseMethod.All.Count; m++)
             {
-                IReadOnlyList<CaseSeries> curves = CurveFile.Read(CurveFile.PathOf(folder, validationCase.Name, CaseMethod.All[m].Name), out string run);
+                IReadOnlyList<CaseSeries> curves = CurveFile.Read(folder, validationCase.Name, CaseMethod.All[m].Name, out string run);
                 // The references of all methods are the same.
                 references.AddRange(curves.Where(c => c.IsReference && !references.Any(r => r.Name == c.Name)));
                 List<CaseSeries> measured = curves.Where(c => !c.IsReference).ToList();
@@ -35,28 +35,21 @@ namespace SphFluid.Validation
             }
         }
 
-        /// <summary>Name of the script's file.</summary>
-        public string FileName => NameOf(validationCase);
-
-        internal static string NameOf(ValidationCase validationCase) => $"case-{validationCase.Name}.gp";
-
-        internal static string PictureOf(ValidationCase validationCase) => $"case-{validationCase.Name}.png";
-
-        internal static string FirstLineOf(ValidationCase validationCase) => $"# Draws {PictureOf(validationCase)}: gnuplot {NameOf(validationCase)}";
+        /// <summary>Script and picture of a case.</summary>
+        internal static IEnumerable<ResultFile> Files(ValidationCase validationCase) => Files(StemOf(validationCase), "png");
 
         /// <summary>Whether there is nothing to draw.</summary>
         public bool IsEmpty => runs.Count == 0;
 
-        /// <summary>The script's lines.</summary>
-        public IEnumerable<string> Lines()
+        private protected override IEnumerable<string> Body()
         {
-            var lines = new List<string> { FirstLineOf(validationCase) };
+            var lines = new List<string>();
             for (int i = 0; i < references.Count; i++)
-                lines.AddRange(Block(ReferenceName(i), references[i]));
+                lines.AddRange(Block(ReferenceName(i), Points(references[i])));
             foreach ((int method, string _, List<CaseSeries> curves) in runs)
             {
                 for (int i = 0; i < curves.Count; i++)
-                    lines.AddRange(Block(CurveName(method, i), curves[i]));
+                    lines.AddRange(Block(CurveName(method, i), Points(curves[i])));
             }
             (string x, string y) = validationCase.AxisTitles;
             var axes = new List<string>
@@ -103,7 +96,9 @@ namespace SphFluid.Validation
             yield return "unset multiplot";
         }
 
-        string Output => $"set output 'case-{validationCase.Name}.png'";
+        string Output => $"set output '{StemOf(validationCase)}.png'";
+
+        static string StemOf(ValidationCase validationCase) => $"case-{validationCase.Name}";
 
         // The constants below the title; each method's where they differ.
         string Heading
@@ -127,8 +122,6 @@ namespace SphFluid.Validation
         static string Curve(int method, int index, int style, string title) =>
             $"{CurveName(method, index)} using 1:2 with lines lw 2 dt {style + 1} lc {ChartStyle.Colour(method)} title {Gnuplot.Quote(title)}";
 
-        static string Plot(IEnumerable<string> layers) => "plot " + string.Join(", \\\n    ", layers);
-
         // A run that flies apart leaves the picture: the reference stays readable.
         IEnumerable<string> Range()
         {
@@ -145,13 +138,8 @@ namespace SphFluid.Validation
 
         static bool IsFinite(double value) => !double.IsNaN(value) && !double.IsInfinity(value);
 
-        static IEnumerable<string> Block(string name, CaseSeries curve)
-        {
-            yield return $"{name} << END";
-            for (int i = 0; i < curve.X.Count; i++)
-                yield return $"{Gnuplot.Number(curve.X[i])} {Gnuplot.Number(curve.Y[i])}";
-            yield return "END";
-        }
+        static IEnumerable<string> Points(CaseSeries curve) =>
+            Enumerable.Range(0, curve.X.Count).Select(i => $"{Gnuplot.Number(curve.X[i])} {Gnuplot.Number(curve.Y[i])}");
 
         static string ReferenceName(int index) => $"$reference{index}";
 

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using System.Linq;
 
 namespace SphFluid.Validation
@@ -12,16 +11,25 @@ namespace SphFluid.Validation
     /// </summary>
     public static class EqualCost
     {
-        /// <summary>Name of the file.</summary>
-        public const string FileName = "equal-cost.csv";
+        /// <summary>The file.</summary>
+        public static readonly TableFormat<Comparison> Format = new TableFormat<Comparison>("equal-cost.csv")
+            .Text("case", c => c.Point.Case)
+            .Text("error_name", c => c.Point.ErrorName)
+            .Text("method", c => c.Point.Method)
+            .Number("dx", c => c.Point.Spacing)
+            .Number("kappa", c => c.Point.SupportRatio)
+            .Number("dt_fraction", c => c.Point.TimeStepFraction)
+            .Number("c_or_iterations", c => c.Point.SoundSpeedRatio)
+            .Number("gpu_ms_per_sim_s", c => Time(c.Point))
+            .Number("error", c => Error(c.Point))
+            .Text("other_method", c => c.Other)
+            .Number("other_error", c => c.OtherError)
+            .Number("ratio", c => c.Ratio)
+            .Text("other_is", c => c.IsBound ? "its dearest" : "interpolated")
+            .Text("device", c => c.Point.Device)
+            .Text("date", c => c.Point.Date);
 
         const double ByChance = 1.5;
-
-        internal static readonly string[] Columns =
-        {
-            "case", "error_name", "method", "dx", "kappa", "dt_fraction", "c_or_iterations", "gpu_ms_per_sim_s", "error", "other_method", "other_error",
-            "ratio", "other_is", "device", "date",
-        };
 
         /// <summary>A point of a method against another method at the same time.</summary>
         public readonly struct Comparison
@@ -65,28 +73,6 @@ namespace SphFluid.Validation
                     where Time(point) >= Time(other[0])
                     select new Comparison(point, other[0].Method, ErrorAt(other, Time(point)), Time(point) > Time(other[other.Count - 1]), floor)).ToList();
         }
-
-        /// <summary>Lines of the file.</summary>
-        /// <param name="comparisons">Comparisons of all cases.</param>
-        public static IEnumerable<string> Lines(IEnumerable<Comparison> comparisons)
-        {
-            yield return CsvText.Join(Columns);
-            foreach (Comparison c in comparisons)
-            {
-                ChartPoint p = c.Point;
-                yield return CsvText.Join(new[]
-                {
-                    p.Case, p.ErrorName, p.Method, CsvText.Text(p.Spacing), CsvText.Text(p.SupportRatio), CsvText.Text(p.TimeStepFraction),
-                    CsvText.Text(p.SoundSpeedRatio), CsvText.Text(Time(p)), CsvText.Text(p.Error.Value.Median), c.Other, CsvText.Text(c.OtherError),
-                    CsvText.Text(c.Ratio), c.IsBound ? "its dearest" : "interpolated", p.Device, p.Date,
-                });
-            }
-        }
-
-        /// <summary>Writes the file whole.</summary>
-        /// <param name="folder">Its folder.</param>
-        /// <param name="comparisons">Comparisons of all cases.</param>
-        public static void Write(string folder, IEnumerable<Comparison> comparisons) => CsvText.WriteWhole(Path.Combine(folder, FileName), Lines(comparisons));
 
         static bool IsByChance(ChartPoint point, ChartPoint finer, double floor) =>
             finer.Spacing < point.Spacing && finer.SupportRatio.Equals(point.SupportRatio) && finer.TimeStepFraction.Equals(point.TimeStepFraction) &&

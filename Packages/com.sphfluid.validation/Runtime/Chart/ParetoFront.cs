@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using System.IO;
 using System.Linq;
 
 namespace SphFluid.Validation
@@ -7,14 +6,23 @@ namespace SphFluid.Validation
     /// <summary>The points of a case that no other one beats in both time and error.</summary>
     public static class ParetoFront
     {
-        /// <summary>Name of the file.</summary>
-        public const string FileName = "pareto.csv";
-
-        internal static readonly string[] Columns =
-        {
-            "case", "method", "dx", "kappa", "dt_fraction", "c_or_iterations", "particles", "seeds", "gpu_ms_per_sim_s", "gpu_half_bar",
-            "error", "error_half_bar", "error_name", "device", "date",
-        };
+        /// <summary>The file: the points of all fronts, case by case.</summary>
+        public static readonly TableFormat<ChartPoint> Format = new TableFormat<ChartPoint>("pareto.csv")
+            .Text("case", p => p.Case)
+            .Text("method", p => p.Method)
+            .Number("dx", p => p.Spacing)
+            .Number("kappa", p => p.SupportRatio)
+            .Number("dt_fraction", p => p.TimeStepFraction)
+            .Number("c_or_iterations", p => p.SoundSpeedRatio)
+            .Count("particles", p => p.Particles)
+            .Count("seeds", p => p.Seeds)
+            .Number("gpu_ms_per_sim_s", p => p.Cost.Value.Median)
+            .Number("gpu_half_bar", p => HalfBar(p.Cost.Value))
+            .Number("error", p => p.Error.Value.Median)
+            .Number("error_half_bar", p => HalfBar(p.Error.Value))
+            .Text("error_name", p => p.ErrorName)
+            .Text("device", p => p.Device)
+            .Text("date", p => p.Date);
 
         /// <summary>
         /// The points that are not dominated, the cheapest first. q dominates p when its medians of time and error are both no
@@ -32,28 +40,6 @@ namespace SphFluid.Validation
             SampleStatistics costQ = q.Cost.Value, costP = p.Cost.Value, errorQ = q.Error.Value, errorP = p.Error.Value;
             return costQ.Median <= costP.Median && errorQ.Median <= errorP.Median && (IsBeyond(costQ, costP) || IsBeyond(errorQ, errorP));
         }
-
-        /// <summary>Lines of the file.</summary>
-        /// <param name="fronts">Points of the fronts, case by case.</param>
-        public static IEnumerable<string> Lines(IEnumerable<ChartPoint> fronts)
-        {
-            yield return CsvText.Join(Columns);
-            foreach (ChartPoint p in fronts)
-            {
-                yield return CsvText.Join(new[]
-                {
-                    p.Case, p.Method, CsvText.Text(p.Spacing), CsvText.Text(p.SupportRatio), CsvText.Text(p.TimeStepFraction),
-                    CsvText.Text(p.SoundSpeedRatio), CsvText.Text(p.Particles), CsvText.Text(p.Seeds),
-                    CsvText.Text(p.Cost.Value.Median), CsvText.Text(HalfBar(p.Cost.Value)),
-                    CsvText.Text(p.Error.Value.Median), CsvText.Text(HalfBar(p.Error.Value)), p.ErrorName, p.Device, p.Date,
-                });
-            }
-        }
-
-        /// <summary>Writes the file whole.</summary>
-        /// <param name="folder">Its folder.</param>
-        /// <param name="fronts">Points of the fronts, case by case.</param>
-        public static void Write(string folder, IEnumerable<ChartPoint> fronts) => CsvText.WriteWhole(Path.Combine(folder, FileName), Lines(fronts));
 
         static bool IsBeyond(in SampleStatistics less, in SampleStatistics more) => more.Median - less.Median > HalfBar(less) + HalfBar(more);
 

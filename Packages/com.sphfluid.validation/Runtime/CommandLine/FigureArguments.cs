@@ -2,26 +2,27 @@ using System.Collections.Generic;
 
 namespace SphFluid.Validation
 {
-    /// <summary>The flags of what makes figures: one experiment, and a folder.</summary>
-    static class FigureArguments
+    /// <summary>Which pictures <c>figures</c> makes and where it writes.</summary>
+    sealed class FigureArguments : MeasuringArguments
     {
-        /// <summary>Reads the whole command line of the process.</summary>
-        /// <param name="commandLine">The words.</param>
-        /// <param name="verb">For messages.</param>
-        /// <param name="names">The experiments.</param>
-        /// <returns>The experiment that is asked for and the folder, each null when it is not named.</returns>
-        /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>
-        public static (string Only, string Folder) Parse(IReadOnlyList<string> commandLine, string verb, string[] names)
+        FigureArguments(string[] names) : base("figures", null)
         {
-            string only = null, folder = null;
-            CommandLineFlag.Read(commandLine, verb, new[] { "--only", "--out" }, flag =>
-            {
-                if (flag.Name == "--only")
-                    only = flag.OneOf(names);
-                else
-                    folder = flag.Folder();
-            });
-            return (only, folder);
+            Add("--only", flag => Only = flag.OneOf(names));
+            AddFolder();
+        }
+
+        /// <summary>The experiment that is asked for; null for all.</summary>
+        public string Only { get; private set; }
+
+        /// <summary>Reads the command line of the process.</summary>
+        /// <param name="commandLine">The words.</param>
+        /// <param name="names">The experiments.</param>
+        /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>
+        public static FigureArguments Parse(IReadOnlyList<string> commandLine, string[] names)
+        {
+            var result = new FigureArguments(names);
+            result.Read(commandLine);
+            return result;
         }
     }
 }

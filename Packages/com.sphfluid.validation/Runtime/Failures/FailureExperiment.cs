@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>A small liquid that goes wrong in one way on the thesis method, and the same liquid cured. Documentation~/failure-modes.md.</summary>
+    /// <summary>A small liquid with one failure of the thesis method, and the same liquid cured. Documentation~/failure-modes.md.</summary>
     public sealed class FailureExperiment
     {
         readonly Func<FailureResult, double> measure;

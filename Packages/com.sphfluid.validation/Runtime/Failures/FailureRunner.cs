@@ -1,13 +1,12 @@
 using System;
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace SphFluid.Validation
 {
     /// <summary>Runs one side of an experiment on the GPU, with the detectors watching.</summary>
     sealed class FailureRunner : IDisposable
     {
-        const int StepsPerBuffer = 50;
+        const string Name = "Failure Experiment";
 
         readonly FailureRun run;
         readonly FluidShaderSet shaders;
@@ -44,13 +43,13 @@ namespace SphFluid.Validation
             Look(result);
             for (int sample = 0; sample < run.Samples && run.Steps > 0; sample++)
             {
-                Step((int)((sample + 1L) * run.Steps / run.Samples));
+                GpuWork.Step(Name, solver, (sample + 1L) * run.Steps / run.Samples - solver.StepCount);
                 Look(result);
             }
             result.Counters = solver.ReadCountersNow();
             if (audit != null)
             {
-                Execute(cmd => solver.RecordNeighbourSetup(cmd));
+                GpuWork.Submit(Name, cmd => solver.RecordNeighbourSetup(cmd));
                 result.Audit = NeighbourAudit.Of(solver, audit);
                 result.Note(result.Audit.Findings);
             }
@@ -71,22 +70,13 @@ namespace SphFluid.Validation
             result.Add(now, FluidSnapshot.Read(solver));
         }
 
-        void Step(int until)
-        {
-            while (solver.StepCount < until)
-            {
-                int now = (int)Math.Min(StepsPerBuffer, until - solver.StepCount);
-                Execute(cmd => solver.RecordSteps(cmd, now));
-            }
-        }
-
         // The blocks of 6.2 at two places, the second time with or without 6.2.4, Reset Grid Indices.
         void SortTwice()
         {
-            Execute(cmd => solver.RecordNeighbourSetup(cmd));
+            GpuWork.Submit(Name, cmd => solver.RecordNeighbourSetup(cmd));
             solver.Particles.SetData(run.Later);
             var state = (ThesisState)solver.State;
-            Execute(cmd =>
+            GpuWork.Submit(Name, cmd =>
             {
                 new CalculateParticleCellValuePass(shaders).Record(cmd, state);
                 new BitonicSortPass(shaders).Record(cmd, state);
@@ -96,15 +86,6 @@ namespace SphFluid.Validation
                 new SortParticlesPass(shaders).Record(cmd, state);
                 new CalculateDensityPass(shaders).Record(cmd, state);
             });
-        }
-
-        static void Execute(Action<CommandBuffer> record)
-        {
-            using (var cmd = new CommandBuffer { name = "Failure Experiment" })
-            {
-                record(cmd);
-                Graphics.ExecuteCommandBuffer(cmd);
-            }
         }
     }
 }

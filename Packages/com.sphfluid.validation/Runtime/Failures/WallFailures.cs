@@ -16,9 +16,9 @@ namespace SphFluid.Validation
             "share of particles behind the sheet", Behind);
 
         /// <summary>Single particles above the sheet, thrown at it.</summary>
-        /// <param name="way">Spacings that one moves in a step.</param>
+        /// <param name="displacement">Spacings that one moves in a step.</param>
         /// <param name="gravity">g [m/s²].</param>
-        public static FailureRun Drop(float way, float gravity)
+        public static FailureRun Drop(float displacement, float gravity)
         {
             float dx = FailureBlocks.Spacing;
             FluidSolverSettings settings = FailureBlocks.Settings(new Vector3(4f, 2f, 4f));
@@ -28,10 +28,10 @@ namespace SphFluid.Validation
             for (int i = 0; i < start.Length; i++)
             {
                 // Lone, every 0.4 m: on the diagonals over edges, in the middle over the vertex, over faces else.
-                // One step away at least: the first kick, a half, would stop only half of what it meets.
-                float height = dx * (way + 0.55f + 0.6f * (i * 0.618f % 1f));
+                // One step away at least: the first kick, a half, would stop only half of what hits it.
+                float height = dx * (displacement + 0.55f + 0.6f * (i * 0.618f % 1f));
                 var position = new Vector3(0.4f * (i % 7 - 3), height, 0.4f * (i / 7 - 3));
-                start[i] = new FluidParticle(position, new Vector3(0f, -way * dx / Step, 0f), (uint)i);
+                start[i] = new FluidParticle(position, new Vector3(0f, -displacement * dx / Step, 0f), (uint)i);
             }
             return new FailureRun { Settings = settings, Start = start, Steps = 20, Sheets = new[] { Fan(1.9f) } };
         }

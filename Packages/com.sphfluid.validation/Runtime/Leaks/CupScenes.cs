@@ -9,7 +9,7 @@ namespace SphFluid.Validation
     /// <summary>Vessels that hold liquid, or let it out at one end only.</summary>
     static class CupScenes
     {
-        const float Dx = LeakScenes.Spacing;
+        const float Dx = LeakSceneEntry.Spacing;
         const float Radius = 6f * Dx, Height = 12f * Dx, Level = 8f * Dx;
         const int Sides = 12;
 
@@ -18,7 +18,7 @@ namespace SphFluid.Validation
 
         /// <summary>
         /// A cup that goes to and fro at a constant speed, turning round at once every second frame, and rocks with it. The constants are those
-        /// of its liquid at rest: the solver is not told of the shaking.
+        /// of its liquid at rest: the solver does not know of the shaking.
         /// </summary>
         /// <param name="speed">Speed of the cup [m/s].</param>
         /// <param name="lid">Whether it is closed, so that all liquid feels all of the shaking.</param>
@@ -57,7 +57,7 @@ namespace SphFluid.Validation
             Vector3 domain = new Vector3(24f, 36f, 24f) * Dx;
             var scene = new LeakScene
             {
-                Settings = LeakScenes.Water(domain, 30f * Dx),
+                Settings = LeakSceneEntry.Water(domain, 30f * Dx),
                 Surface = LeakMeshes.Skirt(k => Star(k, 3.5f * Dx), k => Star(k, 10f * Dx), -6f * Dx, 4f * Dx, folds).ToArray(),
                 Frames = 120,
                 Rests = true,
@@ -80,7 +80,7 @@ namespace SphFluid.Validation
             List<Vector3> places = LeakMeshes.Fill(surface, Dx, surface.Max(p => p.y));
             var scene = new LeakScene
             {
-                Settings = LeakScenes.Water(side * Vector3.one, 0.42f),
+                Settings = LeakSceneEntry.Water(side * Vector3.one, 0.42f),
                 Surface = surface,
                 Frames = turns ? turnFrames + 30 : 60,
                 Rests = !turns,
@@ -91,11 +91,11 @@ namespace SphFluid.Validation
             return scene;
         }
 
-        // A cup with room round it for a stroke; the liquid is put in by Place.
+        // A cup with space round it for a stroke; the liquid is put in by Place.
         static LeakScene Filled(Vector3[] cup, int frames, Vector3 stroke)
         {
-            Vector3 room = new Vector3(2f * Radius, Height, 2f * Radius) + 8f * Dx * Vector3.one;
-            return new LeakScene { Settings = LeakScenes.Water(room + stroke, Height), Surface = cup, Frames = frames };
+            Vector3 space = new Vector3(2f * Radius, Height, 2f * Radius) + 8f * Dx * Vector3.one;
+            return new LeakScene { Settings = LeakSceneEntry.Water(space + stroke, Height), Surface = cup, Frames = frames };
         }
 
         static void Place(LeakScene scene, LeakPose pose)

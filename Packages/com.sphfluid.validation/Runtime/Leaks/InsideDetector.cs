@@ -5,7 +5,7 @@ namespace SphFluid.Validation
 {
     /// <summary>
     /// For closed surfaces: a particle is inside where the crossings of a ray, counted by their direction, sum to more than none. The sides of
-    /// edges are told in double precision, and alike for both triangles of an edge, so no ray slips between two.
+    /// edges are decided in double precision, and alike for both triangles of an edge, so no ray slips between two.
     /// </summary>
     sealed class InsideDetector : LeakDetector
     {

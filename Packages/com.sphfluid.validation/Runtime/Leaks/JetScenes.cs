@@ -6,11 +6,11 @@ namespace SphFluid.Validation
     /// <summary>Liquid that is thrown at edges, corners and walls.</summary>
     static class JetScenes
     {
-        const float Dx = LeakScenes.Spacing;
+        const float Dx = LeakSceneEntry.Spacing;
         static readonly Vector3 domain = new Vector3(24f, 40f, 12f) * Dx;
         static readonly float half = 0.5f * domain.y;
 
-        /// <summary>A jet down on the edge of an upright sheet; the middle row of particles meets it head-on.</summary>
+        /// <summary>A jet down on the edge of an upright sheet; the middle row of particles hits it head-on.</summary>
         public static LeakScene Knife(double speed)
         {
             float z = domain.z;
@@ -18,7 +18,7 @@ namespace SphFluid.Validation
             return Jet(speed, new[] { a, b, c, a, c, d });
         }
 
-        /// <summary>A jet down on the tip of a pyramid; a column of particles meets it head-on.</summary>
+        /// <summary>A jet down on the tip of a pyramid; a column of particles hits it head-on.</summary>
         public static LeakScene Vertex(double speed) =>
             Jet(speed, LeakMeshes.Skirt(_ => 5f * Dx, _ => 0f, -10f * Dx, 0f, 4).ToArray());
 
@@ -42,7 +42,7 @@ namespace SphFluid.Validation
 
         static LeakScene Thrown(Vector3[] surface, Vector3Int counts, Vector3 corner, Vector3 velocity) => new LeakScene
         {
-            Settings = LeakScenes.Water(domain, half, velocity.magnitude),
+            Settings = LeakSceneEntry.Water(domain, half, velocity.magnitude),
             Surface = surface,
             Particles = CaseLattice.Particles(CaseLattice.Box(counts, Dx, corner), _ => velocity),
         };

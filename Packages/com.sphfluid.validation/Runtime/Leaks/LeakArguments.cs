@@ -3,40 +3,28 @@ using System.Collections.Generic;
 namespace SphFluid.Validation
 {
     /// <summary>What <c>leaks</c> plays and where it writes.</summary>
-    public sealed class LeakArguments
+    public sealed class LeakArguments : MeasuringArguments
     {
-        static readonly string[] flags = { "--scene", "--out" };
+        readonly List<LeakSceneEntry> scenes = new List<LeakSceneEntry>();
 
-        readonly List<LeakScenes> scenes = new List<LeakScenes>();
+        LeakArguments() : base("leaks", "Build/leaks")
+        {
+            AddChoice("--scene", scenes, LeakSceneEntry.All, s => s.Name);
+            AddFolder();
+        }
 
         /// <summary>The scenes.</summary>
-        internal IReadOnlyList<LeakScenes> Scenes => scenes;
+        internal IReadOnlyList<LeakSceneEntry> Scenes => scenes;
 
-        /// <summary>Folder of the file.</summary>
-        public string OutputFolder { get; private set; } = "Build/leaks";
-
-        /// <summary>
-        /// Reads the whole command line of the process: the flags behind a lone <c>--</c>; without one, flags of others are passed over.
-        /// </summary>
-        /// <exception cref="CommandLineException">A flag behind <c>--</c> is unknown, or a value is missing or wrong.</exception>
+        /// <summary>Reads the command line of the process.</summary>
+        /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>
         public static LeakArguments Parse(IReadOnlyList<string> commandLine)
         {
             var result = new LeakArguments();
-            CommandLineFlag.Read(commandLine, "leaks", flags, result.Read);
+            result.Read(commandLine);
             if (result.scenes.Count == 0)
-                result.scenes.AddRange(LeakScenes.All);
+                result.scenes.AddRange(LeakSceneEntry.All);
             return result;
-        }
-
-        void Read(CommandLineFlag flag)
-        {
-            if (flag.Name == "--out")
-            {
-                OutputFolder = flag.Folder();
-                return;
-            }
-            foreach (string name in flag.Values())
-                CommandLineWords.Choose(scenes, flag.Name, name, LeakScenes.All, s => s.Name);
         }
     }
 }

@@ -11,8 +11,8 @@ namespace SphFluid.Validation
         public int Escapes { get; private set; }
 
         /// <summary>
-        /// The judge for a scene. A closed surface has an inside, and who changes sides escaped, whichever way he went. An open one
-        /// has a rim over which particles may go, so each step's way is held against the triangles. Where the surface stretches the
+        /// The detector for a scene. A closed surface has an inside, and a particle that changes sides escaped, whatever its path. An open one
+        /// has a rim over which particles may go, so each step's path is tested against the triangles. Where the surface stretches the
         /// detector shares nothing with the solver's own obstacles.
         /// </summary>
         public static LeakDetector Of(LeakScene scene)
@@ -22,7 +22,7 @@ namespace SphFluid.Validation
             return scene.Stretches ? (LeakDetector)new WindingDetector(scene.Surface) : new InsideDetector(scene.Mesh);
         }
 
-        /// <summary>Whether the judge must see every step, not only every frame.</summary>
+        /// <summary>Whether it must see every step, not only every frame.</summary>
         public abstract bool NeedsSteps { get; }
 
         /// <summary>Looks at the particles; the first look is the start.</summary>

@@ -39,14 +39,14 @@ namespace SphFluid.Validation
         public Vector3 ToSimulation(Vector3 place) =>
             Vector3.Scale(ParentScale, Rotation * Vector3.Scale(Scale, place)) + Position;
 
-        /// <summary>Part of the way from one to another, as rigid bodies go it within a frame.</summary>
-        /// <exception cref="NotSupportedException">A scale changes: bodies then go another way, which only the end is known of.</exception>
+        /// <summary>Part of the motion from one to another, as rigid bodies go it within a frame.</summary>
+        /// <exception cref="NotSupportedException">A scale changes: bodies then move otherwise, and only the end is known.</exception>
         public static LeakPose Between(LeakPose a, LeakPose b, float part)
         {
             if (part == 1f)
                 return b;
             if (a.Scale != b.Scale || a.ParentScale != b.ParentScale || b.ParentScale != Vector3.one)
-                throw new NotSupportedException("The way of a surface that stretches is known at the ends of frames only.");
+                throw new NotSupportedException("The motion of a surface that stretches is known at the ends of frames only.");
             return new LeakPose(Vector3.Lerp(a.Position, b.Position, part), Quaternion.Lerp(a.Rotation, b.Rotation, part), b.scale);
         }
 

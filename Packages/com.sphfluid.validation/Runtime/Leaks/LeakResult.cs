@@ -1,11 +1,38 @@
 using System;
+using System.Globalization;
 using System.Linq;
 
 namespace SphFluid.Validation
 {
-    /// <summary>What became of a scene.</summary>
-    sealed class LeakResult
+    /// <summary>A line of leaks.csv: what became of a scene.</summary>
+    sealed class LeakResult : MeasuredRow
     {
+        /// <summary>The file.</summary>
+        public static readonly TableFormat<LeakResult> Format = new TableFormat<LeakResult>("leaks.csv")
+            .Text("scene", r => r.Scene.Name)
+            .Number("speed_m_s", r => r.Scene.Speed)
+            .Count("particles", r => r.Scene.Particles.Length)
+            .Count("triangles", r => r.Scene.Surface.Length / 3)
+            .Count("frames", r => r.Scene.Frames)
+            .Count("steps", r => r.Steps)
+            .Count("escapes", r => r.Escapes)
+            .Text("failure", r => r.Failure)
+            .Count("contacts", r => r.Counters.Contacts)
+            .Count("fallbacks", r => r.Counters.ContactFallbacks)
+            .Count("squeezed", r => r.Counters.Squeezed)
+            .Count("overlaps", r => r.Counters.Overlaps)
+            .Count("shortened", r => r.Counters.ShortenedSteps)
+            .Count("jumps", r => r.Jumps)
+            .Count("non_finite", r => r.Counters.NonFinite)
+            .Number("max_speed_m_s", r => r.MaxSpeed)
+            .Number("energy_ratio", r => r.EnergyRatio)
+            .Number("first_layer_dx", r => r.Rest?.FirstLayer ?? double.NaN)
+            .Number("pressed_share", r => r.Rest?.Pressed ?? double.NaN)
+            .Number("held_share", r => r.Rest?.Held ?? double.NaN)
+            .Number("drag", r => r.Drag)
+            .Text("device", r => r.Device)
+            .Text("date", r => r.Date);
+
         public LeakScene Scene;
 
         /// <summary>Steps that were done.</summary>
@@ -50,11 +77,19 @@ namespace SphFluid.Validation
             }
         }
 
-        /// <summary>Why it failed; empty where it holds. Shortened steps and fallbacks are no failures: their ways are proved free too.</summary>
+        /// <summary>Why it failed; empty where it holds. Shortened steps and fallbacks are no failures: their paths are proved free too.</summary>
         public string Failure =>
             Escapes > 0 ? "escapes" :
             Counters.NonFinite > 0 ? "not finite" :
             Counters.Squeezed > 0 ? "squeezed" :
             Jumps > 0 ? "jumps" : "";
+
+        /// <summary>For progress lines.</summary>
+        public override string ToString()
+        {
+            string speed = Scene.Speed > 0.0 ? string.Format(CultureInfo.InvariantCulture, " at {0:G4} m/s", Scene.Speed) : "";
+            string end = Failure.Length == 0 ? "holds" : "fails: " + Failure;
+            return $"{Scene.Name}{speed}: {end}; {Escapes} escapes of {Scene.Particles.Length} particles in {Steps} steps.";
+        }
     }
 }

@@ -1,18 +1,17 @@
 using System;
 using System.Collections;
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Plays a scene frame by frame under its judge's eyes.</summary>
+    /// <summary>Plays a scene frame by frame and shows its detector every state.</summary>
     sealed class LeakRun : IDisposable
     {
         // Time at the end in which gravity moves all that nothing carries: 0.1 s, a fall of 49 mm.
         const int RestFrames = 6;
 
         readonly LeakScene scene;
-        readonly LeakDetector judge;
+        readonly LeakDetector detector;
         readonly LeakSurface surface;
         readonly FluidSolver solver;
         readonly int stepsPerFrame;
@@ -23,7 +22,7 @@ namespace SphFluid.Validation
         public LeakRun(LeakScene scene, FluidShaderSet shaders)
         {
             this.scene = scene;
-            judge = LeakDetector.Of(scene);
+            detector = LeakDetector.Of(scene);
             stepsPerFrame = (int)Math.Ceiling(1.0 / LeakScene.FrameRate / scene.Settings.TimeStep);
             solver = new FluidSolver(scene.Settings, shaders, scene.Particles);
             surface = new LeakSurface(scene);
@@ -46,7 +45,7 @@ namespace SphFluid.Validation
             for (int frame = 1; frame <= scene.Frames; frame++)
             {
                 LeakPose next = scene.PoseAt(frame);
-                int looks = judge.NeedsSteps ? stepsPerFrame : 1;
+                int looks = detector.NeedsSteps ? stepsPerFrame : 1;
                 for (int look = 1; look <= looks; look++)
                 {
                     // Steps that are looked at one by one each have a part of the frame's motion.
@@ -65,7 +64,7 @@ namespace SphFluid.Validation
             {
                 Scene = scene,
                 Steps = solver.StepCount,
-                Escapes = judge.Escapes,
+                Escapes = detector.Escapes,
                 Counters = solver.ReadCountersNow(),
                 Jumps = surface.Jumps,
                 MaxSpeed = fastest,
@@ -107,25 +106,17 @@ namespace SphFluid.Validation
         {
             if (scene.Solid)
                 surface.MoveTo(pose);
-            using (var cmd = new CommandBuffer { name = "Leak Scene" })
-            {
-                solver.RecordSteps(cmd, steps, 1f / (LeakScene.FrameRate * stepsPerFrame));
-                Graphics.ExecuteCommandBuffer(cmd);
-            }
+            GpuWork.Submit("Leak Scene", cmd => solver.RecordSteps(cmd, steps, 1f / (LeakScene.FrameRate * stepsPerFrame)));
         }
 
-        // The particles by id, after the judge has seen them.
+        // The particles by id, after the detector has seen them.
         FluidParticle[] Look(LeakPose pose)
         {
-            using (var cmd = new CommandBuffer { name = "Leak Look" })
-            {
-                solver.RecordNeighbourSetup(cmd);
-                Graphics.ExecuteCommandBuffer(cmd);
-            }
+            GpuWork.Submit("Leak Look", cmd => solver.RecordNeighbourSetup(cmd));
             var particles = new FluidParticle[solver.ParticleCount];
             solver.Particles.GetData(particles);
             Array.Sort(particles, (a, b) => a.Id.CompareTo(b.Id));
-            judge.Look(Array.ConvertAll(particles, p => pose.ToSurface(p.Position)));
+            detector.Look(Array.ConvertAll(particles, p => pose.ToSurface(p.Position)));
             return particles;
         }
     }

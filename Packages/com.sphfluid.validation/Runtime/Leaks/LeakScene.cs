@@ -34,10 +34,10 @@ namespace SphFluid.Validation
         /// <summary>Whether the surface's scale or shear changes.</summary>
         public bool Stretches;
 
-        /// <summary>Whether the liquid is at rest in the end, so that how it lies at the surface tells something.</summary>
+        /// <summary>Whether the liquid is at rest in the end, so that how it lies at the surface can be measured.</summary>
         public bool Rests;
 
-        /// <summary>False: the surface is not given to the solver, so that liquid goes through. For tests of the judges.</summary>
+        /// <summary>False: the surface is not given to the solver, so that liquid goes through. For tests of the detectors.</summary>
         public bool Solid = true;
 
         /// <summary>The surface as a mesh.</summary>

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>The surface of a scene as a mesh collider of the engine, on the way to the solver that colliders of a simulation go.</summary>
+    /// <summary>The surface of a scene as a mesh collider of the engine, by the same steps to the solver as colliders of a simulation.</summary>
     sealed class LeakSurface : IDisposable
     {
         // The last of Unity's layers, so that nothing else is found there.
@@ -35,7 +35,7 @@ namespace SphFluid.Validation
         public void GiveTo(FluidSolver solver) => solver.SetBodies(bodies);
 
         /// <summary>Moves the surface; the solver's next steps take it there.</summary>
-        /// <exception cref="FluidDeviceException">Other colliders are in the way.</exception>
+        /// <exception cref="FluidDeviceException">Other colliders are there too.</exception>
         public void MoveTo(LeakPose pose)
         {
             parent.transform.localPosition = pose.Position;

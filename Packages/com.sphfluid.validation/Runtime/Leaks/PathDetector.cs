@@ -4,8 +4,8 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// For open surfaces: a particle that is seen after every step has gone straight in the surface's space, and its way must meet no triangle.
-    /// In double precision, and edges count: a way that only touches is an escape too.
+    /// For open surfaces: a particle that is seen after every step has gone straight in the surface's space, and its path must intersect no triangle.
+    /// In double precision, and edges count: a path that only touches is an escape too.
     /// </summary>
     sealed class PathDetector : LeakDetector
     {
@@ -18,7 +18,7 @@ namespace SphFluid.Validation
         Vector3[] before;
 
         /// <param name="corners">Three a triangle [m].</param>
-        /// <param name="period">Length of the domain along periodic axes [m], zero along others: ways across their faces go on at the other side.</param>
+        /// <param name="period">Length of the domain along periodic axes [m], zero along others: paths across their faces go on at the other side.</param>
         public PathDetector(Vector3[] corners, Vector3 period)
         {
             this.corners = corners;
@@ -35,8 +35,8 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public override bool NeedsSteps => true;
 
-        /// <summary>Whether the closed segment from p to q meets the closed triangle. A way within its plane does not count.</summary>
-        public static bool Meets(Vector3 p, Vector3 q, Vector3 a, Vector3 b, Vector3 c)
+        /// <summary>Whether the closed segment from p to q intersects the closed triangle. A path within its plane does not count.</summary>
+        public static bool Intersects(Vector3 p, Vector3 q, Vector3 a, Vector3 b, Vector3 c)
         {
             int s0 = Side(a, b, c, p), s1 = Side(a, b, c, q);
             if (s0 * s1 > 0 || s0 == 0 && s1 == 0)
@@ -58,7 +58,7 @@ namespace SphFluid.Validation
             {
                 Vector3 min = bounds[t].min, max = bounds[t].max;
                 bool near = min.x <= high.x && max.x >= low.x && min.y <= high.y && max.y >= low.y && min.z <= high.z && max.z >= low.z;
-                if (near && Meets(from, to, corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]))
+                if (near && Intersects(from, to, corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]))
                     return true;
             }
             return false;
@@ -67,14 +67,14 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         protected override void Seen(Vector3[] places) => before = (Vector3[])places.Clone();
 
-        Vector3 Shortest(Vector3 way)
+        Vector3 Shortest(Vector3 path)
         {
             for (int axis = 0; axis < 3; axis++)
             {
                 if (period[axis] > 0f)
-                    way[axis] -= period[axis] * Mathf.Round(way[axis] / period[axis]);
+                    path[axis] -= period[axis] * Mathf.Round(path[axis] / period[axis]);
             }
-            return way;
+            return path;
         }
 
         // Sign of det(b − a, c − a, d − a).

@@ -7,7 +7,7 @@ namespace SphFluid.Validation
     /// <summary>Level sheets across the whole domain, under liquid that falls on them or flows over them.</summary>
     static class SheetScenes
     {
-        const float Dx = LeakScenes.Spacing;
+        const float Dx = LeakSceneEntry.Spacing;
         static readonly Vector3 domain = new Vector3(16f, 30f, 16f) * Dx;
 
         /// <summary>Triangles from 0.05 to 50 dx, and needles of 0.05 by 50 dx, by lines that grow further apart from the middle on.</summary>
@@ -28,7 +28,7 @@ namespace SphFluid.Validation
             for (int k = 0; k < 40; k++)
             {
                 Vector3 a = corners[6 * k], b = corners[6 * k + 1], c = corners[6 * k + 2], d = At(), e = At();
-                corners.AddRange(new[] { a, b, c, a, c, b });                   // a copy, and one that looks the other way
+                corners.AddRange(new[] { a, b, c, a, c, b });                   // a copy, and one that faces the other side
                 corners.AddRange(new[] { d, e, At() });                         // overlaps others
                 corners.AddRange(new[] { d, e, 0.5f * (d + e), d, d, e, d, d, d }); // a line, an edge, a point
             }
@@ -39,7 +39,7 @@ namespace SphFluid.Validation
         public static LeakScene TwoSided(double speed)
         {
             Vector3 box = new Vector3(12f, 16f, 8f) * Dx;
-            FluidSolverSettings settings = LeakScenes.Water(box, box.y, speed);
+            FluidSolverSettings settings = LeakSceneEntry.Water(box, box.y, speed);
             settings.Boundaries.Periodic = FluidAxes.X | FluidAxes.Z;
             float[] x = { -box.x, 0f, box.x }, z = { -box.z, 0f, box.z };
             List<Vector3> places = CaseLattice.Box(new Vector3Int(12, 8, 8), Dx, -0.5f * box);
@@ -56,14 +56,14 @@ namespace SphFluid.Validation
 
         static LeakScene Dropped(double speed, Vector3[] surface) => new LeakScene
         {
-            Settings = LeakScenes.Water(domain, 0.5f * domain.y, speed),
+            Settings = LeakSceneEntry.Water(domain, 0.5f * domain.y, speed),
             Surface = surface,
             Frames = 90,
             Rests = true,
             Particles = CaseLattice.Particles(CaseLattice.Box(new Vector3Int(8, 10, 8), Dx, new Vector3(-4f, 1f, -4f) * Dx), _ => (float)speed * Vector3.down),
         };
 
-        // Lines from the middle on both ways, each interval so many times the last, up to the largest.
+        // Lines from the middle in both directions, each interval so many times the last, up to the largest.
         static List<float> Graded(float smallest, float largest, float growth)
         {
             var right = new List<float> { 0.5f * smallest };

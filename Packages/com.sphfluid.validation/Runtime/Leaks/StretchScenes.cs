@@ -8,7 +8,7 @@ namespace SphFluid.Validation
     /// <summary>Closed surfaces whose scale or shear changes, with liquid inside or round them.</summary>
     static class StretchScenes
     {
-        const float Dx = LeakScenes.Spacing;
+        const float Dx = LeakSceneEntry.Spacing;
         const float Half = 12f * Dx; // of the box that liquid is in
         const int Frames = 60;
 
@@ -73,7 +73,7 @@ namespace SphFluid.Validation
             return scene;
         }
 
-        /// <summary>A turning solid that grows eightfold in a pool: its cells are made anew on the way.</summary>
+        /// <summary>A turning solid that grows eightfold in a pool: its cells are made anew meanwhile.</summary>
         /// <param name="speed">Of its walls [m/s].</param>
         public static LeakScene Grow(double speed)
         {
@@ -82,7 +82,7 @@ namespace SphFluid.Validation
             int frames = (int)Math.Ceiling(first * (growth - 1f) / speed * LeakScene.FrameRate);
             var scene = new LeakScene
             {
-                Settings = LeakScenes.Water(domain * Vector3.one, 0.5f * domain),
+                Settings = LeakSceneEntry.Water(domain * Vector3.one, 0.5f * domain),
                 Surface = Cube(first),
                 Stretches = true,
                 Frames = frames + 6,
@@ -104,7 +104,7 @@ namespace SphFluid.Validation
         {
             return new LeakScene
             {
-                Settings = LeakScenes.Water((2f * Half * largest + 4f * Dx) * Vector3.one, 2f * Half),
+                Settings = LeakSceneEntry.Water((2f * Half * largest + 4f * Dx) * Vector3.one, 2f * Half),
                 Surface = Cube(Half),
                 Frames = Frames,
                 Stretches = true,

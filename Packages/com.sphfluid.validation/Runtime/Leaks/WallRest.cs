@@ -58,22 +58,22 @@ namespace SphFluid.Validation
             return new WallRest(layer.Count == 0 ? double.NaN : layer.Average(), pressed, held / (double)places.Length);
         }
 
-        static bool Carries(Vector3 way, Vector3 down, float cosine, float dx)
+        static bool Carries(Vector3 separation, Vector3 down, float cosine, float dx)
         {
-            float length = way.magnitude;
-            return length < SupportReach * dx && Vector3.Dot(way, down) >= cosine * length;
+            float length = separation.magnitude;
+            return length < SupportReach * dx && Vector3.Dot(separation, down) >= cosine * length;
         }
 
-        // The ways to the nearest point of each triangle that has an area: the others are edges of such.
+        // The separations to the nearest point of each triangle that has an area: the others are edges of such.
         static List<Vector3> ToTriangles(Vector3[] corners, Vector3 place)
         {
-            var ways = new List<Vector3>();
+            var separations = new List<Vector3>();
             for (int t = 0; t < corners.Length; t += 3)
             {
                 if (!TriangleMesh.IsDegenerate(corners[t], corners[t + 1], corners[t + 2]))
-                    ways.Add(TriangleMath.ClosestPoint(place, corners[t], corners[t + 1], corners[t + 2]) - place);
+                    separations.Add(TriangleMath.ClosestPoint(place, corners[t], corners[t + 1], corners[t + 2]) - place);
             }
-            return ways;
+            return separations;
         }
     }
 }

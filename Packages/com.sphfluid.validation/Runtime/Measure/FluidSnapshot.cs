@@ -2,7 +2,6 @@ using System;
 using System.Linq;
 using System.Security.Cryptography;
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace SphFluid.Validation
 {
@@ -61,11 +60,7 @@ namespace SphFluid.Validation
 
         static FluidSnapshot Read(FluidSolver solver, Matrix4x4 localToWorld)
         {
-            using (var cmd = new CommandBuffer { name = "Fluid Snapshot" })
-            {
-                solver.RecordNeighbourSetup(cmd);
-                Graphics.ExecuteCommandBuffer(cmd);
-            }
+            GpuWork.Submit("Fluid Snapshot", cmd => solver.RecordNeighbourSetup(cmd));
             var particles = new FluidParticle[solver.ParticleCount];
             var densities = new float[particles.Length];
             var pressures = new float[particles.Length];

@@ -52,6 +52,11 @@ namespace SphFluid.Validation
         public static string Text(double value) =>
             double.IsNaN(value) || double.IsInfinity(value) ? "" : value.ToString("G6", CultureInfo.InvariantCulture);
 
+        /// <summary>A number of a cell; not a number for an empty one.</summary>
+        /// <exception cref="FormatException">The cell holds none.</exception>
+        public static double Number(string cell) =>
+            cell.Length == 0 ? double.NaN : double.Parse(cell, NumberStyles.Float, CultureInfo.InvariantCulture);
+
         /// <summary>Writes a file whole: whoever stops the program finds the last whole one.</summary>
         /// <param name="file">The file; its folder is made if there is none.</param>
         /// <param name="lines">Its lines.</param>

@@ -20,7 +20,7 @@ namespace SphFluid.Validation
         /// <summary>Draws a script in its folder.</summary>
         /// <param name="script">The script.</param>
         /// <param name="program">The program.</param>
-        /// <returns>Null, or a line that tells what is wrong and how to draw it later.</returns>
+        /// <returns>Null, or a line that says what is wrong and how to draw it later.</returns>
         public static string Draw(string script, string program = Program)
         {
             string folder = Path.GetDirectoryName(Path.GetFullPath(script));

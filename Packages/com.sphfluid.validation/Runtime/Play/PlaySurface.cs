@@ -4,7 +4,7 @@ namespace SphFluid.Validation
     static class PlaySurface
     {
         /// <summary>The surface in simulation space, made as the scene's component makes it; without one as a Fluid Surface Renderer does by default. Waits for the GPU.</summary>
-        /// <exception cref="FluidDeviceException">The device has no room for it.</exception>
+        /// <exception cref="FluidDeviceException">The device has too little memory for it.</exception>
         public static SurfaceMesh Extract(FluidSimulation simulation)
         {
             FluidSolver solver = simulation.Solver;

@@ -39,7 +39,7 @@ namespace SphFluid.Validation
 
         void OnDestroy() => session?.Dispose();
 
-        /// <summary>What a device or a disk can do to a measurement; the message tells the user all.</summary>
+        /// <summary>What a device or a disk can do to a measurement; the message is all that the user needs.</summary>
         public static bool IsExpected(Exception exception) =>
             exception is FluidDeviceException || exception is IOException || exception is UnauthorizedAccessException;
     }

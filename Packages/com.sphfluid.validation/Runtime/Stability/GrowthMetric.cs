@@ -1,13 +1,14 @@
 using System;
 using System.Collections.Generic;
+using Unity.Mathematics;
 using UnityEngine;
 
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Tells whether a small disturbance outgrows the time step. What diverges beyond a limit of the step changes its sign each step, so
+    /// Measures whether a small disturbance outgrows the time step. What diverges beyond a limit of the step changes its sign each step, so
     /// the sixth difference of the positions over 2⁶ is its amplitude, while of a wave that grows by a fifth a step, as unequal kernels
-    /// make it, a millionth is left. It is compared with the first second difference over 2². Look at every step.
+    /// make it, a millionth is left. It is compared with the first second difference over 2². Sample every step.
     /// </summary>
     public sealed class GrowthMetric : CaseMetric
     {
@@ -15,7 +16,7 @@ namespace SphFluid.Validation
 
         readonly double factor;
         readonly Vector3 period;
-        readonly Queue<Vector3d[]> steps = new Queue<Vector3d[]>(); // the last ways from sample to sample
+        readonly Queue<double3[]> displacements = new Queue<double3[]>(); // the last ones, from sample to sample
         Vector3[] last;
         double start = double.NaN;
 
@@ -36,14 +37,14 @@ namespace SphFluid.Validation
         {
             Vector3[] now = state.LocalPositions;
             if (last != null)
-                steps.Enqueue(Ways(now));
+                displacements.Enqueue(Displacements(now));
             last = now;
-            if (steps.Count == First && double.IsNaN(start))
+            if (displacements.Count == First && double.IsNaN(start))
                 start = Amplitude();
-            if (steps.Count < Order)
+            if (displacements.Count < Order)
                 return;
             Growth = Amplitude() / start;
-            steps.Dequeue();
+            displacements.Dequeue();
             if (!(Growth <= factor))
                 Failure = FormattableString.Invariant($"what alternates from step to step grew to {Growth:G3} of the start's");
         }
@@ -54,27 +55,27 @@ namespace SphFluid.Validation
         // Root mean square of the highest difference that the steps give, over 2 to its order [m].
         double Amplitude()
         {
-            Vector3d[][] differences = steps.ToArray();
+            double3[][] differences = displacements.ToArray();
             int count = last.Length, order = differences.Length;
             double squares = 0.0;
             for (int i = 0; i < count; i++)
             {
-                var sum = new Vector3d();
-                double binomial = 1.0; // of order − 1 over k: differences of the ways
+                double3 sum = double3.zero;
+                double binomial = 1.0; // of order − 1 over k: differences of the displacements
                 for (int k = 0; k < order; k++)
                 {
                     sum += ((k & 1) == 0 ? binomial : -binomial) * differences[k][i];
                     binomial = binomial * (order - 1 - k) / (k + 1);
                 }
-                squares += sum.Dot(sum);
+                squares += math.dot(sum, sum);
             }
             return Math.Sqrt(squares / Math.Max(1, count)) / Math.Pow(2.0, order);
         }
 
-        // The shortest ways, across a periodic face where that is shorter.
-        Vector3d[] Ways(Vector3[] now)
+        // The shortest ones, across a periodic face where that is shorter.
+        double3[] Displacements(Vector3[] now)
         {
-            var ways = new Vector3d[now.Length];
+            var result = new double3[now.Length];
             for (int i = 0; i < now.Length; i++)
             {
                 Vector3 d = now[i] - last[i];
@@ -83,9 +84,9 @@ namespace SphFluid.Validation
                     if (period[axis] > 0f)
                         d[axis] -= period[axis] * Mathf.Round(d[axis] / period[axis]);
                 }
-                ways[i] = new Vector3d(d);
+                result[i] = (float3)d;
             }
-            return ways;
+            return result;
         }
     }
 }

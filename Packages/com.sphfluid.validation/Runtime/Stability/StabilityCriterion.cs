@@ -1,11 +1,12 @@
 using System;
 using System.Collections.Generic;
+using Unity.Mathematics;
 using UnityEngine;
 
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Watches a run and judges it. Failed: not finite, energy beyond 1.05 of the start's, a speed beyond 3 v_ref, 0.1 % beyond a wall by
+    /// Watches a run and decides how it went. Failed: not finite, energy beyond 1.05 of the start's, a speed beyond 3 v_ref, 0.1 % beyond a wall by
     /// dx/2, mean compression grown by 10 %. Degraded at the end: moves by more than it may, 1 % of nearest distances below dx/2, height
     /// lost, accelerations or positions clamped, momentum drifted. There are no neighbour lists that could overflow.
     /// </summary>
@@ -32,16 +33,21 @@ namespace SphFluid.Validation
         /// <summary>Drift of the momentum of a closed system that degrades a run, over Σ m |v|.</summary>
         public const double MomentumDrift = 1e-3;
 
-        readonly StabilityCriteria criteria;
+        readonly StabilityScenario scene;
+        readonly FluidSolverSettings settings;
         bool begun;
         LiquidMotion first;
         double firstEnergy;
         double speedSquares, heights, clumped, drift, scale;
         int settled;
 
-        /// <summary>A judge of one run.</summary>
-        /// <param name="criteria">What it is judged by.</param>
-        public StabilityCriterion(StabilityCriteria criteria) => this.criteria = criteria;
+        /// <summary>The criterion of one run.</summary>
+        /// <param name="scene">What is run, and what is expected of it.</param>
+        public StabilityCriterion(StabilityScenario scene)
+        {
+            this.scene = scene;
+            settings = scene.Setup.Settings;
+        }
 
         /// <summary>Why it failed; none while it did not.</summary>
         public StabilityCause Cause { get; private set; }
@@ -49,9 +55,9 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public override void Sample(double time, FluidSnapshot state)
         {
-            LiquidMotion now = LiquidMotion.Of(state, criteria.Settings);
-            LiquidEnergy energy = LiquidEnergy.Of(state, criteria.Settings);
-            double total = energy.Total + Lowest * criteria.Settings.ParticleMass * state.Count;
+            LiquidMotion now = LiquidMotion.Of(state, settings);
+            LiquidEnergy energy = LiquidEnergy.Of(state, settings);
+            double total = energy.Total + Lowest * settings.ParticleMass * state.Count;
             if (!begun)
                 (first, firstEnergy) = (now, total);
             begun = true;
@@ -59,12 +65,12 @@ namespace SphFluid.Validation
             if (Failure != null)
                 return;
             scale = Math.Max(scale, now.MomentumScale);
-            drift = Math.Max(drift, (now.Momentum - first.Momentum).Length);
-            if (time >= criteria.SettledFrom)
+            drift = Math.Max(drift, math.length(now.Momentum - first.Momentum));
+            if (time >= scene.SettledFrom)
                 Settle(energy.Kinetic, state);
         }
 
-        /// <summary>v_rms/rest speed, share of close particles, height loss and momentum drift, as far as they are judged.</summary>
+        /// <summary>v_rms/rest speed, share of close particles, height loss and momentum drift, as far as they are scene.</summary>
         public override IReadOnlyList<CaseError> Evaluate() => new[]
         {
             new CaseError("v_rms [m/s]", RmsSpeed),
@@ -73,7 +79,7 @@ namespace SphFluid.Validation
             new CaseError("momentum drift", Drift),
         };
 
-        /// <summary>The judgement.</summary>
+        /// <summary>How it went.</summary>
         /// <param name="result">What the run gave.</param>
         /// <param name="cut">Whether the run was cut short, and how; empty when it was not.</param>
         public StabilityOutcome Conclude(CaseResult result, string cut = "")
@@ -84,7 +90,7 @@ namespace SphFluid.Validation
                 outcome.Verdict = StabilityVerdict.Failed;
                 // What every run is ended by: numbers that are none, and, where there is a wall, liquid beyond it.
                 outcome.Cause = Cause != StabilityCause.None ? Cause
-                    : result.Counters.NonFinite == 0 && !double.IsNaN(criteria.WallTop) ? StabilityCause.Escape : StabilityCause.NotFinite;
+                    : result.Counters.NonFinite == 0 && !double.IsNaN(scene.WallTop) ? StabilityCause.Escape : StabilityCause.NotFinite;
                 outcome.Reason = result.Failure;
                 outcome.TimeToFailure = result.SimulatedSeconds;
                 return outcome;
@@ -103,11 +109,11 @@ namespace SphFluid.Validation
         {
             get
             {
-                if (criteria.Depth <= 0.0 || settled == 0)
+                if (scene.Depth <= 0.0 || settled == 0)
                     return double.NaN;
-                double sound = LiquidEnergy.EffectiveSound(criteria.Settings);
-                double m = sound * sound / (criteria.Settings.Gravity.magnitude * criteria.Depth);
-                return HydrostaticMetric.HeightRatio(m) - heights / settled / criteria.Depth;
+                double sound = LiquidEnergy.EffectiveSound(settings);
+                double m = sound * sound / (settings.Gravity.magnitude * scene.Depth);
+                return HydrostaticMetric.HeightRatio(m) - heights / settled / scene.Depth;
             }
         }
 
@@ -116,19 +122,19 @@ namespace SphFluid.Validation
         {
             get
             {
-                Vector3 g = criteria.Settings.Gravity, size = criteria.Settings.DomainSize;
+                Vector3 g = settings.Gravity, size = settings.DomainSize;
                 return 0.5 * (Math.Abs((double)g.x) * size.x + Math.Abs((double)g.y) * size.y + Math.Abs((double)g.z) * size.z);
             }
         }
 
         void FailBy(in LiquidMotion now, double energy, FluidSnapshot state)
         {
-            double start = Math.Max(firstEnergy, criteria.EnergyScale), growth = energy - firstEnergy;
+            double start = Math.Max(firstEnergy, scene.EnergyScale), growth = energy - firstEnergy;
             double escaped = EscapedNow(state);
             if (!(energy < double.PositiveInfinity) || !(now.MaxSpeed < double.PositiveInfinity))
                 Fail(StabilityCause.NotFinite, "a position or velocity is not finite");
-            else if (now.MaxSpeed > SpeedRatio * criteria.ReferenceSpeed)
-                Fail(StabilityCause.Speed, FormattableString.Invariant($"a particle has {now.MaxSpeed / criteria.ReferenceSpeed:G3} v_ref"));
+            else if (now.MaxSpeed > SpeedRatio * scene.ReferenceSpeed)
+                Fail(StabilityCause.Speed, FormattableString.Invariant($"a particle has {now.MaxSpeed / scene.ReferenceSpeed:G3} v_ref"));
             else if (growth > EnergyGrowth * start)
                 Fail(StabilityCause.Energy, FormattableString.Invariant($"the energy grew by {growth / start:P1} of {(start > firstEnergy ? "½ M v_ref²" : "the start's")}"));
             else if (escaped > EscapedShare)
@@ -145,13 +151,13 @@ namespace SphFluid.Validation
 
         double EscapedNow(FluidSnapshot state)
         {
-            float depth = 0.5f * criteria.Settings.Spacing;
-            Vector3 half = 0.5f * criteria.Settings.DomainSize + depth * Vector3.one;
+            float depth = 0.5f * settings.Spacing;
+            Vector3 half = 0.5f * settings.DomainSize + depth * Vector3.one;
             int escaped = 0;
             foreach (Vector3 p in state.LocalPositions)
             {
                 bool out3 = Mathf.Abs(p.x) > half.x || Mathf.Abs(p.y) > half.y || Mathf.Abs(p.z) > half.z;
-                escaped += out3 || p.y < criteria.WallTop - depth ? 1 : 0;
+                escaped += out3 || p.y < scene.WallTop - depth ? 1 : 0;
             }
             return escaped / (double)Math.Max(1, state.Count);
         }
@@ -159,28 +165,28 @@ namespace SphFluid.Validation
         void Settle(double kinetic, FluidSnapshot state)
         {
             settled++;
-            speedSquares += 2.0 * kinetic / (criteria.Settings.ParticleMass * (double)state.Count);
-            clumped = Math.Max(clumped, ClosePairs.Share(state, criteria.Settings, 0.5 * criteria.Settings.Spacing));
-            if (criteria.Depth > 0.0)
-                heights += ColumnHeight.Of(state, criteria.Settings, criteria.Depth);
+            speedSquares += 2.0 * kinetic / (settings.ParticleMass * (double)state.Count);
+            clumped = Math.Max(clumped, LiquidMotion.ClosePairs(state, settings, 0.5 * settings.Spacing));
+            if (scene.Depth > 0.0)
+                heights += LiquidMotion.ColumnHeight(state, settings, scene.Depth);
         }
 
         string Degradation(CaseResult result, out StabilityCause cause)
         {
             // A box at rest has no momentum to speak of: its drift is compared with all of it at a thousandth of v_ref.
-            double floor = 1e-3 * criteria.ReferenceSpeed * criteria.Settings.ParticleMass * result.Particles;
+            double floor = 1e-3 * scene.ReferenceSpeed * settings.ParticleMass * result.Particles;
             FluidCounters counters = result.Counters;
             long hits = counters.AccelerationLimitHits + counters.DomainClamps;
             cause = StabilityCause.None;
-            if (criteria.RestSpeed > 0.0 && RmsSpeed > criteria.RestSpeed)
-                return Degrade(out cause, StabilityCause.Restless, FormattableString.Invariant($"v_rms is {RmsSpeed / criteria.ReferenceSpeed:G3} v_ref at the end"));
+            if (scene.RestSpeed > 0.0 && RmsSpeed > scene.RestSpeed)
+                return Degrade(out cause, StabilityCause.Restless, FormattableString.Invariant($"v_rms is {RmsSpeed / scene.ReferenceSpeed:G3} v_ref at the end"));
             if (clumped > ClumpedShare)
                 return Degrade(out cause, StabilityCause.Clumped, FormattableString.Invariant($"{clumped:P1} of the particles have a neighbour within dx/2"));
             if (Sinking > HeightLoss)
                 return Degrade(out cause, StabilityCause.Sunk, FormattableString.Invariant($"{Sinking:P1} of the depth is lost beyond the equation of state's"));
             if (hits > 0)
                 return Degrade(out cause, StabilityCause.Clamped, FormattableString.Invariant($"{counters.AccelerationLimitHits} accelerations and {counters.DomainClamps} positions were clamped"));
-            if (criteria.Closed && drift > MomentumDrift * Math.Max(scale, floor))
+            if (scene.Closed && drift > MomentumDrift * Math.Max(scale, floor))
                 return Degrade(out cause, StabilityCause.Drift, FormattableString.Invariant($"the momentum drifted by {Drift:G2} of Σ m|v|"));
             return "";
         }

@@ -1,20 +1,40 @@
 using System;
-using System.Collections.Generic;
-using System.Globalization;
 
 namespace SphFluid.Validation
 {
-    /// <summary>A line of stability.csv: a run and its judgement.</summary>
-    public sealed class StabilityRow
+    /// <summary>A line of stability.csv: a run of a map and its outcome.</summary>
+    public sealed class StabilityRow : MeasuredRow
     {
-        /// <summary>Name of the file.</summary>
-        public const string FileName = "stability.csv";
+        /// <summary>The file.</summary>
+        public static readonly TableFormat<StabilityRow> Format = new TableFormat<StabilityRow>("stability.csv")
+            .Text("map", r => r.Map, (r, v) => r.Map = v)
+            .Text("method", r => r.Method, (r, v) => r.Method = v)
+            .Number("x", r => r.X, (r, v) => r.X = v)
+            .Number("y", r => r.Y, (r, v) => r.Y = v)
+            .Count("seed", r => r.Seed, (r, v) => r.Seed = checked((int)v))
+            .Text("verdict", r => r.Outcome.Verdict.ToString().ToLowerInvariant(), (r, v) => r.Outcome.Verdict = VerdictOf(v))
+            .Text("reason", r => r.Outcome.Reason, (r, v) => r.Outcome.Reason = v)
+            .Number("time_to_failure_s", r => r.Outcome.TimeToFailure, (r, v) => r.Outcome.TimeToFailure = v)
+            .Flag("clamps", r => r.Clamps, (r, v) => r.Clamps = v, "on", "off")
+            .Count("particles", r => r.Outcome.Particles, (r, v) => r.Outcome.Particles = checked((int)v))
+            .Count("steps", r => r.Outcome.Steps, (r, v) => r.Outcome.Steps = v)
+            .Text("device", r => r.Device, (r, v) => r.Device = v)
+            .Text("date", r => r.Date, (r, v) => r.Date = v)
+            .Text("cause", r => StabilityLegend.Name(r.Outcome.Cause), (r, v) => r.Outcome.Cause = StabilityLegend.Find(v));
 
-        /// <summary>The columns of the file.</summary>
-        public static readonly IReadOnlyList<string> Columns = new[]
+        /// <summary>A row that is read from a file.</summary>
+        public StabilityRow() => Outcome = new StabilityOutcome();
+
+        internal StabilityRow(StabilityRun run, StabilityOutcome outcome)
         {
-            "map", "method", "x", "y", "seed", "verdict", "reason", "time_to_failure_s", "clamps", "particles", "steps", "device", "date", "cause",
-        };
+            Map = run.Map.Name;
+            Method = run.Method.Name;
+            X = run.X;
+            Y = run.Y;
+            Seed = run.Seed;
+            Clamps = run.Clamps;
+            Outcome = outcome;
+        }
 
         /// <summary>Name of the map.</summary>
         public string Map { get; private set; }
@@ -22,10 +42,10 @@ namespace SphFluid.Validation
         /// <summary>Name of the method.</summary>
         public string Method { get; private set; }
 
-        /// <summary>Horizontal and vertical place in the map.</summary>
+        /// <summary>Value of the map's horizontal axis.</summary>
         public double X { get; private set; }
 
-        /// <summary>Vertical place in the map.</summary>
+        /// <summary>Value of the map's vertical axis.</summary>
         public double Y { get; private set; }
 
         /// <summary>Seed of the start's jitter.</summary>
@@ -34,60 +54,13 @@ namespace SphFluid.Validation
         /// <summary>Whether the emergency limit on accelerations acted.</summary>
         public bool Clamps { get; private set; }
 
-        /// <summary>The judgement.</summary>
-        public StabilityOutcome Outcome { get; private set; }
-
-        /// <summary>The graphics device.</summary>
-        public string Device { get; private set; }
-
-        /// <summary>Day of the run, e.g. 2026-11-21.</summary>
-        public string Date { get; private set; }
+        /// <summary>How it went.</summary>
+        public StabilityOutcome Outcome { get; }
 
         /// <summary>Equal to the key of its run.</summary>
-        public string Key => StabilityRun.KeyOf(Map, Method, X, Y, Seed, Clamps);
+        public override string Key => StabilityRun.KeyOf(Map, Method, X, Y, Seed, Clamps);
 
-        /// <summary>The line of a run.</summary>
-        public static StabilityRow Of(StabilityRun run, StabilityOutcome outcome, string device, string date) => new StabilityRow
-        {
-            Map = run.Map.Name, Method = run.Method.Name, X = run.X, Y = run.Y, Seed = run.Seed, Clamps = run.Clamps,
-            Outcome = outcome, Device = device, Date = date,
-        };
-
-        /// <summary>The line in the file.</summary>
-        public string ToLine() => CsvText.Join(new[]
-        {
-            Map, Method, CsvText.Text(X), CsvText.Text(Y), CsvText.Text(Seed), Outcome.Verdict.ToString().ToLowerInvariant(), Outcome.Reason,
-            CsvText.Text(Outcome.TimeToFailure), Clamps ? "on" : "off", CsvText.Text(Outcome.Particles), CsvText.Text(Outcome.Steps), Device, Date,
-            StabilityCauses.Name(Outcome.Cause),
-        });
-
-        /// <summary>Reads a line of the file.</summary>
-        /// <exception cref="FormatException">It does not have the columns.</exception>
-        public static StabilityRow FromLine(string line)
-        {
-            string[] cells = ResumedTable.Cells(line, Columns.Count);
-            if (!Enum.TryParse(cells[5], true, out StabilityVerdict verdict))
-                throw new FormatException($"there is no verdict '{cells[5]}'");
-            return new StabilityRow
-            {
-                Map = cells[0],
-                Method = cells[1],
-                X = ResumedTable.Number(cells[2]),
-                Y = ResumedTable.Number(cells[3]),
-                Seed = int.Parse(cells[4], CultureInfo.InvariantCulture),
-                Clamps = cells[8] == "on",
-                Device = cells[11],
-                Date = cells[12],
-                Outcome = new StabilityOutcome
-                {
-                    Verdict = verdict,
-                    Reason = cells[6],
-                    TimeToFailure = ResumedTable.Number(cells[7]),
-                    Particles = int.Parse(cells[9], CultureInfo.InvariantCulture),
-                    Steps = long.Parse(cells[10], CultureInfo.InvariantCulture),
-                    Cause = StabilityCauses.Find(cells[13]),
-                },
-            };
-        }
+        static StabilityVerdict VerdictOf(string name) =>
+            Enum.TryParse(name, true, out StabilityVerdict verdict) ? verdict : throw new FormatException($"there is no verdict '{name}'");
     }
 }

@@ -32,7 +32,7 @@ namespace SphFluid.Validation
             List<Vector3> positions = CaseLattice.Box(new Vector3Int(across, layers, across), Dx, new Vector3(-0.5f * domain.x, 0f, -0.5f * domain.z));
             for (int i = 0; i < positions.Count; i++)
                 positions[i] = new Vector3(positions[i].x, (float)WallCaseSetup.Settled(positions[i].y, depth, m) - 0.5f * domain.y, positions[i].z);
-            return Scene(settings, Jittered(positions, run, domain), 20.0 * Math.Sqrt(depth / Gravity), new StabilityCriteria
+            return Scene(settings, Jittered(positions, run, domain), 20.0 * Math.Sqrt(depth / Gravity), new StabilityScenario
             {
                 ReferenceSpeed = fall, RestSpeed = 0.05 * Math.Sqrt(Gravity * depth), Depth = depth,
             });
@@ -56,7 +56,7 @@ namespace SphFluid.Validation
             return scene;
         }
 
-        /// <summary>M3: two cubes of 6³ particles meet at ±v without gravity: x = dt·v/dx, y = c/v.</summary>
+        /// <summary>M3: two cubes of 6³ particles collide at ±v without gravity: x = dt·v/dx, y = c/v.</summary>
         public static StabilityScenario Collision(StabilityRun run)
         {
             const int side = 6;
@@ -73,10 +73,10 @@ namespace SphFluid.Validation
             positions.AddRange(CaseLattice.Box(new Vector3Int(side, side, side), Dx, new Vector3(-gap - 2f * half, -half, -half)));
             CaseLattice.Jitter(positions, Jitter * Dx, run.Seed, 0.4999f * domain);
             FluidParticle[] particles = CaseLattice.Particles(positions, p => new Vector3(p.x > 0f ? -(float)speed : (float)speed, 0f, 0f));
-            return Scene(settings, particles, 3.0 * length / speed, new StabilityCriteria { ReferenceSpeed = speed, Closed = true });
+            return Scene(settings, particles, 3.0 * length / speed, new StabilityScenario { ReferenceSpeed = speed, Closed = true });
         }
 
-        /// <summary>M5: particles that do not feel each other fall with v onto a closed slab: x = v·dt/dx, y = its thickness over dx.</summary>
+        /// <summary>M5: particles out of each other's reach fall with v onto a closed slab: x = v·dt/dx, y = its thickness over dx.</summary>
         public static StabilityScenario Spray(StabilityRun run)
         {
             const int side = 8, layers = 4;
@@ -92,7 +92,7 @@ namespace SphFluid.Validation
             var random = new System.Random(run.Seed);
             for (int layer = 0; layer < layers; layer++)
             {
-                // Each layer falls into the gaps of the others, and each particle meets the slab at another part of a step.
+                // Each layer falls into the gaps of the others, and each particle reaches the slab at another part of a step.
                 double shiftX = 0.5 * apart * (layer & 1), shiftZ = 0.5 * apart * (layer >> 1);
                 for (int i = 0; i < side * side; i++)
                 {
@@ -101,7 +101,7 @@ namespace SphFluid.Validation
                 }
             }
             FluidParticle[] particles = CaseLattice.Particles(positions, p => new Vector3(0f, -(float)speed, 0f));
-            StabilityScenario scene = Scene(settings, particles, (height + 6.0 * Dx) / speed, new StabilityCriteria { ReferenceSpeed = speed, WallTop = 0.0 });
+            StabilityScenario scene = Scene(settings, particles, (height + 6.0 * Dx) / speed, new StabilityScenario { ReferenceSpeed = speed, WallTop = 0.0 });
             double thickness = run.Y * Dx;
             scene.Setup.Obstacles = new[] { Slab(new Vector3(0f, (float)(-0.5 * thickness), 0f), new Vector3(2f * domain.x, (float)thickness, 2f * domain.z)) };
             return scene;
@@ -121,7 +121,7 @@ namespace SphFluid.Validation
             settings.ParticleMass *= (float)(1.0 + pressure); // P = c_eff² (ρ − ρ0)
             List<Vector3> positions = CaseLattice.Box(new Vector3Int(side, side, side), Dx, -0.5f * domain);
             double mass = settings.ParticleMass * positions.Count;
-            return Scene(settings, Jittered(positions, run, domain), 200.0 * kappa * Dx / sound, new StabilityCriteria
+            return Scene(settings, Jittered(positions, run, domain), 200.0 * kappa * Dx / sound, new StabilityScenario
             {
                 ReferenceSpeed = mach, RestSpeed = 0.05 * mach, EnergyScale = 0.5 * mass * mach * mach, Closed = true,
             });
@@ -130,14 +130,10 @@ namespace SphFluid.Validation
         // Three cells of R.
         static int PeriodicSide(double kappa) => Math.Max(6, (int)Math.Ceiling(3.0 * kappa - 1e-6));
 
-        static StabilityScenario Scene(in FluidSolverSettings settings, FluidParticle[] particles, double duration, StabilityCriteria criteria)
+        static StabilityScenario Scene(in FluidSolverSettings settings, FluidParticle[] particles, double duration, StabilityScenario expected)
         {
-            criteria.Settings = settings;
-            return new StabilityScenario
-            {
-                Setup = new CaseSetup { Settings = settings, Particles = particles, Duration = duration },
-                Criteria = criteria,
-            };
+            expected.Setup = new CaseSetup { Settings = settings, Particles = particles, Duration = duration };
+            return expected;
         }
 
         static FluidParticle[] Jittered(List<Vector3> positions, StabilityRun run, Vector3 domain)

@@ -16,16 +16,16 @@ namespace SphFluid.Validation
         // Work a second of llvmpipe on two cores, before a run has shown it.
         const double SoftwareRate = 1e6;
 
-        readonly string folder;
         readonly StabilityPlan plan;
         readonly Runner runner;
-        readonly StabilityFiles files;
+        readonly ResultTable<StabilityRow> table;
+        readonly ResultTable<LimitRow> limits;
 
         /// <summary>Prepares a session; nothing is run yet.</summary>
         /// <param name="arguments">What to measure.</param>
         /// <param name="shaders">The package's shaders.</param>
         /// <param name="progress">Where it says how far it is.</param>
-        /// <exception cref="CommandLineException">The folder has tables that cannot be gone on with.</exception>
+        /// <exception cref="CommandLineException">The folder has tables that cannot be continued.</exception>
         /// <exception cref="FluidDeviceException">There are no shaders.</exception>
         public StabilitySession(StabilityArguments arguments, FluidShaderSet shaders, SessionProgress progress)
             : this(arguments, StabilityPlan.Of(arguments, SurfaceGridSizes.IsSoftwareDevice), RunnerOf(shaders), progress, SystemInfo.graphicsDeviceName)
@@ -33,33 +33,27 @@ namespace SphFluid.Validation
         }
 
         internal StabilitySession(StabilityArguments arguments, StabilityPlan plan, Runner runner, SessionProgress progress, string device)
-            : base(arguments.OutputFolder, "runs and borders", arguments.Slice,
-                new SessionRate(SurfaceGridSizes.IsSoftwareDevice ? SoftwareRate : (double?)null), progress)
+            : base(arguments, "runs and borders", device, progress, new SessionRate(SurfaceGridSizes.IsSoftwareDevice ? SoftwareRate : (double?)null))
         {
-            folder = arguments.OutputFolder;
             this.plan = plan;
             this.runner = runner;
-            files = new StabilityFiles(folder, device);
-            Claim(Files());
+            table = ResultTable<StabilityRow>.Resume(StabilityRow.Format, Folder, device, () => new StabilityRow());
+            limits = ResultTable<LimitRow>.Resume(LimitRow.Format, Folder, device, () => new LimitRow());
+            Claim(new[] { StabilityRow.Format.File, LimitRow.Format.File }.Concat(StabilityMap.All.SelectMany(StabilityScript.Files)));
         }
-
-        private protected override string Device => files.Device;
 
         private protected override IEnumerable<SessionJob> Jobs() =>
             plan.Runs.Select(Cell).Concat(plan.Limits.Select(l => Border(l.Limit, l.Method))).Concat(plan.Clamped.Select(Cell));
 
-        private protected override void Draw() => new StabilityDrawing(folder, files, Progress).Write();
-
-        static IEnumerable<ResultFile> Files()
+        private protected override void Draw()
         {
-            yield return ResultFile.Table(StabilityRow.FileName, StabilityRow.Columns);
-            yield return ResultFile.Table(LimitRow.FileName, LimitRow.Columns);
-            foreach (string stem in StabilityMaps.All.SelectMany(m => new[] { StabilityScript.StemOf(m, false), StabilityScript.StemOf(m, true) }))
-            {
-                yield return ResultFile.Text(stem + ".gp", StabilityScript.FirstLineOf(stem));
-                yield return ResultFile.Drawn(stem + ".svg", stem + ".gp");
-                yield return ResultFile.Drawn(stem + ".png", stem + ".gp");
-            }
+            IEnumerable<StabilityScript> scripts = from map in StabilityMap.All
+                                                   from clamps in new[] { false, true }
+                                                   let rows = table.Rows.Where(r => r.Map == map.Name && r.Clamps == clamps).ToList()
+                                                   where rows.Count > 0
+                                                   select new StabilityScript(map, rows, clamps);
+            string problem = GnuplotScript.Draw(Folder, scripts);
+            Progress.Say(problem ?? $"{StabilityRow.Format.FileName}, {LimitRow.Format.FileName} and a picture a map, stability-m1.png and so on, are in '{Folder}'.");
         }
 
         static Runner RunnerOf(FluidShaderSet shaders)
@@ -77,26 +71,26 @@ namespace SphFluid.Validation
             }
         }
 
-        SessionJob Cell(StabilityRun run) => new SessionJob(run.ToString(), run.Cost, () => files.Contains(run), () => RunCell(run));
+        SessionJob Cell(StabilityRun run) => new SessionJob(run.ToString(), run.Cost, () => table.Contains(run.Key), () => RunCell(run));
 
         SessionJob Border(StabilityLimit limit, CaseMethod method)
         {
             const double trials = 10.0;
             CaseSetup setup = limit.Build(limit.TheoryLow, method);
             double cost = trials * setup.Duration / setup.Settings.TimeStep * (setup.Particles.Length + 1500.0);
-            return new SessionJob($"border {limit}, {method.Name}", cost, () => files.Contains(limit, method), () => Bisect(limit, method));
+            return new SessionJob($"border {limit}, {method.Name}", cost, () => limits.Contains(LimitRow.KeyOf(limit.Name, method.Name, limit.SupportRatio)),
+                () => Bisect(limit, method));
         }
 
         IEnumerator RunCell(StabilityRun run)
         {
             StabilityScenario scene = run.Build();
-            var judge = new StabilityCriterion(scene.Criteria);
+            var criterion = new StabilityCriterion(scene);
             CaseResult result = null;
-            yield return runner(scene.Setup, judge, r => result = r);
+            yield return runner(scene.Setup, criterion, r => result = r);
             string cut = scene.IsCut
                 ? FormattableString.Invariant($"{StabilityScenario.CutText} of {result.Steps} steps at {scene.Setup.Duration / scene.RequestedDuration:P0} of {scene.RequestedDuration:G3} s") : "";
-            StabilityOutcome outcome = judge.Conclude(result, cut);
-            files.Add(StabilityRow.Of(run, outcome, files.Device, Today));
+            table.Add(new StabilityRow(run, criterion.Conclude(result, cut)));
             if (run.X.Equals(run.Map.X.High))
                 Progress.Say(Line(run));
         }
@@ -111,8 +105,8 @@ namespace SphFluid.Validation
                 yield return runner(setup, new GrowthMetric(limit.Growth, setup.Settings.PeriodLength), r => result = r);
                 search.Add(!result.Failed);
             }
-            LimitRow row = LimitRow.Of(limit, method, search, files.Device, Today);
-            files.Add(row);
+            var row = new LimitRow(limit, method, search);
+            limits.Add(row);
             Progress.Say(string.Format(CultureInfo.InvariantCulture, "border {0}, {1}: {2:G4} to {3:G4}, theory {4:G4} to {5:G4}{6}", limit, method.Name,
                 row.MeasuredLow, row.MeasuredHigh, row.TheoryLow, row.TheoryHigh, row.IsWithin ? "" : ", OUTSIDE 5 %"));
         }
@@ -120,13 +114,11 @@ namespace SphFluid.Validation
         // A finished line of a map: "M1, thesis, c/√(gH) 10: ······EEV".
         string Line(StabilityRun run)
         {
-            IEnumerable<string> letters = files.Rows
+            IEnumerable<string> letters = table.Rows
                 .Where(r => r.Map == run.Map.Name && r.Method == run.Method.Name && r.Clamps == run.Clamps && r.Seed == run.Seed && CsvText.Text(r.Y) == CsvText.Text(run.Y))
-                .OrderBy(r => r.X).Select(r => r.Outcome.Cause == StabilityCause.None ? "·" : StabilityCauses.Letter(r.Outcome.Cause));
+                .OrderBy(r => r.X).Select(r => r.Outcome.Cause == StabilityCause.None ? "·" : StabilityLegend.Letter(r.Outcome.Cause));
             return string.Format(CultureInfo.InvariantCulture, "{0}, {1}, {2} {3,5:G3}: {4}{5}", run.Map.Name, run.Method.Name, run.Map.Y.Title, run.Y,
                 string.Concat(letters), run.Clamps ? "  (with clamps)" : "");
         }
-
-        static string Today => DateTime.UtcNow.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture);
     }
 }

@@ -4,7 +4,7 @@ namespace SphFluid.Validation
 {
     /// <summary>
     /// What the maps know of a method: the support that they are drawn at, its borders by linear theory on the simple cubic lattice, and
-    /// how its constants are meant. c is √k.
+    /// what its constants mean. c is √k.
     /// </summary>
     public sealed class StabilityTheory
     {

@@ -15,7 +15,7 @@ namespace SphFluid.Validation
         /// <summary>Number of faces.</summary>
         public static int Count => MarchingCubesTables.CubeFaces.Count;
 
-        /// <summary>The way to the cube behind a face.</summary>
+        /// <summary>The step to the cube behind a face.</summary>
         public static Vector3Int Direction(int face)
         {
             Vector3Int sum = Vector3Int.zero;

@@ -1,5 +1,4 @@
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace SphFluid.Validation
 {
@@ -28,11 +27,7 @@ namespace SphFluid.Validation
             SurfaceGrid grid = SurfaceGrid.OverDomain(liquid.DomainSize, settings.CellSize);
             Vector3Int counts = SurfaceBlocks.CountsOver(grid.Cells);
             blocks.Reserve(grid.Cells, counts.x * counts.y * counts.z);
-            using (var cmd = new CommandBuffer { name = "Surface Variant" })
-            {
-                field.Record(cmd, solver, settings, grid, true, blocks);
-                Graphics.ExecuteCommandBuffer(cmd);
-            }
+            GpuWork.Submit("Surface Variant", cmd => field.Record(cmd, solver, settings, grid, true, blocks));
             return DualMarchingCubes.Polygonise(grid, BlockSamplesReader.Read(blocks, grid), settings.IsoValue, true);
         }
 

@@ -6,7 +6,7 @@ namespace SphFluid.Validation
     /// <summary>A raster of vertical lines; where a mesh cuts each of them highest.</summary>
     public sealed class MeshColumns
     {
-        // Columns never lie in planes of a cell grid that starts at the raster's corner, where they would meet edges of triangles.
+        // Columns never lie in planes of a cell grid that starts at the raster's corner, where they would hit edges of triangles.
         const double Offset = 0.37;
 
         readonly double left, back, spacing;

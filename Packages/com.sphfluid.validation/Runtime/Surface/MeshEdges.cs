@@ -30,7 +30,7 @@ namespace SphFluid.Validation
         /// <summary>Edges of three triangles or more.</summary>
         public int NonManifoldEdges { get; }
 
-        /// <summary>Edges of two triangles that run along it in the same direction: one of them faces the wrong way.</summary>
+        /// <summary>Edges of two triangles that run along it in the same direction: one of them is turned over.</summary>
         public int FlippedEdges { get; }
 
         /// <summary>Euler characteristic V − E + T: 2 for each closed body without a handle, 0 for a torus.</summary>

@@ -27,7 +27,7 @@ namespace SphFluid.Validation
             return Pool(scale, size, ParticlePacking.Box(size, 5));
         }
 
-        /// <summary>A packed block that rises through the cells of the surface's grid, in 16 steps that meet all parts of cells of 0.5, 0.75 and 1 dx.</summary>
+        /// <summary>A packed block that rises through the cells of the surface's grid, in 16 steps that cover all phases in cells of 0.5, 0.75 and 1 dx.</summary>
         public static SurfaceState Rising(SurfaceScale scale)
         {
             const int steps = 16;
@@ -63,9 +63,9 @@ namespace SphFluid.Validation
             return state;
         }
 
-        static SurfaceState Pool(SurfaceScale scale, Vector3Int size, IEnumerable<Vector3> places, float headroom = 0f)
+        static SurfaceState Pool(SurfaceScale scale, Vector3Int size, IEnumerable<Vector3> places, float above = 0f)
         {
-            Vector3 domain = size + 2 * Margin * Vector3Int.one + headroom * Vector3.up;
+            Vector3 domain = size + 2 * Margin * Vector3Int.one + above * Vector3.up;
             SurfaceState state = scale.Of(domain, places.Select(p => p + Margin * Vector3.one));
             SurfaceScale.LookAt(state, (Margin + Rim) * Vector2.one, new Vector2(Margin + size.x - Rim, Margin + size.z - Rim));
             double level = SurfaceScale.Height(state, Margin + size.y);

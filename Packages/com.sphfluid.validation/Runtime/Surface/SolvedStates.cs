@@ -11,7 +11,7 @@ namespace SphFluid.Validation
     static class SolvedStates
     {
         const int FrameRate = 60, QuickShare = 3;
-        const float WallRim = 4f, Headroom = 7f; // dx
+        const float WallRim = 4f, SpaceAbove = 7f; // dx
 
         /// <summary>A pool from wall to wall after two seconds in which it comes to rest: 30 frames of rest.</summary>
         public static SurfaceState Settled(SurfaceScale scale) => Settled(scale, new Vector3Int(21, 8, 21));
@@ -21,7 +21,7 @@ namespace SphFluid.Validation
         /// <param name="size">Particles along each axis; as large as the domain along x and z.</param>
         public static SurfaceState Settled(SurfaceScale scale, Vector3Int size)
         {
-            SurfaceState state = scale.Empty(new Vector3(size.x, size.y + Headroom, size.z), size.y);
+            SurfaceState state = scale.Empty(new Vector3(size.x, size.y + SpaceAbove, size.z), size.y);
             List<Vector3> places = CaseLattice.Box(size, 1.0, Vector3.zero);
             CaseLattice.Jitter(places, 0.05, 2, float.MaxValue * Vector3.one);
             SurfaceScale.LookAt(state, WallRim * Vector2.one, (size.x - WallRim) * Vector2.one);

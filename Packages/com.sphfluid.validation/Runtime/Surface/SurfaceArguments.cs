@@ -4,59 +4,36 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>Which surfaces <c>surfaces</c> makes of which states, and where it writes.</summary>
-    public sealed class SurfaceArguments
+    public sealed class SurfaceArguments : MeasuringArguments
     {
-        static readonly string[] flags = { "--quick", "--state", "--variant", "--out" };
+        readonly List<SurfaceStateEntry> states = new List<SurfaceStateEntry>();
+        readonly List<SurfaceVariantEntry> variants = new List<SurfaceVariantEntry>();
 
-        readonly List<SurfaceStates> states = new List<SurfaceStates>();
-        readonly List<SurfaceVariants> variants = new List<SurfaceVariants>();
-
-        /// <summary>Fewer variants, and a third of the frames of liquid that moves.</summary>
-        public bool Quick { get; private set; }
-
-        /// <summary>Folder of the file.</summary>
-        public string OutputFolder { get; private set; } = "Build/surfaces";
+        SurfaceArguments() : base("surfaces", "Build/surfaces")
+        {
+            AddQuick();
+            AddChoice("--state", states, SurfaceStateEntry.All, s => s.Name);
+            AddChoice("--variant", variants, SurfaceVariantEntry.All, v => v.Name);
+            AddFolder();
+        }
 
         /// <summary>The states.</summary>
-        internal IReadOnlyList<SurfaceStates> States => states;
+        internal IReadOnlyList<SurfaceStateEntry> States => states;
 
-        /// <summary>The variants.</summary>
-        internal IReadOnlyList<SurfaceVariants> Variants => variants;
+        /// <summary>The variants; the short plan has fewer.</summary>
+        internal IReadOnlyList<SurfaceVariantEntry> Variants => variants;
 
-        /// <summary>
-        /// Reads the whole command line of the process: the flags behind a lone <c>--</c>; without one, flags of others are passed over.
-        /// </summary>
-        /// <exception cref="CommandLineException">A flag behind <c>--</c> is unknown, or a value is missing or wrong.</exception>
+        /// <summary>Reads the command line of the process.</summary>
+        /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>
         public static SurfaceArguments Parse(IReadOnlyList<string> commandLine)
         {
             var result = new SurfaceArguments();
-            CommandLineFlag.Read(commandLine, "surfaces", flags, result.Read);
+            result.Read(commandLine);
             if (result.states.Count == 0)
-                result.states.AddRange(SurfaceStates.All);
+                result.states.AddRange(SurfaceStateEntry.All);
             if (result.variants.Count == 0)
-                result.variants.AddRange(SurfaceVariants.All.Where(v => v.Quick || !result.Quick));
+                result.variants.AddRange(SurfaceVariantEntry.All.Where(v => v.Quick || !result.Quick));
             return result;
-        }
-
-        void Read(CommandLineFlag flag)
-        {
-            switch (flag.Name)
-            {
-                case "--quick":
-                    Quick = flag.On();
-                    break;
-                case "--state":
-                    foreach (string name in flag.Values())
-                        CommandLineWords.Choose(states, flag.Name, name, SurfaceStates.All, s => s.Name);
-                    break;
-                case "--variant":
-                    foreach (string name in flag.Values())
-                        CommandLineWords.Choose(variants, flag.Name, name, SurfaceVariants.All, v => v.Name);
-                    break;
-                default:
-                    OutputFolder = flag.Folder();
-                    break;
-            }
         }
     }
 }

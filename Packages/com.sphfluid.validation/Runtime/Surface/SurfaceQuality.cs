@@ -1,8 +1,57 @@
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+
 namespace SphFluid.Validation
 {
-    /// <summary>What a surface variant made of a state. Means over the frames unless a sum is said; not a number what the state does not tell.</summary>
-    sealed class SurfaceQuality
+    /// <summary>
+    /// A line of surface-quality.csv: what a surface variant made of a state. Means over the frames unless it says sum; not a number where the
+    /// state has no reference for it.
+    /// </summary>
+    sealed class SurfaceQuality : MeasuredRow
     {
+        /// <summary>The file.</summary>
+        public static readonly TableFormat<SurfaceQuality> Format = new TableFormat<SurfaceQuality>("surface-quality.csv")
+            .Text("state", q => q.State)
+            .Text("variant", q => q.Variant)
+            .Number("particles", q => q.Particles)
+            .Number("frames", q => q.Frames)
+            .Number("cell_dx", q => q.Cell)
+            .Number("triangles", q => q.Triangles)
+            .Number("vertices", q => q.Vertices)
+            .Number("open_edges", q => q.OpenEdges)
+            .Number("non_manifold_edges", q => q.NonManifoldEdges)
+            .Number("flipped_edges", q => q.FlippedEdges)
+            .Number("zero_area", q => q.ZeroArea)
+            .Number("late_blocks", q => q.LateBlocks)
+            .Number("euler", q => q.Euler)
+            .Number("components", q => q.Components)
+            .Number("volume_ratio", q => q.Volume)
+            .Number("flatness_dx", q => q.Flatness)
+            .Number("slope_deg", q => q.Slope)
+            .Number("level_error_dx", q => q.LevelError)
+            .Number("ripple_dx", q => q.Ripple)
+            .Number("covered", q => q.Covered)
+            .Number("drops", q => q.Drops)
+            .Number("drops_visible", q => q.DropsVisible)
+            .Number("drop_radius_dx", q => q.DropRadius)
+            .Number("merge_gap_dx", q => q.MergeGap)
+            .Number("least_angle_deg", q => q.LeastAngle)
+            .Number("one_percent_angle_deg", q => q.OnePercentAngle)
+            .Number("mean_angle_deg", q => q.MeanAngle)
+            .Number("shading_error_deg", q => q.ShadingError)
+            .Number("face_error_deg", q => q.FaceError)
+            .Number("flicker_dx", q => q.Flicker)
+            .Number("gpu_ms", q => q.GpuMilliseconds)
+            .Text("device", q => q.Device)
+            .Text("date", q => q.Date);
+
+        /// <summary>Name of the state.</summary>
+        public string State;
+
+        /// <summary>Name of the variant.</summary>
+        public string Variant;
+
         /// <summary>Particles of a frame.</summary>
         public int Particles;
 
@@ -33,7 +82,7 @@ namespace SphFluid.Validation
         /// <summary>Height of the top over the liquid's level [dx], and how much it changes between frames, root mean square [dx].</summary>
         public double LevelError = double.NaN, Ripple = double.NaN;
 
-        /// <summary>Share of the columns over the liquid that meet the mesh.</summary>
+        /// <summary>Share of the columns over the liquid that intersect the mesh.</summary>
         public double Covered = double.NaN;
 
         /// <summary>Lone particles, and those of them that can be seen; of the frames together.</summary>
@@ -56,5 +105,26 @@ namespace SphFluid.Validation
 
         /// <summary>GPU time of the surface's passes in a frame [ms], the sort of the particles not counted.</summary>
         public double GpuMilliseconds = double.NaN;
+
+        /// <summary>The figures that there are, in words.</summary>
+        public override string ToString()
+        {
+            var text = new List<string> { Say("{0:F0} triangles", Triangles) };
+            int defects = OpenEdges + NonManifoldEdges + FlippedEdges;
+            text.Add(defects == 0 ? "closed" : Say("{0:F0} edges are wrong", defects));
+            text.Add(Say("volume {0:F3}", Volume));
+            text.Add(Say("flat to {0:F3} dx", Flatness));
+            text.Add(Say("slope {0:F1}°", Slope));
+            text.Add(Say("level {0:+0.000;-0.000} dx", LevelError));
+            text.Add(Say("covered {0:P1}", double.IsNaN(Flatness) ? Covered : double.NaN));
+            text.Add(Drops > 0 ? $"{DropsVisible} of {Drops} drops" : "");
+            text.Add(Say("normals {0:F1}°", ShadingError));
+            text.Add(Say("joined at {0:F1} dx", MergeGap));
+            text.Add(Say("flicker {0:F4} dx", Flicker));
+            text.Add(Say("{0:F1} ms", GpuMilliseconds));
+            return $"{State}, {Variant}: {string.Join(", ", text.Where(t => t.Length > 0))}.";
+        }
+
+        static string Say(string format, double value) => double.IsNaN(value) ? "" : string.Format(CultureInfo.InvariantCulture, format, value);
     }
 }

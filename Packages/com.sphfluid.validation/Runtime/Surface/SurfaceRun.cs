@@ -15,7 +15,7 @@ namespace SphFluid.Validation
         // States of fewer frames are gone through several times; the least time counts, as the first one also compiles.
         const int TimedFrames = 3;
 
-        static readonly ProfilerMarker frameMarker = ComputeKernel.CreateMarker(BenchBlocks.Frame);
+        static readonly ProfilerMarker frameMarker = ComputeKernel.CreateMarker(FrameBlocks.Frame);
 
         static readonly BenchBlock surface = new BenchBlock("surface",
             "ResetMCGrid", "SetMCGridDensityFactors", "CountSurfaceVertices", "EmitSurfaceVertices",

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Turns states that are told in particle spacings from the domain's lower corner into SI and simulation space.</summary>
+    /// <summary>Turns states that are given in particle spacings from the domain's lower corner into SI and simulation space.</summary>
     sealed class SurfaceScale
     {
         /// <summary>dx [m]. Two frames at 60 a second are then 0.65 √(dx/g) apart.</summary>
@@ -55,7 +55,7 @@ namespace SphFluid.Validation
             state.Frames.Add(positions.ToArray());
         }
 
-        /// <summary>Tells where the top of the liquid is looked at.</summary>
+        /// <summary>Sets where the top of the liquid is measured.</summary>
         /// <param name="state">The state.</param>
         /// <param name="from">Lower bounds in x and z [dx].</param>
         /// <param name="to">Upper bounds in x and z [dx].</param>

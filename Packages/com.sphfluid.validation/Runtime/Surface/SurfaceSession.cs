@@ -1,4 +1,3 @@
-using System;
 using System.Collections;
 using System.Collections.Generic;
 using System.Linq;
@@ -7,14 +6,12 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>Measures every variant on every state; the table is written after each.</summary>
-    public sealed class SurfaceSession : IValidationSession
+    public sealed class SurfaceSession : JobSession
     {
         readonly SurfaceArguments arguments;
         readonly FluidShaderSet shaders;
-        readonly SessionProgress progress;
-        readonly SurfaceQualityTable table;
-        readonly SessionWork work;
-        readonly ResultFolder results;
+        readonly ResultTable<SurfaceQuality> table;
+        List<(string Name, SurfaceVariant Variant)> variants;
 
         /// <summary>Prepares a session; nothing is measured yet.</summary>
         /// <param name="arguments">What to measure.</param>
@@ -23,51 +20,50 @@ namespace SphFluid.Validation
         /// <exception cref="FluidDeviceException">There are no shaders.</exception>
         /// <exception cref="CommandLineException">The output folder cannot be written, or holds another file of the table's name.</exception>
         public SurfaceSession(SurfaceArguments arguments, FluidShaderSet shaders, SessionProgress progress)
+            : base(arguments, "states", SystemInfo.graphicsDeviceName, progress, new SessionRate(null))
         {
             this.arguments = arguments;
             this.shaders = SessionAssets.Require(shaders, "The surfaces have");
-            this.progress = progress;
-            results = ResultFolder.Open(arguments.OutputFolder, new[] { ResultFile.Table(SurfaceQualityTable.FileName, SurfaceQualityTable.Columns) });
-            table = new SurfaceQualityTable(arguments.OutputFolder, SystemInfo.graphicsDeviceName);
-            work = new SessionWork(Run());
+            table = new ResultTable<SurfaceQuality>(SurfaceQuality.Format, Folder, SystemInfo.graphicsDeviceName);
+            Claim(new[] { SurfaceQuality.Format.File });
         }
 
-        /// <inheritdoc/>
-        public bool Step() => work.Step();
+        private protected override bool Resumes => false;
 
-        /// <summary>Frees the GPU memory; the table holds every finished measurement.</summary>
-        public void Dispose()
+        private protected override IEnumerator Run()
         {
-            work.Clear();
-            results.Close();
-        }
-
-        IEnumerator Run()
-        {
-            var scale = new SurfaceScale(arguments.Quick);
-            List<(string Name, SurfaceVariant Variant)> variants = arguments.Variants.Select(v => (v.Name, v.Create(shaders))).ToList();
+            variants = arguments.Variants.Select(v => (v.Name, v.Create(shaders))).ToList();
             try
             {
-                foreach (SurfaceStates states in arguments.States)
-                {
-                    SurfaceState state = states.Build(scale);
-                    if (state.Prepare != null)
-                        yield return state.Prepare(shaders);
-                    foreach ((string name, SurfaceVariant variant) in variants.Where(v => v.Variant.Takes(state)))
-                    {
-                        using (var run = new SurfaceRun(state, variant, shaders))
-                        {
-                            yield return run.Run();
-                            table.Add(state.Name, name, run.Result);
-                            progress.Say(SurfaceQualityTable.Line(state.Name, name, run.Result));
-                        }
-                    }
-                }
+                yield return base.Run();
             }
             finally
             {
                 foreach ((string _, SurfaceVariant variant) in variants)
                     variant.Dispose();
+            }
+        }
+
+        private protected override IEnumerable<SessionJob> Jobs()
+        {
+            var scale = new SurfaceScale(arguments.Quick);
+            return arguments.States.Select(s => new SessionJob(s.Name, 1.0, () => false, () => Measure(s.Build(scale))));
+        }
+
+        IEnumerator Measure(SurfaceState state)
+        {
+            if (state.Prepare != null)
+                yield return state.Prepare(shaders);
+            foreach ((string name, SurfaceVariant variant) in variants.Where(v => v.Variant.Takes(state)))
+            {
+                using (var run = new SurfaceRun(state, variant, shaders))
+                {
+                    yield return run.Run();
+                    run.Result.State = state.Name;
+                    run.Result.Variant = name;
+                    table.Add(run.Result);
+                    Progress.Say(run.Result.ToString());
+                }
             }
         }
     }

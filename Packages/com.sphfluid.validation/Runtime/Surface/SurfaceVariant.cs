@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>A way to make a surface of particles.</summary>
+    /// <summary>A method to make a surface of particles.</summary>
     abstract class SurfaceVariant : IDisposable
     {
         /// <summary>A variant.</summary>

@@ -1,5 +1,4 @@
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace SphFluid.Validation
 {
@@ -17,11 +16,7 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         protected override float Fill(SurfaceField field, SurfaceState state, FluidSolver solver, Vector3[] positions)
         {
-            using (var cmd = new CommandBuffer { name = "Surface Variant" })
-            {
-                field.Record(cmd, solver);
-                Graphics.ExecuteCommandBuffer(cmd);
-            }
+            GpuWork.Submit("Surface Variant", cmd => field.Record(cmd, solver));
             return iso;
         }
     }

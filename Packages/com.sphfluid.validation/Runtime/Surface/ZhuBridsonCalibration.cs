@@ -5,13 +5,13 @@ namespace SphFluid.Validation
 {
     /// <summary>
     /// Finds the iso value at which Zhu and Bridson's field puts the top of a pool half a spacing above its last layer: the mean over a perfect lattice and six
-    /// ways in which its layers lie between the planes of the grid.
+    /// positions at which its layers lie between the planes of the grid.
     /// </summary>
     static class ZhuBridsonCalibration
     {
         const int Phases = 6, Margin = 4, Rim = 5, Bisections = 24;
 
-        // What the phases also shift across, in cells: columns meet the lattice everywhere.
+        // What the phases also shift across, in cells: columns cross the lattice everywhere.
         static readonly Vector3 across = new Vector3(0.178f, 0f, 0.731f);
 
         /// <summary>The iso value.</summary>

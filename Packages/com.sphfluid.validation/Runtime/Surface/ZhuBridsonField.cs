@@ -16,7 +16,7 @@ namespace SphFluid.Validation
         /// <summary>The field.</summary>
         /// <param name="positions">Particles [m].</param>
         /// <param name="settings">Domain and spacing; no periodic axes.</param>
-        /// <param name="grid">Where it is wanted.</param>
+        /// <param name="grid">Where it is sampled.</param>
         /// <returns>0 to 1 at each grid vertex, x fastest.</returns>
         public static float[] Sample(Vector3[] positions, in FluidSolverSettings settings, SurfaceGrid grid)
         {

@@ -1,13 +1,12 @@
 using System;
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace SphFluid.Validation
 {
     /// <summary>A small liquid whose end shows what one printed form of the thesis does beside the corrected one.</summary>
     public sealed class SwitchExperiment
     {
-        const int StepsPerBuffer = 50;
+        const string CommandName = "Switch Experiment";
 
         internal SwitchExperiment(string name, FluidParticle[] start, float seconds, in FluidSolverSettings corrected, in FluidSolverSettings printed)
         {
@@ -57,23 +56,9 @@ namespace SphFluid.Validation
                     wrong.OctantSearch = true;
                     solver.State.Settings = wrong;
                 }
-                int steps = (int)Math.Round(Seconds / settings.TimeStep);
-                for (int done = 0; done < steps; done += StepsPerBuffer)
-                {
-                    int now = Math.Min(StepsPerBuffer, steps - done);
-                    Execute(cmd => solver.RecordSteps(cmd, now));
-                }
-                Execute(cmd => solver.RecordNeighbourSetup(cmd));
+                GpuWork.Step(CommandName, solver, (int)Math.Round(Seconds / settings.TimeStep));
+                GpuWork.Submit(CommandName, cmd => solver.RecordNeighbourSetup(cmd));
                 return new SwitchResult(solver);
-            }
-        }
-
-        static void Execute(Action<CommandBuffer> record)
-        {
-            using (var cmd = new CommandBuffer { name = "Switch Experiment" })
-            {
-                record(cmd);
-                Graphics.ExecuteCommandBuffer(cmd);
             }
         }
     }

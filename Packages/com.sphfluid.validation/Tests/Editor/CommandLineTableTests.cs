@@ -31,7 +31,7 @@ namespace SphFluid.Tests
             ("stability", w => StabilityArguments.Parse(w), new[] { ("--map", NoNames), ("--method", NoNames), ("--slice", NoMinutes), ("--out", NoFolders) }),
             ("leaks", w => LeakArguments.Parse(w), new[] { ("--scene", NoNames), ("--out", NoFolders) }),
             ("surfaces", w => SurfaceArguments.Parse(w), new[] { ("--state", NoNames), ("--variant", NoNames), ("--out", NoFolders) }),
-            ("figures", w => FigureArguments.Parse(w, "figures", new[] { "clumps" }), new[] { ("--only", NoNames), ("--out", NoFolders) }),
+            ("figures", w => FigureArguments.Parse(w, new[] { "clumps" }), new[] { ("--only", NoNames), ("--out", NoFolders) }),
         };
 
         static IEnumerable<TestCaseData> Rows() =>

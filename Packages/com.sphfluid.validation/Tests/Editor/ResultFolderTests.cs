@@ -1,4 +1,3 @@
-using System;
 using System.IO;
 using NUnit.Framework;
 using SphFluid.Validation;
@@ -6,25 +5,13 @@ using SphFluid.Validation;
 namespace SphFluid.Tests
 {
     /// <summary>What measurements may replace in the folder of --out.</summary>
-    public sealed class ResultFolderTests
+    public sealed class ResultFolderTests : FolderTests
     {
         static readonly ResultFile table = ResultFile.Table("speed.csv", new[] { "case", "speed_m_s" });
         static readonly ResultFile script = ResultFile.Text("speed.gp", "# Draws speed.png");
         static readonly ResultFile drawn = ResultFile.Drawn("speed.png", "speed.gp");
         static readonly ResultFile curve = ResultFile.Table("curves/a.csv", new[] { "x", "y" });
         static readonly ResultFile picture = ResultFile.Picture("still.png");
-
-        string folder;
-
-        [SetUp]
-        public void SetUp() => folder = Path.Combine(Path.GetTempPath(), "sphfluid-results-" + Guid.NewGuid().ToString("N"));
-
-        [TearDown]
-        public void TearDown()
-        {
-            if (Directory.Exists(folder))
-                Directory.Delete(folder, true);
-        }
 
         [Test]
         public void ANewFolderIsMade()

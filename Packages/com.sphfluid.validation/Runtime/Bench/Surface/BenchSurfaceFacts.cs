@@ -9,10 +9,10 @@ namespace SphFluid.Validation
         /// <summary>Edge of a cell [m].</summary>
         public double CellSize { get; set; }
 
-        /// <summary>Number of triangles; null where the GPU tells none.</summary>
+        /// <summary>Number of triangles; null where the GPU counts none.</summary>
         public long? Triangles { get; set; }
 
-        /// <summary>Number of vertices that the drawing reads or makes; null where the GPU tells none.</summary>
+        /// <summary>Number of vertices that the drawing reads or makes; null where the GPU counts none.</summary>
         public long? Vertices { get; set; }
 
         /// <summary>Blocks that were sampled; null for a dense grid.</summary>
@@ -27,7 +27,7 @@ namespace SphFluid.Validation
         /// <summary>Of a dense grid over the measured liquid's domain.</summary>
         /// <param name="cells">Cells a side.</param>
         /// <param name="bytes">GPU memory [bytes].</param>
-        /// <param name="corners">Corners of triangles, three each and none shared; null where the GPU tells none.</param>
+        /// <param name="corners">Corners of triangles, three each and none shared; null where the GPU counts none.</param>
         internal static BenchSurfaceFacts Dense(int cells, long bytes, long? corners = null) => new BenchSurfaceFacts
         {
             Cells = cells,

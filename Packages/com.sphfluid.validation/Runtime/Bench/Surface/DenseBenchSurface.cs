@@ -36,7 +36,7 @@ namespace SphFluid.Validation
 
         public BenchSurfaceFacts Facts => BenchSurfaceFacts.Dense(cells, field.GpuBytes + GpuBuffers.Size(tables, arguments, vertices), corners);
 
-        public bool HasRoom { get; private set; }
+        public bool HasCapacity { get; private set; }
 
         public void RecordTrial(CommandBuffer cmd, FluidSolver solver)
         {
@@ -50,7 +50,7 @@ namespace SphFluid.Validation
             arguments.GetData(counted);
             corners = counted[0];
             GpuBuffers.Reserve(ref vertices, "SurfaceVertices", corners, EmittedVertex.Stride);
-            HasRoom = true;
+            HasCapacity = true;
         }
 
         public void Record(CommandBuffer cmd, FluidSolver solver, BenchDrawing drawing)

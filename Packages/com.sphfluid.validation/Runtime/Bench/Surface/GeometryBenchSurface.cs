@@ -18,7 +18,7 @@ namespace SphFluid.Validation
 
         public BenchSurfaceFacts Facts { get; }
 
-        public bool HasRoom => true;
+        public bool HasCapacity => true;
 
         public void RecordTrial(CommandBuffer cmd, FluidSolver solver)
         {

@@ -10,12 +10,12 @@ namespace SphFluid.Validation
         BenchSurfaceFacts Facts { get; }
 
         /// <summary>Whether its buffers hold the whole mesh; until then trial frames show how much it needs.</summary>
-        bool HasRoom { get; }
+        bool HasCapacity { get; }
 
         /// <summary>Records a frame that is not measured.</summary>
         void RecordTrial(CommandBuffer cmd, FluidSolver solver);
 
-        /// <summary>Makes room by what the trial frame, now executed, needed. Waits for the GPU.</summary>
+        /// <summary>Grows to what the trial frame, now executed, needed. Waits for the GPU.</summary>
         void TakeTrial();
 
         /// <summary>Records everything from sorted particles to the picture.</summary>

@@ -38,7 +38,7 @@ namespace SphFluid.Validation
             GpuBytes = surface.GpuBytes,
         };
 
-        public bool HasRoom => surface.Status.IsComplete;
+        public bool HasCapacity => surface.Status.IsComplete;
 
         public void RecordTrial(CommandBuffer cmd, FluidSolver solver) => surface.Record(cmd, solver, field, grid, SurfaceWalls.Closed);
 

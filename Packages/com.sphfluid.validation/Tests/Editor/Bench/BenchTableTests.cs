@@ -39,7 +39,7 @@ namespace SphFluid.Tests
         [Test]
         public void RowsAreWrittenWithTheContractsColumns()
         {
-            BenchTable table = Table();
+            BenchColumns table = Table();
             string[] lines = table.Lines().ToArray();
 
             Assert.That(lines, Has.Length.EqualTo(2), "rows without samples are left out");
@@ -56,10 +56,11 @@ namespace SphFluid.Tests
             string folder = Path.Combine(Path.GetTempPath(), "sphfluid-bench-" + Guid.NewGuid().ToString("N"));
             try
             {
-                new BenchTable("thesis", "device", "2026-11-21", new ThesisLayout(new[] { "First" })).Write(folder);
-                string file = Table().Write(folder);
+                new ThesisLayout("thesis", new[] { "First" }).Format.Write(folder, new BenchRow[0]);
+                BenchColumns table = Table();
+                table.Format.Write(folder, table.Rows.Take(1));
 
-                Assert.That(File.ReadAllLines(file), Has.Length.EqualTo(2));
+                Assert.That(File.ReadAllLines(Path.Combine(folder, "thesis.csv")), Has.Length.EqualTo(2));
                 Assert.That(Directory.GetFiles(folder), Has.Length.EqualTo(1));
             }
             finally
@@ -118,7 +119,7 @@ namespace SphFluid.Tests
         // 0: SPH only, 1: with particles, else marching cubes on that grid.
         static BenchConfig Config(int grid) => grid == 0 ? BenchConfig.SphOnly : grid == 1 ? BenchConfig.SphParticles : BenchConfig.SphMarchingCubes(grid);
 
-        static BenchTable Table()
+        static BenchColumns Table()
         {
             var row = new BenchRow(BenchConfig.SphMarchingCubes(64), 16384)
             {
@@ -131,9 +132,9 @@ namespace SphFluid.Tests
             row.Add(new BenchTimes(1, 8.0, new[] { 2.0, 4.0 }));
             row.Add(new BenchTimes(4, 16.0, new[] { 4.0, 8.0 }));
             row.Add(new BenchTimes(1, 2.0, new[] { 0.5, 1.0 }));
-            var table = new BenchTable("thesis", "A \"fast\" one, with 2 cores", "2026-11-21", new ThesisLayout(new[] { "First", "Second" }));
-            table.Rows.Add(row);
-            table.Rows.Add(new BenchRow(BenchConfig.SphOnly, 16384));
+            var table = new BenchColumns(new ThesisLayout("thesis", new[] { "First", "Second" }), "A \"fast\" one, with 2 cores", "2026-11-21");
+            table.Add(row);
+            table.Add(new BenchRow(BenchConfig.SphOnly, 16384));
             return table;
         }
     }

@@ -14,7 +14,7 @@ namespace SphFluid.Tests
         [Test]
         public void RowsAreHeldAgainstTheThesisOfTheSameSize()
         {
-            BenchTable table = Table((BenchSolver.ThesisCells, 1000, 9.0), (BenchSolver.ThesisOctant, 1000, 12.0), (BenchSolver.Standard, 1000, 3.0),
+            BenchColumns table = Table((BenchSolver.ThesisCells, 1000, 9.0), (BenchSolver.ThesisOctant, 1000, 12.0), (BenchSolver.Standard, 1000, 3.0),
                 (BenchSolver.ThesisCells, 4000, 44.0), (BenchSolver.Standard, 4000, 12.0), (BenchSolver.StandardWide, 4000, 20.0));
 
             Assert.That(table.Column("speedup_thesis_27"), Is.EqualTo(new[] { "1", "0.75", "3", "1", "3.66667", "" }));
@@ -25,7 +25,7 @@ namespace SphFluid.Tests
         [Test]
         public void GrowthIsTheExponentOverASixteenthOfTheSizeAndMore()
         {
-            BenchTable table = Table((BenchSolver.Standard, 1000, 100.0), (BenchSolver.Standard, 4000, 8.0), (BenchSolver.Standard, 16000, 32.0),
+            BenchColumns table = Table((BenchSolver.Standard, 1000, 100.0), (BenchSolver.Standard, 4000, 8.0), (BenchSolver.Standard, 16000, 32.0),
                 (BenchSolver.Standard, 64000, 512.0));
 
             Assert.That(table.Column("growth_exponent"), Is.EqualTo(new[] { "", "-1.82193", "-0.410964", "1.5" }));
@@ -34,7 +34,7 @@ namespace SphFluid.Tests
         [Test]
         public void SharesAndRoofline()
         {
-            BenchTable table = Table((BenchSolver.StandardUnordered, 1000, 2.0));
+            BenchColumns table = Table((BenchSolver.StandardUnordered, 1000, 2.0));
             table.Rows[0].Cells = 500;
             table.Rows[0].CopySpeed = 1e9;
 
@@ -136,14 +136,14 @@ namespace SphFluid.Tests
         }
 
         // Two frames a sample; a quarter of each in the first part, half in the second.
-        static BenchTable Table(params (BenchSolver Solver, int Particles, double Milliseconds)[] rows)
+        static BenchColumns Table(params (BenchSolver Solver, int Particles, double Milliseconds)[] rows)
         {
-            var table = new BenchTable("solver", "device", "2026-11-22", new SolverLayout(Parts));
+            var table = new BenchColumns(new SolverLayout(Parts), "device", "2026-11-22");
             foreach ((BenchSolver solver, int particles, double milliseconds) in rows)
             {
                 var row = new BenchRow(BenchConfig.Step(solver), particles) { NeighboursMean = 30.0, CandidatesMean = 195.0, Dispatches = 18, CopySpeed = 1e9 };
                 row.Add(new BenchTimes(2, 2.0 * milliseconds, new[] { 0.5 * milliseconds, milliseconds }));
-                table.Rows.Add(row);
+                table.Add(row);
             }
             return table;
         }

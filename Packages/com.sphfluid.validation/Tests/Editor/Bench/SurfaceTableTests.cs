@@ -44,7 +44,7 @@ namespace SphFluid.Tests
         [Test]
         public void RowsAreHeldAgainstTheSameGridAndHalfOfIt()
         {
-            BenchTable table = Table((BenchConfig.GeometrySurface(64), 1000, 90.0), (BenchConfig.DenseSurface(64), 1000, 60.0), (BenchConfig.SparseSurface(64), 1000, 10.0),
+            BenchColumns table = Table((BenchConfig.GeometrySurface(64), 1000, 90.0), (BenchConfig.DenseSurface(64), 1000, 60.0), (BenchConfig.SparseSurface(64), 1000, 10.0),
                 (BenchConfig.SparseSurface(128), 1000, 45.0), (BenchConfig.SparseSurface(64), 4000, 20.0), (BenchConfig.SparseSurface(FluidSurfaceQuality.High), 1000, 5.0));
 
             Assert.That(table.Column("speedup_gs"), Is.EqualTo(new[] { "1", "1.5", "9", "", "", "" }));
@@ -57,7 +57,7 @@ namespace SphFluid.Tests
         [Test]
         public void TrianglesOfTheGeometryShaderAreThoseOfTheDenseSurface()
         {
-            BenchTable table = Table((BenchConfig.GeometrySurface(64), 1000, 90.0), (BenchConfig.DenseSurface(64), 1000, 60.0));
+            BenchColumns table = Table((BenchConfig.GeometrySurface(64), 1000, 90.0), (BenchConfig.DenseSurface(64), 1000, 60.0));
             table.Rows[1].Surface = BenchSurfaceFacts.Dense(64, 5000, 300);
 
             Assert.That(table.Column("triangles"), Is.EqualTo(new[] { "100", "100" }));
@@ -77,10 +77,10 @@ namespace SphFluid.Tests
             using (var field = new SurfaceField(shaders, BenchLiquid.SurfaceGrid(cells)))
             using (var twin = new SurfacePolygoniser(shaders))
             {
-                Assert.That(surface.HasRoom, Is.False);
+                Assert.That(surface.HasCapacity, Is.False);
                 GpuTest.Run(cmd => surface.RecordTrial(cmd, liquid.Solver));
                 surface.TakeTrial();
-                Assert.That(surface.HasRoom, Is.True);
+                Assert.That(surface.HasCapacity, Is.True);
                 GpuTest.Run(cmd => surface.Record(cmd, liquid.Solver, drawing));
                 GpuTest.Run(cmd => field.Record(cmd, liquid.Solver));
 
@@ -116,7 +116,7 @@ namespace SphFluid.Tests
         {
             using (surface)
             {
-                while (!surface.HasRoom)
+                while (!surface.HasCapacity)
                 {
                     GpuTest.Run(cmd => surface.RecordTrial(cmd, solver));
                     surface.TakeTrial();
@@ -129,15 +129,15 @@ namespace SphFluid.Tests
         static double Differing(Color[] a, Color[] b) => a.Where((colour, i) => ((Vector4)(colour - b[i])).magnitude > 0.05f).Count() / (double)a.Length;
 
         // Two frames a sample; a quarter of each in the first part, half in the second.
-        static BenchTable Table(params (BenchConfig Config, int Particles, double Milliseconds)[] rows)
+        static BenchColumns Table(params (BenchConfig Config, int Particles, double Milliseconds)[] rows)
         {
-            var table = new BenchTable("surface", "device", "2026-11-22", new SurfaceLayout(Parts));
+            var table = new BenchColumns(new SurfaceLayout(Parts), "device", "2026-11-22");
             foreach ((BenchConfig config, int particles, double milliseconds) in rows)
             {
                 var row = new BenchRow(config, particles) { Surface = BenchSurfaceFacts.Dense(config.Quality.HasValue ? 64 : config.Grid, 1000) };
                 row.Add(new BenchTimes(2, 2.0 * milliseconds, new[] { 0.5 * milliseconds, milliseconds }));
                 row.AddNeighbourSetup(3.0);
-                table.Rows.Add(row);
+                table.Add(row);
             }
             return table;
         }

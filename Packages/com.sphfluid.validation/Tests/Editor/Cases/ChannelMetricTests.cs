@@ -44,7 +44,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void FlowAcrossTheChannelIsTold()
+        public void FlowAcrossTheChannelIsReported()
         {
             ChannelMetric metric = Watched((y, t) => new Vector3((float)Exact(y, t), 0.003f, 0.004f));
 

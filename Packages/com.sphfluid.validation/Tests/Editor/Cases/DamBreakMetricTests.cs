@@ -71,7 +71,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void AFilmOnTheWallIsToldFromTheHeightBesideIt()
+        public void AFilmOnTheWallIsDistinguishedFromTheHeightBesideIt()
         {
             const double film = 0.12;
             DamBreakMetric metric = Watched(Front, Height, (positions, front, height) =>

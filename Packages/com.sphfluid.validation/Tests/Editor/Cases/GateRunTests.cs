@@ -115,8 +115,8 @@ namespace SphFluid.Tests
         [Test]
         public void AllCasesAreNamedOnceAndGatesHaveLimits()
         {
-            Assert.That(ValidationCases.All.Select(c => c.Name), Is.Unique);
-            foreach (ValidationCase validationCase in ValidationCases.All)
+            Assert.That(CaseCatalogue.All.Select(c => c.Name), Is.Unique);
+            foreach (ValidationCase validationCase in CaseCatalogue.All)
             {
                 Assert.That(validationCase.Name, Does.Match("^[a-z]+(-[a-z]+)*$"));
                 Assert.That(double.IsNaN(validationCase.Limit), Is.Not.EqualTo(validationCase.IsGate), validationCase.Name);

@@ -39,7 +39,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void HeightSpeedAndDensityAreTold()
+        public void HeightSpeedAndDensityAreReported()
         {
             // m = 25: the equation of state alone leaves 0.98052 of the height; the column has 0.95 of it, and its layers, 0.947 dx apart,
             // reach a thirtieth of a spacing farther.
@@ -73,7 +73,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void SideWallsAreToldApart()
+        public void SideWallsAreKeptApart()
         {
             // Half as much again within three spacings of a wall.
             FluidSolverSettings settings = Settings(false, 1e12);

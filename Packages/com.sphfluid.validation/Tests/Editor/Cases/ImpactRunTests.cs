@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Small runs on the GPU: what the thesis method gives, with room for another device's rounding.</summary>
+    /// <summary>Small runs on the GPU: what the thesis method gives, with a margin for another device's rounding.</summary>
     public sealed class ImpactRunTests
     {
         [Test]

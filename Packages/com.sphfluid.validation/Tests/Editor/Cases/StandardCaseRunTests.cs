@@ -69,7 +69,7 @@ namespace SphFluid.Tests
         [TestCase("standard", 2.25)]
         public void CasesSweepAboutTheMethodsOwnSupport(string method, double supportRatio)
         {
-            foreach (ValidationCase validationCase in ValidationCases.All)
+            foreach (ValidationCase validationCase in CaseCatalogue.All)
                 Assert.That(validationCase.Base(CaseMethod.Find(method)).SupportRatio, Is.EqualTo(supportRatio), validationCase.Name);
         }
 

@@ -40,7 +40,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void LongRunsAreLeftOutAndToldOf()
+        public void LongRunsAreLeftOutAndReported()
         {
             double limit = new ChartRun(new ChartConfig(cases[0], cases[0].Base(CaseMethod.Find("thesis")), ChartFactor.Base), 1).Cost * 4.0;
             CaseMethod[] method = { CaseMethod.Find("thesis") };
@@ -53,7 +53,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void ImpossiblePointsAreToldOf()
+        public void ImpossiblePointsAreReported()
         {
             var small = new FlatCase("small") { SupportLimit = 2.5 };
             ChartPlan plan = ChartPlan.Full(new[] { small }, new[] { CaseMethod.Find("thesis") });
@@ -104,7 +104,7 @@ namespace SphFluid.Tests
         [Test]
         public void QuickPlanOfAllCasesTakesLessThanTenMinutesOnTwoCores()
         {
-            ValidationCase[] charted = ValidationCases.All.Where(c => !c.IsGate).ToArray();
+            ValidationCase[] charted = CaseCatalogue.All.Where(c => !c.IsGate).ToArray();
             ChartPlan plan = ChartPlan.Quick(charted, CaseMethod.All);
 
             Assert.That(plan.Cost / ChartPlan.SoftwareRate, Is.LessThan(540.0));

@@ -80,7 +80,7 @@ namespace SphFluid.Tests
         public void ACasesPictureHasItsCurvesAndTheReference()
         {
             var flat = new FlatCase("one");
-            CurveFile.Write(CurveFile.PathOf(folder, "one", "thesis"), "dx 0.1 m", FlatCase.Result(1.0, 0.1).Series);
+            CurveFile.Write(folder, "one", "thesis", "dx 0.1 m", FlatCase.Result(1.0, 0.1).Series);
             string script = string.Join("\n", new CurveScript(flat, folder).Lines());
 
             Assert.That(script, Does.Contain("set output 'case-one.png'"));
@@ -94,7 +94,7 @@ namespace SphFluid.Tests
         public void ManyReferencesHaveAPanelEach()
         {
             List<CaseSeries> curves = Enumerable.Range(0, 3).SelectMany(i => FlatCase.Result(1.0, 0.1).Series.Select(c => Renamed(c, c.Name + " " + i))).ToList();
-            CurveFile.Write(CurveFile.PathOf(folder, "one", "thesis"), "dx 0.1 m", curves);
+            CurveFile.Write(folder, "one", "thesis", "dx 0.1 m", curves);
             string script = string.Join("\n", new CurveScript(new FlatCase("one"), folder).Lines());
 
             Assert.That(script, Does.Contain("set multiplot layout 2,2"));
@@ -107,7 +107,7 @@ namespace SphFluid.Tests
         {
             if (Gnuplot.Draw(Write("empty.gp", "")) != null)
                 Assert.Ignore("gnuplot is not installed.");
-            CurveFile.Write(CurveFile.PathOf(folder, "one", "thesis"), "dx 0.1 m", FlatCase.Result(1.0, 0.1).Series);
+            CurveFile.Write(folder, "one", "thesis", "dx 0.1 m", FlatCase.Result(1.0, 0.1).Series);
             ValidationCase[] cases = { new FlatCase("one") { Companion = "drift", Warning = "A caution." }, new FlatCase("two") };
 
             Assert.That(Gnuplot.Draw(Write("accuracy.gp", Script(cases))), Is.Null);
@@ -119,17 +119,17 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void AMissingGnuplotIsToldInOneLine()
+        public void AMissingGnuplotIsOneLine()
         {
             string script = Write("accuracy.gp", "plot x");
-            string told = Gnuplot.Draw(script, "no-such-gnuplot");
+            string message = Gnuplot.Draw(script, "no-such-gnuplot");
 
-            Assert.That(told, Does.Contain("apt-get install gnuplot-nox").And.Contain("gnuplot accuracy.gp").And.Not.Contain("\n"));
+            Assert.That(message, Does.Contain("apt-get install gnuplot-nox").And.Contain("gnuplot accuracy.gp").And.Not.Contain("\n"));
             Assert.That(File.Exists(script), Is.True);
         }
 
         [Test]
-        public void ABrokenScriptIsTold()
+        public void ABrokenScriptIsReported()
         {
             if (Gnuplot.Draw(Write("empty.gp", "")) != null)
                 Assert.Ignore("gnuplot is not installed.");
@@ -163,7 +163,7 @@ namespace SphFluid.Tests
         // Base and two κ of the corrected method, and a base of the printed one that fails. Errors are κ/10, 0.01 apart.
         static string Script(params ValidationCase[] cases)
         {
-            var table = new ChartTable("A 'fast' one");
+            var table = new ChartRows("A 'fast' one");
             foreach (ValidationCase validationCase in cases)
             {
                 foreach (double kappa in new[] { 2.0, 2.5, 1.75 })

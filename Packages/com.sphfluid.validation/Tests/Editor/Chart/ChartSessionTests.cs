@@ -72,6 +72,23 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void ARunOfAnotherNumberOfParticlesIsDoneAgainAndReplaced()
+        {
+            Finish(Create());
+            string file = Path.Combine(folder, "accuracy.csv"), all = File.ReadAllText(file);
+            string changed = all.Replace($",{done[0].Config.Particles},1,", $",{done[0].Config.Particles - 1},1,");
+            Assert.That(changed, Is.Not.EqualTo(all));
+            File.WriteAllText(file, changed);
+            int lines = Lines("accuracy.csv").Length;
+            done.Clear();
+            Finish(Create());
+
+            Assert.That(done, Is.Not.Empty);
+            Assert.That(Lines("accuracy.csv"), Has.Length.EqualTo(lines));
+            Assert.That(Lines("accuracy.csv").Where(l => l.Contains($",{done[0].Config.Particles - 1},1,")), Is.Empty);
+        }
+
+        [Test]
         public void ASliceStopsBetweenTwoRunsAndSaysHowToGoOn()
         {
             // A run longer than the slice is begun only as the slice's first.

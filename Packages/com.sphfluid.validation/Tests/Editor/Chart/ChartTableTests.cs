@@ -1,4 +1,3 @@
-using System;
 using System.IO;
 using System.Linq;
 using NUnit.Framework;
@@ -6,34 +5,23 @@ using SphFluid.Validation;
 
 namespace SphFluid.Tests
 {
-    public sealed class ChartTableTests
+    public sealed class ChartTableTests : FolderTests
     {
         const string Device = "A \"fast\" one, with 2 cores";
 
         static readonly FlatCase flat = new FlatCase("flat");
-        string folder;
-
-        [SetUp]
-        public void SetUp() => folder = Path.Combine(Path.GetTempPath(), "sphfluid-chart-" + Guid.NewGuid().ToString("N"));
-
-        [TearDown]
-        public void TearDown()
-        {
-            if (Directory.Exists(folder))
-                Directory.Delete(folder, true);
-        }
 
         [Test]
         public void HasTheColumnsThatOthersRead()
         {
-            Assert.That(string.Join(",", ChartRow.Columns), Is.EqualTo("case,method,dx,kappa,dt_fraction,c_or_iterations,particles,seed," +
+            Assert.That(ChartRow.Format.FirstLine, Is.EqualTo("case,method,dx,kappa,dt_fraction,c_or_iterations,particles,seed," +
                 "gpu_ms_per_sim_s,cpu_ms_per_sim_s,error,error_name,failed,reason,device,date,steps"));
         }
 
         [Test]
         public void EveryErrorOfARunHasALineTheMainOneFirst()
         {
-            ChartTable table = Written(FlatCase.Result(1234.5, 0.125));
+            ResultTable<ChartRow> table = Written(FlatCase.Result(1234.5, 0.125));
             string[] lines = File.ReadAllLines(Path.Combine(folder, "accuracy.csv"));
 
             Assert.That(table.Rows, Has.Count.EqualTo(2));
@@ -63,28 +51,25 @@ namespace SphFluid.Tests
         [Test]
         public void ReadsWhatItWrote()
         {
-            ChartTable written = Written(FlatCase.Result(1234.5, 0.125));
-            ChartTable read = ChartTable.Load(folder, Device);
+            ResultTable<ChartRow> written = Written(FlatCase.Result(1234.5, 0.125));
+            ResultTable<ChartRow> read = Resume(Device);
 
-            Assert.That(read.Rows.Select(r => r.ToLine()), Is.EqualTo(written.Rows.Select(r => r.ToLine())));
-            Assert.That(read.Contains(Run(3)), Is.True);
-            Assert.That(read.Contains(Run(4)), Is.False, "another seed");
+            Assert.That(read.Rows.Select(ChartRow.Format.Line), Is.EqualTo(written.Rows.Select(ChartRow.Format.Line)));
+            Assert.That(read.Contains(Run(3).Key), Is.True);
+            Assert.That(read.Contains(Run(4).Key), Is.False, "another seed");
             CaseParameters other = flat.Base(CaseMethod.Find("thesis"));
             other.SupportRatio = 2.25;
-            Assert.That(read.Contains(new ChartRun(new ChartConfig(flat, other, ChartFactor.Support), 3)), Is.False, "another κ");
+            Assert.That(read.Contains(new ChartRun(new ChartConfig(flat, other, ChartFactor.Support), 3).Key), Is.False, "another κ");
         }
 
         [Test]
-        public void ARunOfAnotherNumberOfParticlesIsDoneAgainAndReplaced()
+        public void ANewerRunReplacesAllLinesOfTheOlder()
         {
-            ChartTable table = Written(FlatCase.Result(1234.5, 0.125));
-            string file = Path.Combine(folder, "accuracy.csv");
-            File.WriteAllText(file, File.ReadAllText(file).Replace(",1728,", ",1727,"));
-            table = ChartTable.Load(folder, Device);
+            Written(FlatCase.Result(1234.5, 0.125));
+            ResultTable<ChartRow> table = Resume(Device);
+            table.Add(ChartRow.Of(Run(3), FlatCase.Result(1.0, 0.1)));
 
-            Assert.That(table.Contains(Run(3)), Is.False);
-            table.Add(Run(3), FlatCase.Result(1.0, 0.1), "2026-11-22");
-            Assert.That(table.Rows.Select(r => r.Particles), Is.EqualTo(new[] { 1728, 1728 }));
+            Assert.That(table.Rows.Select(r => r.GpuMsPerSecond), Is.EqualTo(new[] { 1.0, 1.0 }));
         }
 
         [Test]
@@ -92,7 +77,7 @@ namespace SphFluid.Tests
         {
             Written(FlatCase.Result(1.0, 0.1));
 
-            var exception = Assert.Throws<CommandLineException>(() => ChartTable.Load(folder, "another"));
+            var exception = Assert.Throws<CommandLineException>(() => Resume("another"));
             Assert.That(exception.Message, Does.Contain("another").And.Contain(Device).And.Contain("--out"));
         }
 
@@ -103,10 +88,10 @@ namespace SphFluid.Tests
             string file = Path.Combine(folder, "accuracy.csv");
             string text = File.ReadAllText(file);
             File.WriteAllText(file, text + "flat,thesis,0.1\n");
-            Assert.That(() => ChartTable.Load(folder, Device), Throws.TypeOf<CommandLineException>().With.Message.Contains("line 4"));
+            Assert.That(() => Resume(Device), Throws.TypeOf<CommandLineException>().With.Message.Contains("line 4"));
 
             File.WriteAllText(file, text.Replace("kappa", "k"));
-            Assert.That(() => ChartTable.Load(folder, Device), Throws.TypeOf<CommandLineException>().With.Message.Contains("columns"));
+            Assert.That(() => Resume(Device), Throws.TypeOf<CommandLineException>().With.Message.Contains("columns"));
         }
 
         [TestCase("a,b", new[] { "a", "b" })]
@@ -118,11 +103,15 @@ namespace SphFluid.Tests
             Assert.That(CsvText.Join(cells), Is.EqualTo(line));
         }
 
-        ChartTable Written(CaseResult result)
+        ResultTable<ChartRow> Resume(string device) => ResultTable<ChartRow>.Resume(ChartRow.Format, folder, device, () => new ChartRow());
+
+        ResultTable<ChartRow> Written(CaseResult result)
         {
-            var table = new ChartTable(Device);
-            table.Add(Run(3), result, "2026-11-21");
-            table.Write(folder);
+            var table = new ResultTable<ChartRow>(ChartRow.Format, folder, Device);
+            ChartRow[] rows = ChartRow.Of(Run(3), result);
+            foreach (ChartRow row in rows)
+                row.Date = "2026-11-21";
+            table.Add(rows);
             return table;
         }
 

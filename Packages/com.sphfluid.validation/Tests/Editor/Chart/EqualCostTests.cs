@@ -5,15 +5,15 @@ using SphFluid.Validation;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Points are made up; those of a method are told apart by their κ.</summary>
+    /// <summary>Points are made up; those of a method are identified by their κ.</summary>
     public sealed class EqualCostTests
     {
         static readonly FlatCase flat = new FlatCase("flat");
 
-        ChartTable table;
+        ChartRows table;
 
         [SetUp]
-        public void SetUp() => table = new ChartTable("device");
+        public void SetUp() => table = new ChartRows("device");
 
         [Test]
         public void InterpolatesBothAxesAsLogarithms()
@@ -105,7 +105,7 @@ namespace SphFluid.Tests
             Add("thesis", 2.0, 100, 0.4);
             Add("standard", 2.0, 200, 0.1);
 
-            Assert.That(EqualCost.Lines(All()), Is.EqualTo(new[]
+            Assert.That(EqualCost.Format.Lines(All()), Is.EqualTo(new[]
             {
                 "case,error_name,method,dx,kappa,dt_fraction,c_or_iterations,gpu_ms_per_sim_s,error,other_method,other_error,ratio,other_is,device,date",
                 "flat,height,standard,0.0833333,2,0.5,5,200,0.1,thesis,0.4,0.25,its dearest,device,2026-11-22",

@@ -5,7 +5,7 @@ using SphFluid.Validation;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Points are told apart by their κ; every one has three seeds around its median.</summary>
+    /// <summary>Points are identified by their κ; every one has three seeds around its median.</summary>
     public sealed class ParetoFrontTests
     {
         static readonly FlatCase flat = new FlatCase("flat");
@@ -38,7 +38,7 @@ namespace SphFluid.Tests
         [Test]
         public void APointWithAFailedSeedIsNotOnTheFront()
         {
-            var rows = new ChartTable("device");
+            var rows = new ChartRows("device");
             Add(rows, 2.0, 100, 1, 0.1, 0.001);
             Add(rows, 2.5, 50, 1, 0.05, 0.001);
             rows.Add(Run(2.5, 2), FlatCase.Result(50, 0.0, "energy grew"), "2026-11-21");
@@ -51,7 +51,7 @@ namespace SphFluid.Tests
         [Test]
         public void PointsHaveMedianAndBars()
         {
-            var rows = new ChartTable("device");
+            var rows = new ChartRows("device");
             Add(rows, 2.0, 100, 10, 0.1, 0.02);
             ChartPoint point = ChartPoint.Of(rows.Rows, "flat", "height").Single();
             ChartPoint drift = ChartPoint.Of(rows.Rows, "flat", "drift").Single();
@@ -66,22 +66,22 @@ namespace SphFluid.Tests
         [Test]
         public void LinesHaveMediansAndHalfBars()
         {
-            var rows = new ChartTable("device");
+            var rows = new ChartRows("device");
             Add(rows, 2.0, 100, 10, 0.1, 0.02);
 
-            Assert.That(ParetoFront.Lines(ParetoFront.Of(ChartPoint.Of(rows.Rows, "flat", "height"))).Last(),
+            Assert.That(ParetoFront.Format.Lines(ParetoFront.Of(ChartPoint.Of(rows.Rows, "flat", "height"))).Last(),
                 Is.EqualTo("flat,thesis,0.0833333,2,0.5,5,1728,3,100,10,0.1,0.02,height,device,2026-11-21"));
         }
 
         static double[] Front(params (double Kappa, double Cost, double CostBar, double Error, double ErrorBar)[] points)
         {
-            var rows = new ChartTable("device");
+            var rows = new ChartRows("device");
             foreach ((double kappa, double cost, double costBar, double error, double errorBar) in points)
                 Add(rows, kappa, cost, costBar, error, errorBar);
             return ParetoFront.Of(ChartPoint.Of(rows.Rows, "flat", "height")).Select(p => p.SupportRatio).OrderBy(k => k).ToArray();
         }
 
-        static void Add(ChartTable rows, double kappa, double cost, double costBar, double error, double errorBar)
+        static void Add(ChartRows rows, double kappa, double cost, double costBar, double error, double errorBar)
         {
             for (int seed = 1; seed <= 3; seed++)
                 rows.Add(Run(kappa, seed), FlatCase.Result(cost + (seed - 2) * costBar, error + (seed - 2) * errorBar), "2026-11-21");

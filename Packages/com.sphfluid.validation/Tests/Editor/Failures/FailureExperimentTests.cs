@@ -22,8 +22,8 @@ namespace SphFluid.Tests
             // Consequences of the others have none of their own.
             var consequences = new[] { FluidFailure.NonFinite, FluidFailure.EnergyGrowth, FluidFailure.Escaped };
             FluidFailure[] expected = System.Enum.GetValues(typeof(FluidFailure)).Cast<FluidFailure>().Except(consequences).ToArray();
-            Assert.That(FailureExperiments.All().Select(e => e.Failure), Is.EquivalentTo(expected));
-            Assert.That(FailureExperiments.All().Select(e => e.Name), Is.Unique);
+            Assert.That(FailureCatalogue.All().Select(e => e.Failure), Is.EquivalentTo(expected));
+            Assert.That(FailureCatalogue.All().Select(e => e.Name), Is.Unique);
         }
 
         [TestCase("tensile-clumping", 0.3, 0.8, 0.0, 0.0)]
@@ -45,7 +45,7 @@ namespace SphFluid.Tests
         [TestCase("stale-grid", 0.05, 0.3, 0.0, 0.0)]
         public void TheFailingRunIsNamedAndTheCuredIsNot(string name, double failingLow, double failingHigh, double curedLow, double curedHigh)
         {
-            FailureExperiment experiment = FailureExperiments.Find(name);
+            FailureExperiment experiment = FailureCatalogue.Find(name);
             bool neighbours = experiment.Failure == FluidFailure.AsymmetricPairs || experiment.Failure == FluidFailure.StaleGrid;
             ComputeShader audit = neighbours ? FailureShaders.Audit() : null;
 
@@ -66,7 +66,7 @@ namespace SphFluid.Tests
         [TestCase("overflow")]
         public void WhatCannotFailIsSurvivedAndCounted(string name)
         {
-            FailureExperiment experiment = FailureExperiments.Find(name);
+            FailureExperiment experiment = FailureCatalogue.Find(name);
             Assert.That(experiment.Survived, Is.True);
             FailureResult stress = experiment.Run(false, shaders);
             Vector3 half = 0.5f * stress.Settings.DomainSize;

@@ -91,12 +91,12 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void ThrownParticlesStayBeforeASheetUpToTheLimit([Values(0.1f, 0.4f)] float way, [Values(0f, 9.81f)] float gravity)
+        public void ThrownParticlesStayBeforeASheetUpToTheLimit([Values(0.1f, 0.4f)] float displacement, [Values(0f, 9.81f)] float gravity)
         {
-            FailureRun run = WallFailures.Drop(way, gravity);
+            FailureRun run = WallFailures.Drop(displacement, gravity);
             FailureResult result = new FailureExperiment("thrown", FluidFailure.Tunnelling, run, run, "", WallFailures.Behind).Run(false, shaders);
-            Assert.That(result.Statistics[0].MaxSpeed * result.Settings.TimeStep, Is.EqualTo(way * result.Settings.Spacing).Within(1).Percent, "spacings a step");
-            Assert.That(result.States[0].LocalPositions.Max(p => p.y), Is.LessThan(way * result.Settings.Spacing * run.Steps), "all can reach the sheet");
+            Assert.That(result.Statistics[0].MaxSpeed * result.Settings.TimeStep, Is.EqualTo(displacement * result.Settings.Spacing).Within(1).Percent, "spacings a step");
+            Assert.That(result.States[0].LocalPositions.Max(p => p.y), Is.LessThan(displacement * result.Settings.Spacing * run.Steps), "all can reach the sheet");
             Assert.That(result.Figure, Is.Zero, "share behind the sheet");
         }
     }

@@ -6,27 +6,27 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The judges of leaks against exact signs and made-up motions.</summary>
+    /// <summary>The detectors of leaks against exact signs and made-up motions.</summary>
     public sealed class LeakDetectorTests
     {
         static readonly Vector3[] triangle = { Vector3.zero, Vector3.forward, Vector3.right };
 
         [Test]
-        public void AWayThatMeetsATriangleIsNeverOverlooked()
+        public void APathThroughATriangleIsNeverOverlooked()
         {
             var random = new System.Random(5);
-            // On a coarse lattice: many ways touch edges and corners.
+            // On a coarse lattice: many paths touch edges and corners.
             Vector3 At() => new Vector3(random.Next(-4, 5), random.Next(-4, 5), random.Next(-4, 5)) * 0.1f;
             int met = 0;
             for (int i = 0; i < 20000; i++)
             {
                 Vector3 a = At(), b = At(), c = At(), p = At(), q = At();
-                bool meets = ExactGeometry.Meets(p, q, a, b, c);
-                met += meets ? 1 : 0;
+                bool intersects = ExactGeometry.Meets(p, q, a, b, c);
+                met += intersects ? 1 : 0;
                 // What lies in the plane but for rounding counts as in it.
                 bool inPlane = ExactGeometry.Distance(p, a, b, c) < 1e-6 && ExactGeometry.Distance(q, a, b, c) < 1e-6;
-                if (meets && !inPlane)
-                    Assert.That(PathDetector.Meets(p, q, a, b, c), Is.True, $"{p} to {q}, {a} {b} {c}");
+                if (intersects && !inPlane)
+                    Assert.That(PathDetector.Intersects(p, q, a, b, c), Is.True, $"{p} to {q}, {a} {b} {c}");
             }
             Assert.That(met, Is.GreaterThan(1000));
         }
@@ -34,46 +34,46 @@ namespace SphFluid.Tests
         [TestCase(0.2f, true)]
         [TestCase(0.5f, true)]
         [TestCase(0.6f, false)]
-        public void AWayBesideTheTriangleIsNone(float x, bool meets)
+        public void APathBesideTheTriangleIsNone(float x, bool intersects)
         {
-            var judge = new PathDetector(triangle, Vector3.zero);
-            judge.Look(new[] { new Vector3(x, 0.1f, 0.5f) });
-            judge.Look(new[] { new Vector3(x, -0.1f, 0.5f) });
-            judge.Look(new[] { new Vector3(x, 0.1f, 0.5f) });
+            var detector = new PathDetector(triangle, Vector3.zero);
+            detector.Look(new[] { new Vector3(x, 0.1f, 0.5f) });
+            detector.Look(new[] { new Vector3(x, -0.1f, 0.5f) });
+            detector.Look(new[] { new Vector3(x, 0.1f, 0.5f) });
 
-            Assert.That(judge.Escapes, Is.EqualTo(meets ? 1 : 0), "each particle counts once");
+            Assert.That(detector.Escapes, Is.EqualTo(intersects ? 1 : 0), "each particle counts once");
         }
 
         [Test]
         public void AWayAcrossAPeriodicFaceGoesOnAtTheOtherSide()
         {
-            var judge = new PathDetector(triangle, new Vector3(2f, 0f, 0f));
-            judge.Look(new[] { new Vector3(-0.9f, 0.1f, 0.1f), new Vector3(0.9f, 0.1f, 0.1f) });
-            judge.Look(new[] { new Vector3(0.95f, -0.1f, 0.1f), new Vector3(-0.9f, -0.1f, 0.1f) });
+            var detector = new PathDetector(triangle, new Vector3(2f, 0f, 0f));
+            detector.Look(new[] { new Vector3(-0.9f, 0.1f, 0.1f), new Vector3(0.9f, 0.1f, 0.1f) });
+            detector.Look(new[] { new Vector3(0.95f, -0.1f, 0.1f), new Vector3(-0.9f, -0.1f, 0.1f) });
 
-            Assert.That(judge.Escapes, Is.Zero);
+            Assert.That(detector.Escapes, Is.Zero);
         }
 
         [Test]
         public void WhatIsNotFiniteEscaped()
         {
-            var judge = new PathDetector(triangle, Vector3.zero);
-            judge.Look(new[] { Vector3.up });
-            judge.Look(new[] { new Vector3(float.NaN, 1f, 1f) });
+            var detector = new PathDetector(triangle, Vector3.zero);
+            detector.Look(new[] { Vector3.up });
+            detector.Look(new[] { new Vector3(float.NaN, 1f, 1f) });
 
-            Assert.That(judge.Escapes, Is.EqualTo(1));
+            Assert.That(detector.Escapes, Is.EqualTo(1));
         }
 
         [Test]
         public void WhoChangesTheSideOfAClosedSurfaceEscapedEitherWay()
         {
             Vector3[] cup = LeakMeshes.Cup(1f, 2f, 12, true);
-            var judge = new InsideDetector(new TriangleMesh(cup, Enumerable.Range(0, cup.Length).ToArray()));
+            var detector = new InsideDetector(new TriangleMesh(cup, Enumerable.Range(0, cup.Length).ToArray()));
             Vector3 inside = Vector3.up, beside = new Vector3(1.2f, 1f, 0f), above = new Vector3(0f, 2.1f, 0f);
-            judge.Look(new[] { inside, inside, beside, beside });
-            judge.Look(new[] { 0.5f * inside, above, above, inside });
+            detector.Look(new[] { inside, inside, beside, beside });
+            detector.Look(new[] { 0.5f * inside, above, above, inside });
 
-            Assert.That(judge.Escapes, Is.EqualTo(2));
+            Assert.That(detector.Escapes, Is.EqualTo(2));
         }
 
         [Test]
@@ -101,7 +101,7 @@ namespace SphFluid.Tests
             const float dx = 0.02f;
             var scene = new LeakScene
             {
-                Settings = LeakScenes.Water(Vector3.one, 0.5f),
+                Settings = LeakSceneEntry.Water(Vector3.one, 0.5f),
                 // An upright wall at x = 0 and a level one at y = 0.
                 Surface = LeakMeshes.Sheet(new[] { 0f, 0.4f }, new[] { -0.4f, 0.4f }, 0f).SelectMany(p => new[] { p }).Concat(
                     LeakMeshes.Sheet(new[] { 0f, 0.4f }, new[] { -0.4f, 0.4f }, 0f).Select(p => new Vector3(0f, p.x, p.z))).ToArray(),

@@ -43,8 +43,8 @@ namespace SphFluid.Tests
         [Test]
         public void WritesALineForEachRun()
         {
-            LeakScene scene = LeakScenes.Find("two-sided").Build(2.0);
-            var table = new LeakTable(folder, "a device, with a comma");
+            LeakScene scene = LeakSceneEntry.Find("two-sided").Build(2.0);
+            var table = new ResultTable<LeakResult>(LeakResult.Format, folder, "a device, with a comma");
             table.Add(new LeakResult { Scene = scene, Escapes = 3, End = scene.Particles });
             table.Add(new LeakResult { Scene = scene, End = scene.Particles });
 
@@ -64,7 +64,7 @@ namespace SphFluid.Tests
         {
             LeakArguments all = LeakArguments.Parse(new[] { "player", "--" }), some = LeakArguments.Parse(new[] { "player", "--", "--scene", "knife", "cup", "--out=there" });
 
-            Assert.That(all.Scenes, Is.EqualTo(LeakScenes.All));
+            Assert.That(all.Scenes, Is.EqualTo(LeakSceneEntry.All));
             Assert.That(some.Scenes.Select(s => s.Name), Is.EqualTo(new[] { "knife", "cup" }));
             Assert.That(some.OutputFolder, Is.EqualTo("there"));
         }

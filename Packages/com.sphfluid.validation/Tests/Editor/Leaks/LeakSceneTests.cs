@@ -40,7 +40,7 @@ namespace SphFluid.Tests
         [TestCase("grow", 1.0, 14)]
         public void NothingLeaks(string name, double speed, int frames)
         {
-            LeakScene scene = LeakScenes.Find(name).Build(speed);
+            LeakScene scene = LeakSceneEntry.Find(name).Build(speed);
             scene.Frames = frames;
 
             LeakResult result = Play(scene);
@@ -53,7 +53,7 @@ namespace SphFluid.Tests
         [Test]
         public void LiquidInACupRestsHalfASpacingFromItsWalls()
         {
-            LeakScene scene = LeakScenes.Find("still-cup").Build(0.0);
+            LeakScene scene = LeakSceneEntry.Find("still-cup").Build(0.0);
             scene.Frames = 60;
 
             LeakResult result = Play(scene);
@@ -68,7 +68,7 @@ namespace SphFluid.Tests
         [Test]
         public void ASheetKeepsFlowAndRestApart()
         {
-            LeakScene scene = LeakScenes.Find("two-sided").Build(2.0);
+            LeakScene scene = LeakSceneEntry.Find("two-sided").Build(2.0);
             scene.Frames = 12;
 
             LeakResult result = Play(scene);
@@ -84,7 +84,7 @@ namespace SphFluid.Tests
         [TestCase("grow", 1.0, 14, 0.05)]
         public void TheDetectorsSeeWhatGoesThrough(string name, double speed, int frames, double share)
         {
-            LeakScene scene = LeakScenes.Find(name).Build(speed);
+            LeakScene scene = LeakSceneEntry.Find(name).Build(speed);
             scene.Solid = false;
             scene.Frames = frames;
 
@@ -94,7 +94,7 @@ namespace SphFluid.Tests
         [Test]
         public void ASurfaceThatJumpsIsAFailure()
         {
-            LeakScene scene = LeakScenes.Find("cup").Build(180.0);
+            LeakScene scene = LeakSceneEntry.Find("cup").Build(180.0);
             scene.Frames = 2;
 
             LeakResult result = Play(scene);

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>What diverges by the time step is told from what grows by itself, on motions that are made up.</summary>
+    /// <summary>What diverges by the time step is distinguished from what grows by itself, on motions that are made up.</summary>
     public sealed class GrowthMetricTests
     {
         [TestCase(-1.2, false, true)]

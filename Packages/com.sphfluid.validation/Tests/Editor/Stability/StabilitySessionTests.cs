@@ -76,7 +76,7 @@ namespace SphFluid.Tests
         [Test]
         public void HasSceneOfEveryCornerForEveryMethod()
         {
-            foreach (StabilityMap map in StabilityMaps.All)
+            foreach (StabilityMap map in StabilityMap.All)
                 foreach (CaseMethod method in CaseMethod.All)
                     foreach (bool clamps in new[] { false, true })
                         foreach (double x in new[] { map.X.Low, map.X.High })
@@ -118,18 +118,18 @@ namespace SphFluid.Tests
         [TestCase("thesis", 0.2, StabilityVerdict.Failed)]
         [TestCase("standard", 0.07, StabilityVerdict.Stable)]
         [TestCase("standard", 0.1, StabilityVerdict.Failed)]
-        public void JudgesARealBox(string method, double viscosity, StabilityVerdict verdict)
+        public void ClassifiesARealBox(string method, double viscosity, StabilityVerdict verdict)
         {
             GpuTest.Require();
-            var run = new StabilityRun { Map = StabilityMaps.All[1], Method = CaseMethod.Find(method), X = viscosity, Y = 0.3, Seed = 1, MostSteps = 150 };
+            var run = new StabilityRun { Map = StabilityMap.All[1], Method = CaseMethod.Find(method), X = viscosity, Y = 0.3, Seed = 1, MostSteps = 150 };
             StabilityScenario scene = run.Build();
-            var judge = new StabilityCriterion(scene.Criteria);
+            var criterion = new StabilityCriterion(scene);
             FluidShaderSet shaders = TestShaders.CreateSet();
             try
             {
-                using (var real = new CaseRun(scene.Setup, judge, shaders))
+                using (var real = new CaseRun(scene.Setup, criterion, shaders))
                 {
-                    StabilityOutcome outcome = judge.Conclude(real.RunToEnd());
+                    StabilityOutcome outcome = criterion.Conclude(real.RunToEnd());
 
                     Assert.That(outcome.Verdict, Is.EqualTo(verdict), outcome.Reason);
                     Assert.That(double.IsNaN(outcome.TimeToFailure), Is.EqualTo(verdict == StabilityVerdict.Stable));

@@ -17,7 +17,7 @@ namespace SphFluid.Tests
         }.WithOwn(new ThesisSettings { Stiffness = 200f, PressureHalf = true });
 
         /// <summary>c_eff = 10 m/s, H = 1 m: m = c²/(gH) = 10.</summary>
-        public static StabilityCriteria Criteria => new StabilityCriteria { Settings = Settings, ReferenceSpeed = 4.0, SettledFrom = 0.5 };
+        public static StabilityScenario Scenario => new StabilityScenario { Setup = new CaseSetup { Settings = Settings }, ReferenceSpeed = 4.0, SettledFrom = 0.5 };
 
         /// <summary>The column with something done to each particle.</summary>
         public static FluidSnapshot Column(Func<int, FluidParticle, FluidParticle> change = null, float density = 1000f)

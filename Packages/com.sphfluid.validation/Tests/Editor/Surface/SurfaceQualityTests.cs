@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     public sealed class SurfaceQualityTests
     {
         static readonly SurfaceScale scale = new SurfaceScale(true);
-        static readonly string[] synthetic = SurfaceStates.All.Where(s => IsSynthetic(s.Build(scale))).Select(s => s.Name).ToArray();
+        static readonly string[] synthetic = SurfaceStateEntry.All.Where(s => IsSynthetic(s.Build(scale))).Select(s => s.Name).ToArray();
 
         readonly Dictionary<string, SurfaceQuality> measured = new Dictionary<string, SurfaceQuality>();
         FluidShaderSet shaders;
@@ -20,7 +20,7 @@ namespace SphFluid.Tests
         public void SetUp()
         {
             shaders = SurfaceTestScene.LoadShaders();
-            variant = SurfaceVariants.Find("default").Create(shaders);
+            variant = SurfaceVariantEntry.Find("default").Create(shaders);
         }
 
         [OneTimeTearDown]
@@ -86,8 +86,8 @@ namespace SphFluid.Tests
         [Test]
         public void WhereTheFieldStaysBelowItsIsoValueThereIsNoSurface()
         {
-            using (SurfaceVariant thesis = SurfaceVariants.Find("thesis-sparse-0.75").Create(shaders))
-            using (var run = new SurfaceRun(SurfaceStates.Find("drops").Build(scale), thesis, shaders) { IsTimed = false })
+            using (SurfaceVariant thesis = SurfaceVariantEntry.Find("thesis-sparse-0.75").Create(shaders))
+            using (var run = new SurfaceRun(SurfaceStateEntry.Find("drops").Build(scale), thesis, shaders) { IsTimed = false })
             {
                 SurfaceQuality quality = run.RunToEnd();
                 Assert.That((quality.Triangles, quality.Vertices, quality.DropsVisible), Is.EqualTo((0.0, 0.0, 0)));
@@ -119,7 +119,7 @@ namespace SphFluid.Tests
         SurfaceQuality Measure(string name)
         {
             if (!measured.TryGetValue(name, out SurfaceQuality quality))
-                measured.Add(name, quality = Measure(SurfaceStates.Find(name).Build(scale)));
+                measured.Add(name, quality = Measure(SurfaceStateEntry.Find(name).Build(scale)));
             return quality;
         }
 

@@ -15,7 +15,7 @@ namespace SphFluid.Tests
         [Test]
         public void StatesAreTheSameAtEveryCallAndLieInTheirDomains()
         {
-            foreach (SurfaceStates states in SurfaceStates.All.Where(s => s.Build(scale).Prepare == null))
+            foreach (SurfaceStateEntry states in SurfaceStateEntry.All.Where(s => s.Build(scale).Prepare == null))
             {
                 SurfaceState state = states.Build(scale), again = states.Build(scale);
                 Vector3 half = 0.5f * state.Settings.DomainSize;
@@ -31,7 +31,7 @@ namespace SphFluid.Tests
         [Test]
         public void CellsDivideTheDomainsEvenly()
         {
-            foreach (SurfaceStates states in SurfaceStates.All)
+            foreach (SurfaceStateEntry states in SurfaceStateEntry.All)
             {
                 SurfaceState state = states.Build(scale);
                 foreach (float cell in new[] { 0.5f, 0.75f, 1f })
@@ -61,9 +61,9 @@ namespace SphFluid.Tests
             SurfaceArguments quick = SurfaceArguments.Parse(new[] { "--", "--quick", "--out", "a" });
 
             Assert.That(all.States.Select(s => s.Name), Is.EqualTo(new[] { "drops", "sphere" }));
-            Assert.That(all.Variants.Count, Is.EqualTo(SurfaceVariants.All.Count));
-            Assert.That(quick.Variants.Count, Is.InRange(1, SurfaceVariants.All.Count - 1));
-            Assert.That((quick.States.Count, quick.OutputFolder), Is.EqualTo((SurfaceStates.All.Count, "a")));
+            Assert.That(all.Variants.Count, Is.EqualTo(SurfaceVariantEntry.All.Count));
+            Assert.That(quick.Variants.Count, Is.InRange(1, SurfaceVariantEntry.All.Count - 1));
+            Assert.That((quick.States.Count, quick.OutputFolder), Is.EqualTo((SurfaceStateEntry.All.Count, "a")));
         }
 
         [TestCase("--state", "sea")]
@@ -82,9 +82,9 @@ namespace SphFluid.Tests
             string folder = Path.Combine(Path.GetTempPath(), "SphFluidSurfaces" + System.Diagnostics.Process.GetCurrentProcess().Id);
             try
             {
-                var table = new SurfaceQualityTable(folder, "a device");
-                table.Add("drops", "thesis-1", new SurfaceQuality { Triangles = 12.5, OpenEdges = 3 });
-                table.Add("drops", "thesis-0.5", new SurfaceQuality());
+                var table = new ResultTable<SurfaceQuality>(SurfaceQuality.Format, folder, "a device");
+                table.Add(new SurfaceQuality { State = "drops", Variant = "thesis-1", Triangles = 12.5, OpenEdges = 3 });
+                table.Add(new SurfaceQuality { State = "drops", Variant = "thesis-0.5" });
 
                 string[] lines = File.ReadAllLines(Path.Combine(folder, "surface-quality.csv"));
                 string[] columns = CsvText.Split(lines[0]), cells = CsvText.Split(lines[1]);

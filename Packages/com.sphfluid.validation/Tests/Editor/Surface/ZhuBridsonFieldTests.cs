@@ -38,7 +38,7 @@ namespace SphFluid.Tests
         {
             FluidShaderSet shaders = SurfaceTestScene.LoadShaders();
             using (var variant = new ZhuBridsonVariant(shaders, cell))
-            using (var run = new SurfaceRun(SurfaceStates.Find("packed").Build(scale), variant, shaders) { IsTimed = false })
+            using (var run = new SurfaceRun(SurfaceStateEntry.Find("packed").Build(scale), variant, shaders) { IsTimed = false })
                 Assert.That(run.RunToEnd().LevelError, Is.Zero.Within(0.03));
         }
     }

@@ -74,7 +74,7 @@ namespace SphFluid.Tests
         [Test]
         public void TheHalfDoublesThePressureThatCarriesAColumn()
         {
-            Run(SwitchExperiments.PressureHalf(), out SwitchResult full, out SwitchResult half);
+            Run(SwitchCatalogue.PressureHalf(), out SwitchResult full, out SwitchResult half);
             Assert.That(full.PressureSlope, Is.EqualTo(1.0).Within(0.15), "dp/dz over ρ g without the ½, k = c²");
             Assert.That(half.PressureSlope, Is.EqualTo(2.0).Within(0.3), "with it, k = 2 c²");
             Assert.That(half.MeanHeight, Is.EqualTo(full.MeanHeight).Within(0.01 * full.MeanHeight), "the same column");
@@ -98,21 +98,21 @@ namespace SphFluid.Tests
         [Test]
         public void EightCellsOfTheWrongSizeMakeAColumnBoil()
         {
-            Run(SwitchExperiments.EightCells(), out SwitchResult corrected, out SwitchResult printed);
+            Run(SwitchCatalogue.EightCells(), out SwitchResult corrected, out SwitchResult printed);
             Assert.That(printed.MeanSpeed, Is.GreaterThan(3.0 * corrected.MeanSpeed));
         }
 
         [Test]
         public void WithoutItselfAParticleFindsTooLittleAndTheColumnShrinks()
         {
-            Run(SwitchExperiments.SelfDensity(), out SwitchResult corrected, out SwitchResult printed);
+            Run(SwitchCatalogue.SelfDensity(), out SwitchResult corrected, out SwitchResult printed);
             Assert.That(printed.MeanHeight, Is.LessThan(0.9 * corrected.MeanHeight));
         }
 
         [Test]
         public void WithoutItselfABlockContractsInFreeFall()
         {
-            SwitchExperiment experiment = SwitchExperiments.SelfDensityInFreeFall();
+            SwitchExperiment experiment = SwitchCatalogue.SelfDensityInFreeFall();
             Run(experiment, out SwitchResult corrected, out SwitchResult printed);
             double start = 0.025 * Math.Sqrt(3.0 * (9.0 * 9.0 - 1.0) / 12.0);
             Assert.That(corrected.Extent, Is.EqualTo(start).Within(0.04 * start));
@@ -123,7 +123,7 @@ namespace SphFluid.Tests
         [Test]
         public void WithoutTheClampASheetDrawsItselfIntoClumps()
         {
-            Run(SwitchExperiments.PressureClamp(), out SwitchResult corrected, out SwitchResult printed);
+            Run(SwitchCatalogue.PressureClamp(), out SwitchResult corrected, out SwitchResult printed);
             Assert.That(corrected.Clumped(0.5f), Is.Zero);
             Assert.That(corrected.Pressure.Min(), Is.Zero);
             Assert.That(printed.Clumped(0.5f), Is.GreaterThan(0.3));
@@ -133,7 +133,7 @@ namespace SphFluid.Tests
         [Test]
         public void ThePrintedLimitCannotCarryTheLiquid()
         {
-            Run(SwitchExperiments.AccelerationLimit(), out SwitchResult corrected, out SwitchResult printed);
+            Run(SwitchCatalogue.AccelerationLimit(), out SwitchResult corrected, out SwitchResult printed);
             Assert.That(corrected.Counters.AccelerationLimitHits, Is.Zero);
             Assert.That(printed.Settings.Own<ThesisSettings>().AccelerationLimit, Is.LessThan(9.81f));
             Assert.That(printed.Counters.AccelerationLimitHits, Is.GreaterThan(10000));
@@ -143,7 +143,7 @@ namespace SphFluid.Tests
         [Test]
         public void ForceTimesMassGoesWithTheCubeOfTheSpacing()
         {
-            Run(SwitchExperiments.ForceTimesMass(), out SwitchResult corrected, out SwitchResult printed);
+            Run(SwitchCatalogue.ForceTimesMass(), out SwitchResult corrected, out SwitchResult printed);
             Assert.That(printed.MeanHeight, Is.LessThan(0.75 * corrected.MeanHeight), "does not hold");
             foreach (float spacing in new[] { 0.0025f, 0.01f, 0.04f })
             {
@@ -160,7 +160,7 @@ namespace SphFluid.Tests
         [Test]
         public void WithoutTheHalfKickAFallIsAheadByHalfAStepsSpeed()
         {
-            SwitchExperiment experiment = SwitchExperiments.HalfKick();
+            SwitchExperiment experiment = SwitchCatalogue.HalfKick();
             Run(experiment, out SwitchResult corrected, out SwitchResult printed);
             double expected = 0.5 * 9.81 * experiment.Seconds * experiment.Printed.TimeStep;
             Assert.That(corrected.MeanHeight - printed.MeanHeight, Is.EqualTo(expected).Within(1e-4), "½ g t dt");
@@ -169,7 +169,7 @@ namespace SphFluid.Tests
         [Test]
         public void TheWholePrintedTextDoesNotMakeALiquid()
         {
-            Run(SwitchExperiments.AllPrinted(), out SwitchResult corrected, out SwitchResult printed);
+            Run(SwitchCatalogue.AllPrinted(), out SwitchResult corrected, out SwitchResult printed);
             Assert.That(printed.MeanHeight, Is.LessThan(0.5 * corrected.MeanHeight));
         }
 

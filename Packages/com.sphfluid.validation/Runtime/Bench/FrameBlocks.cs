@@ -1,0 +1,44 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace SphFluid.Validation
+{
+    /// <summary>The parts that are measured.</summary>
+    static class FrameBlocks
+    {
+        public const string DrawParticles = "DrawParticles";
+        public const string DrawSurface = "DrawSurface";
+
+        /// <summary>A whole frame of the benchmark; the parts lie inside.</summary>
+        public const string Frame = "BenchFrame";
+
+        /// <summary>One a block of the thesis, and one a drawing, in the order of a frame.</summary>
+        public static readonly IReadOnlyList<BenchBlock> Thesis = new[]
+        {
+            "CalculateParticleCellValue", "BitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles",
+            "CalculateDensity", "CalculateForce", "CalculateAcceleration", "CalculateNewPosition",
+            "ResetMCGrid", "SetMCGridDensityFactors", DrawParticles, DrawSurface,
+        }.Select(name => new BenchBlock(name)).ToArray();
+
+        /// <summary>What a surface consists of; each kind has some of them.</summary>
+        public static readonly IReadOnlyList<BenchBlock> Surface = new[]
+        {
+            new BenchBlock("prepare", "ClearSurfaceBlocks", "PrepareSurfaceParticles"),
+            new BenchBlock("list", "ListSurfaceBlocks", "BeginSurfaceRound"),
+            new BenchBlock("field", "ResetMCGrid", "SetMCGridDensityFactors", "SampleBlocks"),
+            new BenchBlock("count", "CountBlocks", "SurfaceDrawArguments"),
+            new BenchBlock("emit", "EmitSurfaceVertices", "EmitBlocks"),
+            new BenchBlock("draw", DrawSurface),
+        };
+
+        /// <summary>What a step of every method consists of.</summary>
+        public static readonly IReadOnlyList<BenchBlock> Step = new[]
+        {
+            new BenchBlock("sort", "CalculateParticleCellValue", "BitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles",
+                "ScanCells", "ScatterParticles"),
+            new BenchBlock("density", "CalculateDensity", "StandardDensity"),
+            new BenchBlock("motion", "CalculateForce", "CalculateAcceleration", "CalculateNewPosition", "MoveParticles"),
+            new BenchBlock("colliders", "GatherWalls", "FindContacts", "ResolveContacts"),
+        };
+    }
+}

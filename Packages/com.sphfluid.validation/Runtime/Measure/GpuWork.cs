@@ -1,0 +1,38 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid.Validation
+{
+    /// <summary>Commands that are recorded and submitted at once.</summary>
+    static class GpuWork
+    {
+        // One submission: bounded so that no driver takes it for a hang.
+        const int StepsPerSubmission = 50;
+
+        /// <summary>Submits commands.</summary>
+        /// <param name="name">Name in frame debuggers.</param>
+        /// <param name="record">Records them.</param>
+        public static void Submit(string name, Action<CommandBuffer> record)
+        {
+            using (var cmd = new CommandBuffer { name = name })
+            {
+                record(cmd);
+                Graphics.ExecuteCommandBuffer(cmd);
+            }
+        }
+
+        /// <summary>Submits steps of a solver.</summary>
+        /// <param name="name">Name in frame debuggers.</param>
+        /// <param name="solver">The solver.</param>
+        /// <param name="steps">Number of steps.</param>
+        public static void Step(string name, FluidSolver solver, long steps)
+        {
+            for (; steps > 0; steps -= StepsPerSubmission)
+            {
+                int now = (int)Math.Min(StepsPerSubmission, steps);
+                Submit(name, cmd => solver.RecordSteps(cmd, now));
+            }
+        }
+    }
+}
