@@ -12,7 +12,7 @@ namespace SphFluid.Tests
         const int Cells = 32;
         const int GeometryPass = 0;
         const int MeshPass = 1;
-        const string ShaderPath = "Packages/com.sphfluid/Tests/Editor/Surface/SurfaceCompare.shader";
+        const string ShaderPath = "Packages/com.sphfluid/Tests/Editor/Surface/Thesis/SurfaceCompare.shader";
 
         static readonly Vector3 Eye = new Vector3(0.9f, 0.7f, -1.4f);
         static readonly int EyeId = Shader.PropertyToID("_Eye");

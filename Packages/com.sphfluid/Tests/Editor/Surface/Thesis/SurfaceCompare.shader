@@ -18,7 +18,7 @@ Shader "Hidden/SPH Fluid/Tests/Surface Compare"
             #pragma geometry GenerateIsosurface
             #pragma fragment WriteNumbers
 
-            #include "../../../Shaders/Surface/SurfaceGeometry.hlsl"
+            #include "../../../../Shaders/Surface/Thesis/SurfaceGeometry.hlsl"
 
             float4 _Eye;
 
@@ -41,7 +41,7 @@ Shader "Hidden/SPH Fluid/Tests/Surface Compare"
             #pragma vertex ProjectMesh
             #pragma fragment WriteNumbers
 
-            #include "../../../Shaders/Rendering/FluidShading.hlsl"
+            #include "../../../../Shaders/Rendering/FluidShading.hlsl"
 
             float4 _Eye;
 

@@ -2,7 +2,7 @@
 #ifndef SPHFLUID_DENSE_FIELD_INCLUDED
 #define SPHFLUID_DENSE_FIELD_INCLUDED
 
-#include "SurfaceGrid.hlsl"
+#include "../SurfaceGrid.hlsl"
 
 StructuredBuffer<float> _MCGrid; // a density factor a grid vertex, x fastest: density / rest density
 

@@ -4,8 +4,8 @@
 #define SPHFLUID_SURFACE_GEOMETRY_INCLUDED
 
 #include "DenseField.hlsl"
-#include "MarchingCubes.hlsl"
-#include "SurfaceFragment.hlsl"
+#include "../MarchingCubes.hlsl"
+#include "../SurfaceFragment.hlsl"
 
 struct CubePoint
 {

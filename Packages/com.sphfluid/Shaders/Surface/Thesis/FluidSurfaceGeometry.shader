@@ -30,7 +30,7 @@ Shader "SPH Fluid/Surface (Geometry Shader)"
             #pragma fragment ShadeSurface
 
             #include "SurfaceGeometry.hlsl"
-            #include "SurfaceShading.hlsl"
+            #include "../SurfaceShading.hlsl"
             ENDHLSL
         }
 
@@ -53,7 +53,7 @@ Shader "SPH Fluid/Surface (Geometry Shader)"
 
             #define FLUID_SHADOW_CASTER 1
             #include "SurfaceGeometry.hlsl"
-            #include "SurfaceShading.hlsl"
+            #include "../SurfaceShading.hlsl"
             ENDHLSL
         }
 
@@ -77,7 +77,7 @@ Shader "SPH Fluid/Surface (Geometry Shader)"
             #pragma fragment ShowSurfaceDepth
 
             #include "SurfaceGeometry.hlsl"
-            #include "SurfaceShading.hlsl"
+            #include "../SurfaceShading.hlsl"
             ENDHLSL
         }
 
@@ -99,7 +99,7 @@ Shader "SPH Fluid/Surface (Geometry Shader)"
             #pragma fragment ShowSurfaceNormal
 
             #include "SurfaceGeometry.hlsl"
-            #include "SurfaceShading.hlsl"
+            #include "../SurfaceShading.hlsl"
             ENDHLSL
         }
     }
