@@ -40,7 +40,7 @@ namespace SphFluid
         LiquidDrawing fallback;
         FluidShaderSet shaderSet;
 
-        /// <summary>Asks what the device lacks; tests put their own answer here.</summary>
+        /// <summary>Says what the device does not have; tests put their own answer here.</summary>
         internal Func<string> MissingSupport { get; set; } = GeometrySurface.MissingSupport;
 
         /// <summary>What is drawn, if no material is given: the surface, or the edges of the grid's cubes with a vertex inside it.</summary>
@@ -74,10 +74,10 @@ namespace SphFluid
         protected override void CreateResources(FluidShaderSet shaders)
         {
             shaderSet = shaders;
-            string lack = MissingSupport();
-            if (lack != null)
+            string missing = MissingSupport();
+            if (missing != null)
             {
-                Debug.LogWarning($"{FluidMessage.Prefix} '{name}': {lack} The sparse surface is drawn instead.", this);
+                Debug.LogWarning($"{FluidMessage.Prefix} '{name}': {missing} The sparse surface is drawn instead.", this);
                 fallback = new LiquidDrawing(shaders);
                 return;
             }

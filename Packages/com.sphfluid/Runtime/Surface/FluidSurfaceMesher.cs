@@ -13,7 +13,7 @@ namespace SphFluid
         /// <param name="quality">Size of the cells, and how smooth the surface is.</param>
         /// <param name="walls">What becomes of the surface at the domain's walls.</param>
         /// <returns>A mesh [m], closed where the walls are; multiply by the simulation's LocalToWorld (<see cref="SurfaceMesh.Transformed"/>) for world space.</returns>
-        /// <exception cref="FluidDeviceException">The device lacks something, or room for the surface.</exception>
+        /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold the surface.</exception>
         public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders, FluidSurfaceQuality quality = FluidSurfaceQuality.Default,
             SurfaceWalls walls = SurfaceWalls.Closed) =>
             Extract(solver, shaders, new FluidSurfaceOptions { Quality = quality, ClosedAtWalls = walls == SurfaceWalls.Closed });
@@ -24,7 +24,7 @@ namespace SphFluid
         /// <param name="options">How the surface is made; the triangle budget is for drawing, a mesh is made whole.</param>
         /// <returns>A mesh [m], closed where the walls are.</returns>
         /// <exception cref="ArgumentOutOfRangeException">The cell size cannot be met.</exception>
-        /// <exception cref="FluidDeviceException">The device lacks something, or room for the surface.</exception>
+        /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold the surface.</exception>
         public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders, FluidSurfaceOptions options)
         {
             RequireSolver(solver);
@@ -41,7 +41,7 @@ namespace SphFluid
         /// <param name="grid">The grid, over the solver's domain.</param>
         /// <param name="walls">What becomes of the surface at the domain's walls.</param>
         /// <returns>A mesh [m], closed where the walls are.</returns>
-        /// <exception cref="FluidDeviceException">The device lacks something, or room for the surface.</exception>
+        /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold the surface.</exception>
         public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders, in SurfaceFieldSettings field, SurfaceGrid grid,
             SurfaceWalls walls = SurfaceWalls.Closed)
         {
@@ -57,7 +57,7 @@ namespace SphFluid
         /// <param name="isoValue">Density of the surface as a part of the rest density.</param>
         /// <param name="wallCompletion">See <see cref="SurfaceField.WallCompletion"/>.</param>
         /// <returns>A closed mesh [m].</returns>
-        /// <exception cref="FluidDeviceException">The device lacks something, or room for the surface.</exception>
+        /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold the surface.</exception>
         public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders, SurfaceGridSize gridSize, float isoValue = 0.5f, bool wallCompletion = true)
         {
             RequireSolver(solver);

@@ -1,4 +1,4 @@
-// A point of the liquid's surface on its way to the pixel, and its normal there.
+// A point of the liquid's surface as the pixel shader gets it, and its normal there.
 #ifndef SPHFLUID_SURFACE_FRAGMENT_INCLUDED
 #define SPHFLUID_SURFACE_FRAGMENT_INCLUDED
 

@@ -5,7 +5,7 @@
 // a particle's neighbourhood, scaled to the volume of a ball.
 #include "SurfaceParticles.hlsl"
 
-// Longest over shortest axis, and the fewest neighbours that tell a direction; particles with fewer get a small ball.
+// Longest over shortest axis, and how many neighbours a direction needs; particles with no more get a small ball.
 #define SHAPE_RATIO 4.0
 #define SHAPE_NEIGHBOURS 6.0
 #define SHAPE_LONE 0.5

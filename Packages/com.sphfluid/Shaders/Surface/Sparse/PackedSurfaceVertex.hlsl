@@ -3,7 +3,7 @@
 
 #include "../SurfaceVertex.hlsl"
 
-// A vertex of the sparse surface; mirrored by PackedSurfaceVertex.cs, 16 bytes.
+// A vertex of the sparse surface; mirrored by PackedSurfaceVertex in SurfaceTriangles.cs, 16 bytes.
 struct PackedSurfaceVertex
 {
     float3 position; // simulation space [m]
