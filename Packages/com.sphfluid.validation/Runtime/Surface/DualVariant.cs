@@ -7,14 +7,14 @@ namespace SphFluid.Validation
     sealed class DualVariant : SurfaceVariant
     {
         readonly FluidSurfaceQuality quality;
-        readonly BlockField field;
+        readonly SurfacePasses passes;
         readonly SurfaceBlocks blocks = new SurfaceBlocks();
 
         public DualVariant(FluidShaderSet shaders, FluidSurfaceQuality quality, float cell)
             : base(cell)
         {
             this.quality = quality;
-            field = new BlockField(shaders);
+            passes = new SurfacePasses(shaders);
         }
 
         /// <inheritdoc/>
@@ -30,7 +30,7 @@ namespace SphFluid.Validation
             blocks.Reserve(grid.Cells, counts.x * counts.y * counts.z);
             using (var cmd = new CommandBuffer { name = "Surface Variant" })
             {
-                field.Record(cmd, solver, settings, grid, true, blocks);
+                passes.RecordField(cmd, new SurfaceInput(solver, settings, grid, SurfaceWalls.Closed, blocks));
                 Graphics.ExecuteCommandBuffer(cmd);
             }
             return DualMarchingCubes.Polygonise(grid, BlockSamplesReader.Read(blocks, grid), settings.IsoValue, true);
@@ -39,7 +39,7 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public override void Dispose()
         {
-            field.Dispose();
+            passes.Dispose();
             blocks.Dispose();
         }
     }

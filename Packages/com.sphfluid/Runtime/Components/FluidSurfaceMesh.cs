@@ -21,7 +21,7 @@ namespace SphFluid
         FluidSurfaceOptions surface = new FluidSurfaceOptions();
 
         SurfaceSource source;
-        GpuSurfaceMesh target;
+        FilledMesh target;
         CommandBuffer cmd;
         bool unseenReported;
         bool flatReported;
@@ -29,7 +29,7 @@ namespace SphFluid
         /// <summary>How the surface is made.</summary>
         public FluidSurfaceOptions Surface => surface;
 
-        /// <summary>The mesh that the GPU fills; null while no simulation runs. It has room for more triangles than the surface has: those left have no area.</summary>
+        /// <summary>The mesh that the GPU fills; null while no simulation runs. It holds more triangles than the surface has: those left have no area.</summary>
         public Mesh Mesh => target?.Mesh;
 
         /// <summary>Bytes of GPU memory of the surface and its mesh; 0 while no simulation runs.</summary>
@@ -40,7 +40,7 @@ namespace SphFluid
 
         internal SparseSurface Sparse => source?.Surface;
 
-        /// <summary>Why the mesh is not seen, and the cure, as sentences; null where a renderer with a material draws it.</summary>
+        /// <summary>Why nobody sees the mesh, and the cure, as sentences; null where a renderer with a material draws it.</summary>
         internal string WhyUnseen()
         {
             if (!TryGetComponent(out MeshRenderer seen))
@@ -60,7 +60,7 @@ namespace SphFluid
         protected override void CreateResources(FluidShaderSet shaders)
         {
             source = new SurfaceSource(shaders);
-            target = new GpuSurfaceMesh(shaders, name + " Surface");
+            target = new FilledMesh(shaders, name + " Surface");
             cmd = new CommandBuffer { name = "Fluid Surface Mesh" };
         }
 

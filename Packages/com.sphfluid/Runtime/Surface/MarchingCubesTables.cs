@@ -67,10 +67,7 @@ namespace SphFluid
         /// <summary>12 pairs: the two corners of each edge, the one nearer to the cube's origin first.</summary>
         public static IReadOnlyList<int> EdgeCorners => Corners;
 
-        /// <summary>256 numbers: edges in each row of <see cref="TriangleTable"/>, three a triangle.</summary>
-        public static IReadOnlyList<int> VertexCounts => Lengths;
-
-        /// <summary>All four tables one behind the other, as Shaders/Surface/MarchingCubes.hlsl reads them.</summary>
+        /// <summary>The three tables and the length of each row one behind the other, as Shaders/Surface/MarchingCubesTables.hlsl reads them.</summary>
         /// <returns>A new array of 256 + 4096 + 24 + 256 numbers.</returns>
         public static int[] Pack()
         {
@@ -79,6 +76,15 @@ namespace SphFluid
             packed.AddRange(Corners);
             packed.AddRange(Lengths);
             return packed.ToArray();
+        }
+
+        /// <summary>The tables as kernels and shaders read them; the caller disposes the buffer.</summary>
+        internal static FluidBuffer CreateBuffer()
+        {
+            int[] packed = Pack();
+            var buffer = new FluidBuffer("MCTables", packed.Length, sizeof(int));
+            buffer.SetData(packed);
+            return buffer;
         }
 
         static bool IsOutside(int index, int corner) => (index >> corner & 1) != 0;

@@ -43,7 +43,7 @@ namespace SphFluid
         /// <summary>Radius of the field's kernel [m], the solver's R at most.</summary>
         public float SupportRadius { get; }
 
-        /// <summary>λ: part of the way to the mean of its neighbours by which a particle's kernel moves, 0 to 1.</summary>
+        /// <summary>λ: how far a particle's kernel moves towards the mean of its neighbours, 0 to 1 of the distance.</summary>
         public float Smoothing { get; }
 
         /// <summary>Passes of the filter 1 2 1 along each axis of the grid, 0 to 2.</summary>
@@ -61,7 +61,7 @@ namespace SphFluid
         /// <summary>Whether kernels are stretched along the surface.</summary>
         public bool IsAnisotropic => kind == FieldKind.Anisotropic;
 
-        /// <summary>Whether walls of the domain count as liquid, so that the surface meets them level.</summary>
+        /// <summary>Whether walls of the domain count as liquid, so that the surface is level at them.</summary>
         public bool WallCompletion { get; }
 
         /// <summary>Farthest that a particle's kernel reaches from the particle [m].</summary>

@@ -4,7 +4,7 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Draws the surface of a field the thesis's way (6.4.4): one point a cube, its number passed through the vertex shader, triangles made by the
+    /// Draws the surface of a field as the thesis does (6.4.4): one point a cube, its number passed through the vertex shader, triangles made by the
     /// geometry shader, light by the pixel shader.
     /// </summary>
     sealed class GeometrySurface : IDisposable
@@ -15,22 +15,22 @@ namespace SphFluid
 
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
         readonly SceneLighting lighting = new SceneLighting();
+        readonly FluidBuffer tables;
         Material material;
-        GraphicsBuffer tables;
 
         /// <exception cref="FluidDeviceException">The device has no geometry shaders, or the shader is missing.</exception>
         public GeometrySurface(FluidShaderSet shaders)
         {
-            string lack = MissingSupport();
-            if (lack != null)
-                throw new FluidDeviceException(lack);
+            string missing = MissingSupport();
+            if (missing != null)
+                throw new FluidDeviceException(missing);
             material = DrawMaterial.Create(shaders, "SPH Fluid/Surface (Geometry Shader)");
-            tables = SurfacePolygoniser.CreateTables();
+            tables = MarchingCubesTables.CreateBuffer();
         }
 
         public Material Material => material;
 
-        /// <summary>What the device lacks to draw this surface, as a sentence; null when nothing.</summary>
+        /// <summary>What this surface needs and the device does not have, as a sentence; null when nothing.</summary>
         public static string MissingSupport()
         {
             string device = $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType})";
@@ -45,8 +45,8 @@ namespace SphFluid
         public MaterialPropertyBlock Properties(SurfaceField field, float isoValue, Color? colour, float smoothness, in DrawPlacement placement)
         {
             properties.Clear();
-            properties.SetBuffer(SurfaceShaderIds.MCGrid, field.Values);
-            properties.SetBuffer(SurfaceShaderIds.MCTables, tables);
+            properties.SetBuffer(field.Buffer.Id, field.Buffer);
+            properties.SetBuffer(tables.Id, tables);
             properties.SetGrid(field.Grid, isoValue);
             properties.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
             if (colour.HasValue)
@@ -73,7 +73,7 @@ namespace SphFluid
         public void Dispose()
         {
             DrawMaterial.Destroy(ref material);
-            GpuBuffers.Dispose(ref tables);
+            tables.Dispose();
         }
     }
 }

@@ -1,30 +1,30 @@
-using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Thesis 6.4.2: empties the marching-cubes grid before the density factors are summed.</summary>
-    sealed class ResetMCGridPass
+    /// <summary>
+    /// Thesis 6.4.2: empties the marching-cubes grid before the density factors are summed (Shaders/Surface/Thesis/ResetMCGrid.compute).
+    /// </summary>
+    sealed class ResetMCGridPass : ComputePass
     {
-        const string Name = "ResetMCGrid";
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker(Name);
-
         readonly ComputeKernel kernel;
 
         public ResetMCGridPass(FluidShaderSet shaders)
+            : base(shaders, "ResetMCGrid")
         {
-            kernel = shaders.Kernel("SurfaceField", Name);
+            kernel = Kernel();
         }
 
         public void Record(CommandBuffer cmd, SurfaceField field)
         {
             Vector3Int vertices = field.Grid.Vertices;
-            cmd.BeginSample(Marker);
-            kernel.SetBuffer(cmd, SurfaceShaderIds.MCGrid, field.Values);
-            kernel.SetGrid(cmd, field.Grid);
-            kernel.DispatchThreads(cmd, vertices.x, vertices.y, vertices.z);
-            cmd.EndSample(Marker);
+            using (Sample(cmd))
+            {
+                kernel.Set(cmd, field.Buffer);
+                kernel.SetGrid(cmd, field.Grid);
+                kernel.DispatchThreads(cmd, vertices.x, vertices.y, vertices.z);
+            }
         }
     }
 }

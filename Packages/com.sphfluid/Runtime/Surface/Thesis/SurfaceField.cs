@@ -12,12 +12,12 @@ namespace SphFluid
     {
         readonly ResetMCGridPass resetGrid;
         readonly SetMCGridDensityFactorsPass setDensityFactors;
-        GraphicsBuffer values;
+        readonly FluidBuffer values;
 
         /// <summary>A field on a grid.</summary>
         /// <param name="shaders">Shader set with the surface field's kernels.</param>
         /// <param name="grid">The grid.</param>
-        /// <exception cref="FluidDeviceException">The device has no room for the grid, or cannot run the kernels.</exception>
+        /// <exception cref="FluidDeviceException">The device cannot hold the grid or run the kernels.</exception>
         public SurfaceField(FluidShaderSet shaders, SurfaceGrid grid)
         {
             if (shaders == null)
@@ -28,12 +28,12 @@ namespace SphFluid
             if (GpuBytes > SystemInfo.maxGraphicsBufferSize)
             {
                 throw new FluidDeviceException(
-                    $"A surface grid of {grid.Cells.x} x {grid.Cells.y} x {grid.Cells.z} cells needs a buffer of {GpuBytes / 1048576.0:F0} MiB; {SystemInfo.graphicsDeviceName} " +
-                    $"allows {SystemInfo.maxGraphicsBufferSize / 1048576.0:F0} MiB. Choose a smaller grid size.");
+                    $"A surface grid of {grid.Cells.x} x {grid.Cells.y} x {grid.Cells.z} cells needs a buffer of {GpuBytes / 1048576.0:F0} MiB; " +
+                    $"{SystemInfo.graphicsDeviceName} allows {SystemInfo.maxGraphicsBufferSize / 1048576.0:F0} MiB. Choose a smaller grid size.");
             }
             resetGrid = new ResetMCGridPass(shaders);
             setDensityFactors = new SetMCGridDensityFactorsPass(shaders);
-            values = GpuBuffers.Create("MCGrid", grid.VertexCount, sizeof(float));
+            values = new FluidBuffer("MCGrid", grid.VertexCount, sizeof(float));
         }
 
         /// <summary>The grid.</summary>
@@ -42,12 +42,14 @@ namespace SphFluid
         /// <summary>Density factors, one float a grid vertex, x fastest.</summary>
         public GraphicsBuffer Values => values;
 
+        internal FluidBuffer Buffer => values;
+
         /// <summary>Bytes of GPU memory that the field holds.</summary>
         public long GpuBytes => (long)Grid.VertexCount * sizeof(float);
 
         /// <summary>
         /// Divides the density near a wall of the domain by the part of the kernel that lies inside, as if the liquid went on behind the wall, so
-        /// that the surface meets walls level. Off: as the thesis prints it; the surface then falls away from the walls.
+        /// that the surface is level at walls. Off: as the thesis prints it; the surface then falls away from the walls.
         /// </summary>
         public bool WallCompletion { get; set; } = true;
 
@@ -66,6 +68,6 @@ namespace SphFluid
         }
 
         /// <summary>Releases the buffer.</summary>
-        public void Dispose() => GpuBuffers.Dispose(ref values);
+        public void Dispose() => values.Dispose();
     }
 }

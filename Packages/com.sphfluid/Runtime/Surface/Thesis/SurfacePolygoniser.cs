@@ -1,5 +1,5 @@
 using System;
-using Unity.Profiling;
+using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -11,13 +11,10 @@ namespace SphFluid
     /// </summary>
     public sealed class SurfacePolygoniser : IDisposable
     {
-        static readonly ProfilerMarker CountMarker = ComputeKernel.CreateMarker("CountSurfaceVertices");
-        static readonly ProfilerMarker EmitMarker = ComputeKernel.CreateMarker("EmitSurfaceVertices");
-
-        readonly ComputeKernel countVertices;
-        readonly ComputeKernel emitVertices;
+        readonly CountSurfaceVerticesPass countVertices;
+        readonly EmitSurfaceVerticesPass emitVertices;
         readonly int vertexLimit;
-        GraphicsBuffer tables;
+        readonly FluidBuffer tables;
         GraphicsBuffer counter;
         GraphicsBuffer vertices;
 
@@ -33,14 +30,14 @@ namespace SphFluid
         {
             if (shaders == null)
                 throw new ArgumentNullException(nameof(shaders), "A surface polygoniser needs a shader set: assign one in the fluid profile.");
-            countVertices = shaders.Kernel("SurfaceMesh", "CountSurfaceVertices");
-            emitVertices = shaders.Kernel("SurfaceMesh", "EmitSurfaceVertices");
+            countVertices = new CountSurfaceVerticesPass(shaders);
+            emitVertices = new EmitSurfaceVerticesPass(shaders);
             this.vertexLimit = vertexLimit;
-            tables = CreateTables();
+            tables = MarchingCubesTables.CreateBuffer();
             counter = GpuBuffers.Create("SurfaceVertexCount", 1, sizeof(uint), GraphicsBuffer.Target.Raw);
         }
 
-        /// <summary>Triangle corners that the buffer holds; it grows as surfaces ask for it and never shrinks.</summary>
+        /// <summary>Triangle corners that the buffer holds; it grows with the surfaces and never shrinks.</summary>
         public int VertexCapacity => vertices?.count ?? 0;
 
         /// <summary>Triangle corners that a buffer may hold on this device.</summary>
@@ -59,55 +56,35 @@ namespace SphFluid
             if (!(isoValue > 0f) || float.IsInfinity(isoValue))
                 throw new ArgumentOutOfRangeException(nameof(isoValue), $"The iso value is a density factor greater than 0, not {isoValue}.");
 
-            uint count = Run(countVertices, CountMarker, field, isoValue);
+            uint count = Run(cmd => countVertices.Record(cmd, field, isoValue, tables, counter));
             if (count == 0)
                 return new SurfaceMesh(Array.Empty<Vector3>(), Array.Empty<Vector3>(), Array.Empty<int>());
             Reserve(count, field.Grid.Cells);
-            uint emitted = Run(emitVertices, EmitMarker, field, isoValue);
+            uint emitted = Run(cmd => emitVertices.Record(cmd, field, isoValue, tables, counter, vertices, VertexCapacity));
             if (emitted != count)
                 throw new InvalidOperationException($"The surface field changed while it was read: {count} triangle corners were counted, {emitted} written.");
 
             var read = new EmittedVertex[count];
             vertices.GetData(read, 0, 0, (int)count);
-            return SurfaceMesh.Weld(read, (int)count);
+            return Weld(read, (int)count);
         }
 
         /// <summary>Releases the buffers.</summary>
         public void Dispose()
         {
-            GpuBuffers.Dispose(ref tables);
+            tables.Dispose();
             GpuBuffers.Dispose(ref counter);
             GpuBuffers.Dispose(ref vertices);
         }
 
-        internal static GraphicsBuffer CreateTables()
-        {
-            int[] packed = MarchingCubesTables.Pack();
-            GraphicsBuffer buffer = GpuBuffers.Create("MCTables", packed.Length, sizeof(int));
-            buffer.SetData(packed);
-            return buffer;
-        }
-
-        uint Run(ComputeKernel kernel, ProfilerMarker marker, SurfaceField field, float isoValue)
+        // Runs a pass and returns what it counted.
+        uint Run(Action<CommandBuffer> record)
         {
             var total = new uint[] { 0 };
             counter.SetData(total);
-            using (var cmd = new CommandBuffer { name = kernel.Name })
+            using (var cmd = new CommandBuffer { name = "Fluid Surface Mesh" })
             {
-                cmd.BeginSample(marker);
-                kernel.SetBuffer(cmd, SurfaceShaderIds.MCGrid, field.Values);
-                kernel.SetBuffer(cmd, SurfaceShaderIds.MCTables, tables);
-                kernel.SetBuffer(cmd, SurfaceShaderIds.SurfaceVertexCount, counter);
-                kernel.SetGrid(cmd, field.Grid);
-                kernel.SetIsoValue(cmd, isoValue);
-                if (kernel == emitVertices)
-                {
-                    kernel.SetBuffer(cmd, SurfaceShaderIds.SurfaceVertices, vertices);
-                    kernel.SetInt(cmd, SurfaceShaderIds.SurfaceVertexCapacity, VertexCapacity);
-                }
-                Vector3Int cubes = field.Grid.Cubes;
-                kernel.DispatchThreads(cmd, cubes.x, cubes.y, cubes.z);
-                cmd.EndSample(marker);
+                record(cmd);
                 Graphics.ExecuteCommandBuffer(cmd);
             }
             counter.GetData(total);
@@ -119,13 +96,57 @@ namespace SphFluid
             if (count > vertexLimit)
             {
                 throw new FluidDeviceException(
-                    $"The surface has {count / 3} triangles on a grid of {cells.x} x {cells.y} x {cells.z} cells; a buffer of {SystemInfo.graphicsDeviceName} holds " +
-                    $"{vertexLimit / 3}. Choose a smaller grid size.");
+                    $"The surface has {count / 3} triangles on a grid of {cells.x} x {cells.y} x {cells.z} cells; " +
+                    $"a buffer of {SystemInfo.graphicsDeviceName} holds {vertexLimit / 3}. Choose a smaller grid size.");
             }
             if (count <= VertexCapacity)
                 return;
             GpuBuffers.Dispose(ref vertices);
             vertices = GpuBuffers.Create("SurfaceVertices", Math.Min(count + count / 2L, vertexLimit), EmittedVertex.Stride);
+        }
+
+        // Joins the vertices that lie on the same edge of the grid. The order of the cubes in the input does not matter.
+        static SurfaceMesh Weld(EmittedVertex[] emitted, int count)
+        {
+            int[] firsts = FirstVertexOfEachCube(emitted, count);
+            var numbers = new Dictionary<uint, int>(count / 4 + 1);
+            var positions = new List<Vector3>(count / 4 + 1);
+            var normals = new List<Vector3>(count / 4 + 1);
+            var indices = new int[count];
+            int written = 0;
+            foreach (int first in firsts)
+            {
+                uint cube = emitted[first].Cube;
+                for (int i = first; i < count && emitted[i].Cube == cube; i++)
+                {
+                    if (!numbers.TryGetValue(emitted[i].Edge, out int number))
+                    {
+                        number = positions.Count;
+                        numbers.Add(emitted[i].Edge, number);
+                        positions.Add(emitted[i].Position);
+                        normals.Add(emitted[i].Normal);
+                    }
+                    indices[written++] = number;
+                }
+            }
+            return new SurfaceMesh(positions.ToArray(), normals.ToArray(), indices);
+        }
+
+        // Each cube's vertices stand together in the order of its triangles; only the order of the cubes is left to chance on the GPU.
+        static int[] FirstVertexOfEachCube(EmittedVertex[] emitted, int count)
+        {
+            var cubes = new List<uint>();
+            var firsts = new List<int>();
+            for (int i = 0; i < count; i++)
+            {
+                if (i > 0 && emitted[i].Cube == emitted[i - 1].Cube)
+                    continue;
+                cubes.Add(emitted[i].Cube);
+                firsts.Add(i);
+            }
+            int[] sorted = firsts.ToArray();
+            Array.Sort(cubes.ToArray(), sorted);
+            return sorted;
         }
     }
 }

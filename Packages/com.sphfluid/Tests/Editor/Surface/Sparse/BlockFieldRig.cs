@@ -17,27 +17,26 @@ namespace SphFluid.Tests
         {
             this.shaders = shaders;
             Solver = new FluidSolver(settings, shaders, particles);
-            Field = new BlockField(shaders);
+            Passes = new SurfacePasses(shaders);
             Blocks = new SurfaceBlocks();
         }
 
         public FluidSolver Solver { get; }
 
-        public BlockField Field { get; }
+        public SurfacePasses Passes { get; }
 
         public SurfaceBlocks Blocks { get; }
 
         public void Record(in SurfaceFieldSettings settings, SurfaceGrid grid, int capacity = EnoughBlocks, bool wallsClosed = true)
         {
-            SurfaceFieldSettings copy = settings;
             Blocks.Reserve(grid.Cells, Math.Min(capacity, Volume(SurfaceBlocks.CountsOver(grid.Cells))));
-            GpuTest.Run(cmd => Field.Record(cmd, Solver, copy, grid, wallsClosed, Blocks));
+            SurfaceInput input = Input(settings, grid, wallsClosed);
+            GpuTest.Run(cmd => Passes.RecordField(cmd, input));
         }
 
         /// <summary>Samples every block of the grid, whatever the particles marked.</summary>
         public void RecordAll(in SurfaceFieldSettings settings, SurfaceGrid grid)
         {
-            SurfaceFieldSettings copy = settings;
             int all = Volume(SurfaceBlocks.CountsOver(grid.Cells));
             Blocks.Reserve(grid.Cells, all);
             Record(settings, grid, all);
@@ -45,10 +44,11 @@ namespace SphFluid.Tests
             Array.Fill(marks, uint.MaxValue);
             Blocks.Table.SetData(marks);
             Blocks.Counters.SetData(new uint[SurfaceCounters.Slots]);
+            SurfaceInput input = Input(settings, grid, true);
             GpuTest.Run(cmd =>
             {
                 new ListSurfaceBlocksPass(shaders).Record(cmd, Blocks);
-                Field.RecordListed(cmd, Solver, copy, grid, true, Blocks);
+                Passes.RecordSamples(cmd, input);
             });
         }
 
@@ -102,9 +102,12 @@ namespace SphFluid.Tests
         public void Dispose()
         {
             Solver.Dispose();
-            Field.Dispose();
+            Passes.Dispose();
             Blocks.Dispose();
         }
+
+        SurfaceInput Input(in SurfaceFieldSettings settings, SurfaceGrid grid, bool wallsClosed) =>
+            new SurfaceInput(Solver, settings, grid, wallsClosed ? SurfaceWalls.Closed : SurfaceWalls.Open, Blocks);
 
         static int Volume(Vector3Int counts) => counts.x * counts.y * counts.z;
     }

@@ -11,14 +11,14 @@ namespace SphFluid.Tests
         const int Plenty = 1 << 20;
 
         readonly SurfaceGrid grid;
-        readonly BlockPolygoniser polygoniser;
+        readonly SurfacePasses passes;
 
         /// <summary>Fills the blocks that are active, all by default, from the field's values at grid vertices; the ring around the grid is empty.</summary>
         public BlockPolygonRig(FluidShaderSet shaders, SurfaceGrid grid, Func<Vector3Int, float> value, Predicate<Vector3Int> isActive = null)
         {
             this.grid = grid;
-            polygoniser = new BlockPolygoniser(shaders);
-            polygoniser.Mesh.Reserve(Plenty, Plenty);
+            passes = new SurfacePasses(shaders);
+            Triangles.Reserve(Plenty, Plenty);
             Blocks = new SurfaceBlocks();
             Vector3Int counts = SurfaceBlocks.CountsOver(grid.Cells);
             Blocks.Reserve(grid.Cells, counts.x * counts.y * counts.z);
@@ -27,13 +27,16 @@ namespace SphFluid.Tests
 
         public SurfaceBlocks Blocks { get; }
 
-        public BlockMesh Mesh => polygoniser.Mesh;
+        public SurfaceTriangles Triangles { get; } = new SurfaceTriangles();
 
         public SurfaceWalls Walls { get; set; }
 
-        public void RecordCount(CommandBuffer cmd) => polygoniser.RecordCount(cmd, Blocks, grid, Walls, Iso);
+        // Without particles: the samples are there.
+        SurfaceInput Input => new SurfaceInput(null, SurfaceFieldSettings.Thesis(default, grid, Iso), grid, Walls, Blocks);
 
-        public void RecordEmit(CommandBuffer cmd) => polygoniser.RecordEmit(cmd, Blocks, grid, Walls, Iso);
+        public void RecordCount(CommandBuffer cmd) => passes.RecordCount(cmd, Input);
+
+        public void RecordEmit(CommandBuffer cmd) => passes.RecordTriangles(cmd, Input, Triangles);
 
         public SurfaceStatus Status() => new SurfaceStatus(GpuTest.Read<uint>(Blocks.Counters, SurfaceCounters.Slots));
 
@@ -45,12 +48,13 @@ namespace SphFluid.Tests
                 RecordCount(cmd);
                 RecordEmit(cmd);
             });
-            return BlockMeshReader.Read(Blocks, Mesh, Status());
+            return Triangles.Read(Blocks, Status());
         }
 
         public void Dispose()
         {
-            polygoniser.Dispose();
+            passes.Dispose();
+            Triangles.Dispose();
             Blocks.Dispose();
         }
 

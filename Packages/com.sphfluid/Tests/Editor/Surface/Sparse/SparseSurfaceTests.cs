@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The sparse surface as a whole: from particles to a mesh, with too little room, and against the thesis's dense surface.</summary>
+    /// <summary>The sparse surface as a whole: from particles to a mesh, with buffers that are too small, and against the thesis's dense surface.</summary>
     public sealed class SparseSurfaceTests
     {
         static readonly Vector3 Domain = new Vector3(0.9f, 0.7f, 0.5f);
@@ -64,7 +64,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void ParticlesThatAreNotNumbersAreTold()
+        public void ParticlesThatAreNotNumbersAreReported()
         {
             using (FluidSolver solver = Solver(new FluidParticle(Vector3.zero, Vector3.zero, 0), new FluidParticle(0.2f * Vector3.one, Vector3.zero, 1)))
             using (var surface = new SparseSurface(shaders))
@@ -79,7 +79,7 @@ namespace SphFluid.Tests
                 StringAssert.Contains("not a number", surface.TakeWarning());
                 Record(surface, solver);
                 surface.ReadMesh();
-                Assert.IsNull(surface.TakeWarning(), "told once");
+                Assert.IsNull(surface.TakeWarning(), "reported once");
             }
         }
 
@@ -139,8 +139,8 @@ namespace SphFluid.Tests
                 StringAssert.Contains($"{surface.Status.Triangles} triangles", warning);
                 StringAssert.Contains("Raise the triangle budget", warning);
                 Record(surface, splash);
-                Assert.LessOrEqual(surface.Mesh.IndexCapacity, 3 * budget, "the budget holds");
-                Assert.IsNull(surface.TakeWarning(), "told once");
+                Assert.LessOrEqual(surface.Triangles.IndexCapacity, 3 * budget, "the budget holds");
+                Assert.IsNull(surface.TakeWarning(), "reported once");
                 SurfaceFieldSettings field = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, splash.Settings);
                 SurfaceGrid grid = SurfaceGrid.OverDomain(Domain, field.CellSize);
                 var thrown = Assert.Throws<FluidDeviceException>(() => surface.Extract(splash, field, grid, SurfaceWalls.Closed));
@@ -156,27 +156,28 @@ namespace SphFluid.Tests
         public void BlockThatWasNotMarkedIsFoundThroughItsNeighbours()
         {
             using (FluidSolver solver = Splash())
-            using (var field = new BlockField(shaders))
-            using (var polygoniser = new BlockPolygoniser(shaders))
+            using (var passes = new SurfacePasses(shaders))
             using (var blocks = new SurfaceBlocks())
+            using (var triangles = new SurfaceTriangles())
             {
                 SurfaceFieldSettings settings = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, solver.Settings);
                 SurfaceGrid grid = SurfaceGrid.OverDomain(Domain, settings.CellSize);
                 blocks.Reserve(grid.Cells, 4096);
-                polygoniser.Mesh.Reserve(1 << 18, 1 << 20);
-                GpuTest.Run(cmd => field.Record(cmd, solver, settings, grid, true, blocks));
+                triangles.Reserve(1 << 18, 1 << 20);
+                var input = new SurfaceInput(solver, settings, grid, SurfaceWalls.Closed, blocks);
+                GpuTest.Run(cmd => passes.RecordField(cmd, input));
                 ForgetLastBlock(blocks);
                 GpuTest.Run(cmd =>
                 {
-                    polygoniser.RecordCount(cmd, blocks, grid, SurfaceWalls.Closed, settings.IsoValue);
-                    field.RecordLate(cmd, solver, settings, grid, true, blocks);
-                    polygoniser.RecordCount(cmd, blocks, grid, SurfaceWalls.Closed, settings.IsoValue);
-                    polygoniser.RecordEmit(cmd, blocks, grid, SurfaceWalls.Closed, settings.IsoValue);
+                    passes.RecordCount(cmd, input);
+                    passes.RecordLateSamples(cmd, input);
+                    passes.RecordCount(cmd, input);
+                    passes.RecordTriangles(cmd, input, triangles);
                 });
                 var status = new SurfaceStatus(GpuTest.Read<uint>(blocks.Counters, SurfaceCounters.Slots));
                 Assert.AreEqual(1, status.LateBlocks);
                 Assert.AreEqual(0, status.OpenFaces);
-                SurfaceMesh mended = BlockMeshReader.Read(blocks, polygoniser.Mesh, status);
+                SurfaceMesh mended = triangles.Read(blocks, status);
                 MeshChecks.AssertClosed(mended);
                 CollectionAssert.AreEqual(FluidSurfaceMesher.Extract(solver, shaders).Indices, mended.Indices);
             }

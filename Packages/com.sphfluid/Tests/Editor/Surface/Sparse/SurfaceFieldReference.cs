@@ -33,6 +33,12 @@ namespace SphFluid.Tests
                 Smooth(particles);
         }
 
+        /// <summary>Where a particle's kernel lies [m].</summary>
+        public Double3 Centre(int particle) => centres[particle];
+
+        /// <summary>What a particle gives to the field at the centre of its kernel.</summary>
+        public double Weight(int particle) => volumes[particle] * Kernel(0.0);
+
         /// <summary>The value at a sample, -1 to cells + 1 along each axis.</summary>
         public double Value(Vector3Int s)
         {

@@ -143,6 +143,27 @@ namespace SphFluid.Tests
             }
         }
 
+        [Test]
+        public void ASurfaceThatFillsTheBufferToTheLastCornerIsWhole()
+        {
+            var grid = new SurfaceGrid(-0.5f * Vector3.one, Vector3.one, 16);
+            using (SurfaceField field = SurfaceTestScene.Field(shaders, grid, p => 0.8f - p.magnitude))
+            {
+                SurfaceMesh expected = polygoniser.Polygonise(field);
+                using (var exact = new SurfacePolygoniser(shaders, expected.Indices.Length))
+                {
+                    SurfaceMesh mesh = exact.Polygonise(field);
+                    Assert.AreEqual(expected.Indices.Length, exact.VertexCapacity);
+                    CollectionAssert.AreEqual(expected.Positions, mesh.Positions);
+                    CollectionAssert.AreEqual(expected.Indices, mesh.Indices);
+                }
+                using (var small = new SurfacePolygoniser(shaders, expected.Indices.Length - 1))
+                {
+                    Assert.Throws<FluidDeviceException>(() => small.Polygonise(field), "one corner too few");
+                }
+            }
+        }
+
         [TestCase(0f)]
         [TestCase(-1f)]
         [TestCase(float.NaN)]
@@ -157,7 +178,7 @@ namespace SphFluid.Tests
         {
             var grid = new SurfaceGrid(Vector3.zero, Vector3.one, SurfaceGrid.MaximumCells);
             if ((long)grid.VertexCount * sizeof(float) <= SystemInfo.maxGraphicsBufferSize)
-                Assert.Ignore("This device has room for the largest grid.");
+                Assert.Ignore("This device holds the largest grid.");
             var exception = Assert.Throws<FluidDeviceException>(() => new SurfaceField(shaders, grid).Dispose());
             StringAssert.Contains("Choose a smaller grid size", exception.Message);
         }

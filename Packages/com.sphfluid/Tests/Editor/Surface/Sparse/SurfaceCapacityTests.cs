@@ -4,7 +4,7 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>The first buffers of a surface, before anything was measured.</summary>
-    public sealed class FirstCapacityTests
+    public sealed class SurfaceCapacityTests
     {
         // A cube of n particles has 6 n^(2/3) dx² of surface; at one block for 64 dx² and as many again beside them.
         [TestCase(64_000)]
@@ -19,13 +19,14 @@ namespace SphFluid.Tests
             SurfaceGrid grid = SurfaceGrid.OverDomain(domain, field.CellSize);
             float block = SurfaceBlocks.CubesPerSide * field.CellSize;
             int blocks = Mathf.CeilToInt(6f * side * side / (block * block));
-            using (var polygoniser = new BlockPolygoniser(SurfaceTestScene.LoadShaders()))
+            GpuTest.Require();
+            using (var triangles = new SurfaceTriangles())
             using (var made = new SurfaceBlocks())
             {
-                new SurfaceCapacity(0, 0).Reserve(made, polygoniser.Mesh, grid, field, particles, default);
+                new SurfaceCapacity(0, 0).Reserve(made, triangles, grid, field, particles, default);
                 Assert.That(made.Capacity, Is.GreaterThanOrEqualTo(blocks), "blocks");
-                float triangles = 2f * 6f * side * side / (field.CellSize * field.CellSize);
-                Assert.That(polygoniser.Mesh.IndexCapacity / 3f, Is.GreaterThanOrEqualTo(triangles), "two triangles a cube");
+                float expected = 2f * 6f * side * side / (field.CellSize * field.CellSize);
+                Assert.That(triangles.IndexCapacity / 3f, Is.GreaterThanOrEqualTo(expected), "two triangles a cube");
             }
         }
     }

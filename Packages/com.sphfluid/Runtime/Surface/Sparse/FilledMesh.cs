@@ -5,21 +5,21 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// A Unity mesh that the GPU fills with a sparse surface: float3 positions and float3 normals in one stream, 32-bit indices. Its copy on the
-    /// CPU stays empty of triangles.
+    /// A Unity mesh that the GPU fills with a sparse surface: float3 positions and float3 normals in one stream, 32-bit indices. It has no copy on
+    /// the CPU.
     /// </summary>
-    sealed class GpuSurfaceMesh : IDisposable
+    sealed class FilledMesh : IDisposable
     {
         const int VertexStride = 6 * sizeof(float);
 
-        // What the GPU writes is not to be looked at on the CPU.
+        // Unity has nothing to check: the content is on the GPU.
         const MeshUpdateFlags Unchecked = MeshUpdateFlags.DontRecalculateBounds | MeshUpdateFlags.DontValidateIndices | MeshUpdateFlags.DontResetBoneBounds;
 
         readonly WriteSurfaceMeshPass writeMesh;
         Mesh mesh;
 
         /// <exception cref="FluidDeviceException">The kernel is missing, or the device cannot run it.</exception>
-        public GpuSurfaceMesh(FluidShaderSet shaders, string name)
+        public FilledMesh(FluidShaderSet shaders, string name)
         {
             writeMesh = new WriteSurfaceMeshPass(shaders);
             mesh = new Mesh { name = name, hideFlags = HideFlags.HideAndDontSave };
@@ -43,7 +43,7 @@ namespace SphFluid
         /// <param name="surface">The surface, simulation space.</param>
         /// <param name="toMesh">Simulation space to the mesh's; with an inverse.</param>
         /// <param name="domainSize">Edges of the domain, which holds the surface [m].</param>
-        /// <exception cref="FluidDeviceException">The device has no room.</exception>
+        /// <exception cref="FluidDeviceException">The device cannot hold the mesh.</exception>
         public void Fill(CommandBuffer cmd, in SurfaceBuffers surface, in Matrix4x4 toMesh, Vector3 domainSize)
         {
             Reserve(surface.Vertices.count, surface.Indices.count);

@@ -5,7 +5,7 @@ using Object = UnityEngine.Object;
 
 namespace SphFluid
 {
-    /// <summary>The sparse surface of a component: made anew each frame as its options say; tells in the component's name what is wrong with them.</summary>
+    /// <summary>The sparse surface of a component: made anew each frame as its options say. Messages name the component.</summary>
     sealed class SurfaceSource : IDisposable
     {
         readonly CommandBuffer cmd = new CommandBuffer { name = "Fluid Surface" };
@@ -28,7 +28,7 @@ namespace SphFluid
         /// <param name="owner">Component that messages name.</param>
         /// <param name="buffers">The surface.</param>
         /// <returns>False after a message if the options cannot be met.</returns>
-        /// <exception cref="FluidDeviceException">The device has no room.</exception>
+        /// <exception cref="FluidDeviceException">The device cannot hold the surface.</exception>
         public bool Update(FluidSolver solver, FluidSurfaceOptions options, Object owner, out SurfaceBuffers buffers)
         {
             buffers = default;
@@ -51,7 +51,7 @@ namespace SphFluid
             Surface.Dispose();
         }
 
-        // Cells of any size can be asked for; those that cannot be are told once, until they are mended.
+        // A cell size that cannot be met is reported once, until it is changed.
         bool TryField(in FluidSolverSettings settings, FluidSurfaceOptions options, Object owner, out SurfaceFieldSettings field, out SurfaceGrid grid)
         {
             grid = default;
@@ -83,7 +83,8 @@ namespace SphFluid
             if (problem == reported)
                 return;
             reported = problem;
-            Debug.LogError($"{FluidMessage.Prefix} '{owner.name}': {problem} Choose another cell size or quality of the surface; until then the liquid is not drawn.", owner);
+            Debug.LogError(
+                $"{FluidMessage.Prefix} '{owner.name}': {problem} Choose another cell size or quality of the surface; until then the liquid is not drawn.", owner);
         }
     }
 }

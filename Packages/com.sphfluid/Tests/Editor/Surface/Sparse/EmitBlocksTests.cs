@@ -5,8 +5,8 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>CountBlocks, SurfaceDrawArguments and EmitBlocks on fields that are written by hand, and against the dense twin.</summary>
-    public sealed class BlockPolygoniserTests
+    /// <summary>EmitBlocks on fields that are written by hand, against marching cubes on the CPU and against the dense twin.</summary>
+    public sealed class EmitBlocksTests
     {
         const float Iso = 0.5f;
 
@@ -68,6 +68,25 @@ namespace SphFluid.Tests
             }
         }
 
+        // 1, 2, 7 and 30 blocks; cells that fill the last block, leave one cube in it, or leave none to spare.
+        [TestCase(1, 1, 1)]
+        [TestCase(6, 6, 6)]
+        [TestCase(7, 6, 5)]
+        [TestCase(54, 6, 6)]
+        [TestCase(23, 13, 37)]
+        public void TrianglesAreThoseOfTheReference(int x, int y, int z)
+        {
+            SurfaceGrid grid = Box(new Vector3(x, y, z), new Vector3Int(x, y, z));
+            var random = new System.Random(x);
+            float[] values = Values(grid, _ => (float)random.NextDouble());
+            float Value(Vector3Int s) => values[grid.Index(s.x, s.y, s.z)];
+            foreach (SurfaceWalls walls in new[] { SurfaceWalls.Closed, SurfaceWalls.Open })
+            {
+                using (var rig = new BlockPolygonRig(shaders, grid, Value) { Walls = walls })
+                    MeshChecks.AssertSameTriangles(new MarchingCubesReference(grid, Value, Iso, walls).Mesh(), rig.Polygonise(), 1e-4f);
+            }
+        }
+
         // Blocks without a crossing have no slot, so that gradients at the rim of the others must do without their samples.
         [TestCase(32, 32, 32)]
         [TestCase(45, 38, 23)]
@@ -94,7 +113,7 @@ namespace SphFluid.Tests
             {
                 Assert.AreEqual(0, rig.Polygonise().TriangleCount);
                 Assert.IsTrue(rig.Status().IsComplete);
-                CollectionAssert.AreEqual(new uint[] { 0, 1, 0, 0, 0 }, GpuTest.Read<uint>(rig.Mesh.DrawArguments, 5));
+                CollectionAssert.AreEqual(new uint[] { 0, 1, 0, 0, 0 }, GpuTest.Read<uint>(rig.Triangles.DrawArguments, 5));
             }
         }
 
@@ -140,61 +159,6 @@ namespace SphFluid.Tests
             }
         }
 
-        [TestCase(1000, 1 << 20)]
-        [TestCase(1 << 20, 3000)]
-        public void SurfaceThatDoesNotFitLeavesTheBuffersAlone(int vertexCapacity, int indexCapacity)
-        {
-            const uint canary = 0xdeadbeef;
-            using (var rig = new BlockPolygonRig(shaders, Box(Vector3.one, Vector3Int.one * 24), s => (s - Vector3Int.one * 12).magnitude < 9f ? 1f : 0f))
-            {
-                rig.Mesh.Reserve(vertexCapacity, indexCapacity);
-                var vertices = new uint[rig.Mesh.Vertices.count * 4];
-                var indices = new uint[rig.Mesh.Indices.count];
-                Array.Fill(vertices, canary);
-                Array.Fill(indices, canary);
-                rig.Mesh.Vertices.SetData(vertices);
-                rig.Mesh.Indices.SetData(indices);
-                rig.Mesh.DrawArguments.SetData(new uint[] { 42, 1, 0, 0, 0 });
-                GpuTest.Run(cmd =>
-                {
-                    rig.RecordCount(cmd);
-                    rig.RecordEmit(cmd);
-                });
-                SurfaceStatus status = rig.Status();
-                Assert.IsFalse(status.IsComplete);
-                Assert.Greater(status.Triangles, 1000);
-                Assert.AreEqual(42, GpuTest.Read<uint>(rig.Mesh.DrawArguments, 1)[0], "the last surface is drawn on");
-                CollectionAssert.AreEqual(vertices, GpuTest.Read<uint>(rig.Mesh.Vertices, vertices.Length));
-                CollectionAssert.AreEqual(indices, GpuTest.Read<uint>(rig.Mesh.Indices, indices.Length));
-            }
-        }
-
-        // 65,537 blocks are two rows of groups. Their samples would take 191 MB, more than a buffer of llvmpipe: the kernel alone is told of the capacity.
-        [TestCase(0u, 0u, 0u)]
-        [TestCase(1u, 1u, 1u)]
-        [TestCase(65535u, 65535u, 1u)]
-        [TestCase(65537u, 65535u, 2u)]
-        public void GroupsContinueInASecondRow(uint blocks, uint x, uint y)
-        {
-            var kernel = shaders.Kernel("SurfaceDrawArguments", "SurfaceDrawArguments");
-            var counted = new uint[SurfaceCounters.Slots];
-            counted[SurfaceCounters.BlocksRequested] = blocks;
-            using (GraphicsBuffer counters = GpuBuffers.Create("Counters", SurfaceCounters.Slots, sizeof(uint)))
-            using (var mesh = new BlockMesh())
-            {
-                counters.SetData(counted);
-                GpuTest.Run(cmd =>
-                {
-                    kernel.SetInt(cmd, Shader.PropertyToID("_BlockCapacity"), 70000);
-                    kernel.SetBuffer(cmd, SparseShaderIds.SurfaceCounters, counters);
-                    kernel.SetBuffer(cmd, Shader.PropertyToID("_DrawArguments"), mesh.DrawArguments);
-                    kernel.SetBuffer(cmd, Shader.PropertyToID("_EmitArguments"), mesh.EmitArguments);
-                    kernel.DispatchThreads(cmd, 1);
-                });
-                CollectionAssert.AreEqual(new[] { x, y, 1u }, GpuTest.Read<uint>(mesh.EmitArguments, 3));
-            }
-        }
-
         // Each block writes its own range and nothing beside it: what was counted is what is written.
         [Test]
         public void EmittedIsWhatWasCounted()
@@ -203,12 +167,12 @@ namespace SphFluid.Tests
             var random = new System.Random(9);
             using (var rig = new BlockPolygonRig(shaders, Box(Vector3.one, new Vector3Int(10, 11, 12)), _ => (float)random.NextDouble(), block => true))
             {
-                var indices = new uint[rig.Mesh.Indices.count];
+                var indices = new uint[rig.Triangles.Indices.Count];
                 Array.Fill(indices, canary);
-                rig.Mesh.Indices.SetData(indices);
+                rig.Triangles.Indices.SetData(indices);
                 rig.Polygonise();
                 SurfaceStatus status = rig.Status();
-                uint[] written = GpuTest.Read<uint>(rig.Mesh.Indices, indices.Length);
+                uint[] written = GpuTest.Read<uint>(rig.Triangles.Indices, indices.Length);
                 for (int i = 0; i < written.Length; i++)
                 {
                     if (i < 3 * status.Triangles)
@@ -231,7 +195,7 @@ namespace SphFluid.Tests
 
         static long RepeatedVertices(BlockPolygonRig rig, SurfaceMesh mesh)
         {
-            PackedSurfaceVertex[] all = GpuTest.Read<PackedSurfaceVertex>(rig.Mesh.Vertices, (int)rig.Status().Vertices);
+            PackedSurfaceVertex[] all = GpuTest.Read<PackedSurfaceVertex>(rig.Triangles.Vertices, (int)rig.Status().Vertices);
             var distinct = new HashSet<Vector3>();
             foreach (PackedSurfaceVertex vertex in all)
                 distinct.Add(vertex.Position);

@@ -5,8 +5,8 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>PrepareSurfaceParticles and SampleBlocks against sums over all particles in double precision, and against the dense field.</summary>
-    public sealed class BlockFieldTests
+    /// <summary>SampleBlocks, after PrepareSurfaceParticles, against sums over all particles in double precision, and against the dense field.</summary>
+    public sealed class SampleBlocksTests
     {
         static readonly Vector3 Domain = new Vector3(0.9f, 0.7f, 0.5f);
         const float Spacing = 0.05f;
@@ -150,7 +150,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void ParticlesThatAreNotNumbersAreCountedAndPassedOver()
+        public void ParticlesThatAreNotNumbersAreCountedAndSkipped()
         {
             FluidSolverSettings settings = Settings(false, FluidAxes.None);
             SurfaceFieldSettings field = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, settings);
@@ -211,7 +211,7 @@ namespace SphFluid.Tests
                 Assert.AreEqual(expected, blocks[block][i], tolerance * Math.Max(1.0, expected), $"sample {s}");
                 largest = Math.Max(largest, expected);
             }
-            Assert.Greater(largest, 0.0, "the samples met the liquid");
+            Assert.Greater(largest, 0.0, "the samples are in the liquid");
         }
 
         static Predicate<Vector3Int> Near(Vector3 position, SurfaceGrid grid, FluidSolverSettings settings) =>
