@@ -5,7 +5,7 @@ Shader "Hidden/SPH Fluid/Benchmark/Surface"
     {
         Tags { "RenderType" = "Opaque" "Queue" = "Geometry" }
 
-        // Corners of triangles as SurfaceMesh.compute emits them.
+        // Corners of triangles as EmitSurfaceVertices.compute emits them.
         Pass
         {
             Name "TriangleCorners"
