@@ -11,7 +11,8 @@ namespace SphFluid
 
         /// <param name="vertices">Vertices, Shaders/Surface/Sparse/SurfaceVertices.hlsl.</param>
         /// <param name="indices">32-bit indices, three a triangle.</param>
-        /// <param name="arguments">One <see cref="GraphicsBuffer.IndirectDrawIndexedArgs"/>, in a buffer as of <see cref="GpuBuffers.CreateArguments"/>.</param>
+        /// <param name="arguments">One <see cref="GraphicsBuffer.IndirectDrawIndexedArgs"/>, in a buffer as of
+        /// <see cref="GpuBuffers.CreateArguments"/>.</param>
         public SurfaceBuffers(GraphicsBuffer vertices, GraphicsBuffer indices, GraphicsBuffer arguments)
         {
             Vertices = vertices ?? throw new ArgumentNullException(nameof(vertices));

@@ -4,7 +4,9 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Makes a mesh of a simulation's liquid as it is now. Waits for the GPU; works with any drawing, or none.</summary>
+    /// <summary>
+    /// Makes a mesh of a simulation's liquid as it is now. Waits for the GPU; works with any drawing, or none.
+    /// </summary>
     public static class FluidSurfaceMesher
     {
         /// <summary>The liquid's surface in simulation space.</summary>
@@ -12,7 +14,8 @@ namespace SphFluid
         /// <param name="shaders">Shader set with the surface's kernels.</param>
         /// <param name="quality">Size of the cells, and how smooth the surface is.</param>
         /// <param name="walls">What becomes of the surface at the domain's walls.</param>
-        /// <returns>A mesh [m], closed where the walls are; multiply by the simulation's LocalToWorld (<see cref="SurfaceMesh.Transformed"/>) for world space.</returns>
+        /// <returns>A mesh [m], closed where the walls are; multiply by the simulation's LocalToWorld
+        /// (<see cref="SurfaceMesh.Transformed"/>) for world space.</returns>
         /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold the surface.</exception>
         public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders, FluidSurfaceQuality quality = FluidSurfaceQuality.Default,
             SurfaceWalls walls = SurfaceWalls.Closed) =>
@@ -21,7 +24,8 @@ namespace SphFluid
         /// <summary>The liquid's surface in simulation space, as a component with these options makes it.</summary>
         /// <param name="solver">The particles.</param>
         /// <param name="shaders">Shader set with the surface's kernels.</param>
-        /// <param name="options">How the surface is made; the triangle budget is for drawing, a mesh is made whole.</param>
+        /// <param name="options">How the surface is made; the triangle budget is for drawing, a mesh is made
+        /// whole.</param>
         /// <returns>A mesh [m], closed where the walls are.</returns>
         /// <exception cref="ArgumentOutOfRangeException">The cell size cannot be met.</exception>
         /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold the surface.</exception>

@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>How the surface of a liquid is made: the settings that components for drawing and for meshes share.</summary>
+    /// <summary>
+    /// How the surface of a liquid is made: the settings that components for drawing and for meshes share.
+    /// </summary>
     [Serializable]
     public sealed class FluidSurfaceOptions
     {
@@ -35,7 +37,8 @@ namespace SphFluid
         internal SurfaceWalls Walls => closedAtWalls ? SurfaceWalls.Closed : SurfaceWalls.Open;
 
         /// <summary>The field for a liquid.</summary>
-        /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a positive number.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a
+        /// positive number.</exception>
         internal SurfaceFieldSettings Field(in FluidSolverSettings settings) =>
             cellSize == 0f ? SurfaceFieldSettings.For(quality, settings) : SurfaceFieldSettings.For(quality, settings, cellSize);
     }

@@ -4,12 +4,14 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Cuts a closed loop of cut cube edges into triangles. No diagonal lies in a face of the cube, where the neighbouring cube could draw the
-    /// same one: each edge of the mesh then belongs to exactly two triangles. Of the cuts that are left the one with the shortest diagonals is taken.
+    /// Cuts a closed loop of cut cube edges into triangles. No diagonal lies in a face of the cube, where the
+    /// neighbouring cube could draw the same one: each edge of the mesh then belongs to exactly two triangles. Of the
+    /// cuts that are left the one with the shortest diagonals is taken.
     /// </summary>
     sealed class MarchingCubesPolygon
     {
-        // Twice the midpoints of the cube's edges: two edges lie in a common face when a coordinate is 0 in both or 2 in both.
+        // Twice the midpoints of the cube's edges: two edges lie in a common face when a coordinate is 0 in both or 2
+        // in both.
         readonly Vector3Int[] midpoints;
         readonly List<int> best = new List<int>();
         int bestCost;

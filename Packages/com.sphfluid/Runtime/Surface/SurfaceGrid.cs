@@ -4,8 +4,8 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// The marching-cubes grid: a box in simulation space cut into cells. Its vertices, one more than cells along each axis, are numbered x first,
-    /// then y, then z; the outermost ones lie on the walls of the domain.
+    /// The marching-cubes grid: a box in simulation space cut into cells. Its vertices, one more than cells along each
+    /// axis, are numbered x first, then y, then z; the outermost ones lie on the walls of the domain.
     /// </summary>
     public readonly struct SurfaceGrid : IEquatable<SurfaceGrid>
     {
@@ -19,7 +19,8 @@ namespace SphFluid
         /// <param name="minimum">Lowest corner of the box [m], simulation space.</param>
         /// <param name="size">Edges of the box [m], each greater than zero.</param>
         /// <param name="cells">Cells a side, 1 to <see cref="MaximumCells"/>.</param>
-        /// <exception cref="ArgumentOutOfRangeException">An edge is not a positive number, or the number of cells is out of range.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">An edge is not a positive number, or the number of cells is
+        /// out of range.</exception>
         public SurfaceGrid(Vector3 minimum, Vector3 size, int cells)
             : this(minimum, size, Vector3Int.one * cells)
         {
@@ -30,8 +31,10 @@ namespace SphFluid
         /// <summary>A grid over a box.</summary>
         /// <param name="minimum">Lowest corner of the box [m], simulation space.</param>
         /// <param name="size">Edges of the box [m], each greater than zero.</param>
-        /// <param name="cells">Cells along each axis, one or more; 3 times the product of (cells + 3) fits into 32 bits.</param>
-        /// <exception cref="ArgumentOutOfRangeException">An edge is not a positive number, or a number of cells is out of range.</exception>
+        /// <param name="cells">Cells along each axis, one or more; 3 times the product of (cells + 3) fits into 32
+        /// bits.</param>
+        /// <exception cref="ArgumentOutOfRangeException">An edge is not a positive number, or a number of cells is out
+        /// of range.</exception>
         public SurfaceGrid(Vector3 minimum, Vector3 size, Vector3Int cells)
         {
             if (!IsBox(size) || !IsFinite(minimum))
@@ -63,13 +66,19 @@ namespace SphFluid
         /// <summary>Number of grid vertices.</summary>
         public int VertexCount => Product(Vertices);
 
-        /// <summary>Cubes of marching cubes along each axis: the cells, and a thin ring around them that closes the mesh at the walls.</summary>
+        /// <summary>
+        /// Cubes of marching cubes along each axis: the cells, and a thin ring around them that closes the mesh at the
+        /// walls.
+        /// </summary>
         public Vector3Int Cubes => Cells + 2 * Vector3Int.one;
 
         /// <summary>Number of cubes of marching cubes.</summary>
         public int CubeCount => Product(Cubes);
 
-        /// <summary>The grid over the domain of a simulation, which is centred on the origin of simulation space, as the thesis cuts it.</summary>
+        /// <summary>
+        /// The grid over the domain of a simulation, which is centred on the origin of simulation space, as the thesis
+        /// cuts it.
+        /// </summary>
         /// <param name="domainSize">Edges of the domain [m].</param>
         /// <param name="size">Cells a side.</param>
         /// <returns>A grid whose outermost vertices lie on the domain's walls.</returns>
@@ -79,7 +88,8 @@ namespace SphFluid
         /// <param name="domainSize">Edges of the domain [m].</param>
         /// <param name="cellEdge">Longest edge of a cell [m]; 0.3 cuts an edge of 1 m into 4 cells of 0.25 m.</param>
         /// <returns>A grid whose outermost vertices lie on the domain's walls.</returns>
-        /// <exception cref="ArgumentOutOfRangeException">The edge is not a positive number, or so short that the cells are too many.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The edge is not a positive number, or so short that the cells
+        /// are too many.</exception>
         public static SurfaceGrid OverDomain(Vector3 domainSize, float cellEdge)
         {
             if (!(cellEdge > 0f) || float.IsInfinity(cellEdge))

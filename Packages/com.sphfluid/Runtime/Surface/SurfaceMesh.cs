@@ -5,8 +5,8 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// A triangle mesh of the liquid's surface: closed, each vertex shared by the triangles around it, triangles clockwise for a viewer outside
-    /// the liquid as Unity expects.
+    /// A triangle mesh of the liquid's surface: closed, each vertex shared by the triangles around it, triangles
+    /// clockwise for a viewer outside the liquid as Unity expects.
     /// </summary>
     public sealed class SurfaceMesh
     {

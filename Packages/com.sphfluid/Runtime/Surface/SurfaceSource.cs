@@ -5,7 +5,9 @@ using Object = UnityEngine.Object;
 
 namespace SphFluid
 {
-    /// <summary>The sparse surface of a component: made anew each frame as its options say. Messages name the component.</summary>
+    /// <summary>
+    /// The sparse surface of a component: made anew each frame as its options say. Messages name the component.
+    /// </summary>
     sealed class SurfaceSource : IDisposable
     {
         readonly CommandBuffer cmd = new CommandBuffer { name = "Fluid Surface" };

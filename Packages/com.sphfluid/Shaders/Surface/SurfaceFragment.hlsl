@@ -26,7 +26,8 @@ SurfaceFragment ProjectSurfaceVertex(SurfaceVertex surface)
     return fragment;
 }
 
-// Vertices at the water's edge belong to the open surface and to the face at the wall; on that face, which lies in the ring, the wall decides.
+// Vertices at the water's edge belong to the open surface and to the face at the wall; on that face, which lies in the
+// ring, the wall decides.
 float3 SurfaceNormal(SurfaceFragment input)
 {
     float3 fromLower = (FluidLocalPosition(input.world) - _MCMinimum) / _MCCellSize;

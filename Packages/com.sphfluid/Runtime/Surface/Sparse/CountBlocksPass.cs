@@ -3,8 +3,8 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Vertices and indices of the present round's blocks, a group each, and their place in the buffers. Lists blocks that the surface reaches
-    /// though no particle marked them (Shaders/Surface/Sparse/CountBlocks.compute).
+    /// Vertices and indices of the present round's blocks, a group each, and their place in the buffers. Lists blocks
+    /// that the surface reaches though no particle marked them (Shaders/Surface/Sparse/CountBlocks.compute).
     /// </summary>
     sealed class CountBlocksPass : ComputePass
     {

@@ -2,7 +2,9 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Vertices and triangles of all blocks, a group each (Shaders/Surface/Sparse/EmitBlocks.compute).</summary>
+    /// <summary>
+    /// Vertices and triangles of all blocks, a group each (Shaders/Surface/Sparse/EmitBlocks.compute).
+    /// </summary>
     sealed class EmitBlocksPass : ComputePass
     {
         readonly ComputeKernel kernel;

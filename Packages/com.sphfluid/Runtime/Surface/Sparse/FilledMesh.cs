@@ -5,8 +5,8 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// A Unity mesh that the GPU fills with a sparse surface: float3 positions and float3 normals in one stream, 32-bit indices. It has no copy on
-    /// the CPU.
+    /// A Unity mesh that the GPU fills with a sparse surface: float3 positions and float3 normals in one stream, 32-bit
+    /// indices. It has no copy on the CPU.
     /// </summary>
     sealed class FilledMesh : IDisposable
     {

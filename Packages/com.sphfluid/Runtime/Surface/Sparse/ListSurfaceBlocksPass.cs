@@ -3,8 +3,8 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Gives marked blocks slots, one atomic operation a group of 256 blocks, and says which slots the next dispatches work on
-    /// (Shaders/Surface/Sparse/ListSurfaceBlocks.compute).
+    /// Gives marked blocks slots, one atomic operation a group of 256 blocks, and says which slots the next dispatches
+    /// work on (Shaders/Surface/Sparse/ListSurfaceBlocks.compute).
     /// </summary>
     sealed class ListSurfaceBlocksPass : ComputePass
     {
@@ -33,8 +33,8 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// First slot and number of slots of a round. The first round has the blocks that particles marked, the late one those that were listed
-        /// since.
+        /// First slot and number of slots of a round. The first round has the blocks that particles marked, the late
+        /// one those that were listed since.
         /// </summary>
         public void RecordRound(CommandBuffer cmd, SurfaceBlocks blocks, bool late)
         {

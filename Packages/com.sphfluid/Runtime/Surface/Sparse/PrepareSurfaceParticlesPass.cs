@@ -3,7 +3,9 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>The particles of a sparse surface as its field reads them (Shaders/Surface/Sparse/SurfaceParticles.hlsl).</summary>
+    /// <summary>
+    /// The particles of a sparse surface as its field reads them (Shaders/Surface/Sparse/SurfaceParticles.hlsl).
+    /// </summary>
     sealed class SurfaceParticles : BufferSet
     {
         FluidBuffer kernels, shapes;
@@ -25,21 +27,25 @@ namespace SphFluid
     }
 
     /// <summary>
-    /// Each particle's kernel in the surface's field, and the blocks near the surface (Shaders/Surface/Sparse/PrepareSurfaceParticles.compute). The
-    /// smooth field sums over neighbours; the thesis's field marks by the density that the solver has.
+    /// Each particle's kernel in the surface's field, and the blocks near the surface
+    /// (Shaders/Surface/Sparse/PrepareSurfaceParticles.compute). The smooth field sums over neighbours; the thesis's
+    /// field marks by the density that the solver has.
     /// </summary>
     sealed class PrepareSurfaceParticlesPass : ComputePass
     {
-        // Blocks within this distance of a flagged particle are active, in spacings: no iso value in use lies farther out.
+        // Blocks within this distance of a flagged particle are active, in spacings: no iso value in use lies farther
+        // out.
         const float MarkReach = 1.25f;
 
-        // Near the surface are particles with fewer neighbours than 24 of the 32.5 that R = 2 dx gives in a lattice, with their mean
-        // more than a quarter of a spacing away, or crowded as no liquid is (coincident particles are a drop of their own).
+        // Near the surface are particles with fewer neighbours than 24 of the 32.5 that R = 2 dx gives in a lattice,
+        // with their mean more than a quarter of a spacing away, or crowded as no liquid is (coincident particles are a
+        // drop of their own).
         const double FewNeighbours = 24.0 / 32.5;
         const float FarMean = 0.25f;
         const float HighDensity = 1.5f;
 
-        // The topmost layer of a lattice has 0.81 of the rest density, the one below 1; liquid in motion varies by some per cent.
+        // The topmost layer of a lattice has 0.81 of the rest density, the one below 1; liquid in motion varies by some
+        // per cent.
         const float LowDensity = 0.9f;
 
         static readonly int FieldWeight = Id("_FieldWeight");

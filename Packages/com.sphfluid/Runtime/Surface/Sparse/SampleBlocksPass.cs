@@ -2,7 +2,10 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>The field at the samples of the present round's blocks, a group each (Shaders/Surface/Sparse/SampleBlocks.compute).</summary>
+    /// <summary>
+    /// The field at the samples of the present round's blocks, a group each
+    /// (Shaders/Surface/Sparse/SampleBlocks.compute).
+    /// </summary>
     sealed class SampleBlocksPass : ComputePass
     {
         const string FilterOnce = "SURFACE_FILTER_ONCE";

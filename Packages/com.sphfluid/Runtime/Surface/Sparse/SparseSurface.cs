@@ -5,9 +5,10 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// The surface of a liquid as triangles on the GPU, made only where it is: a scalar field in blocks of 8^3 cells near the surface, marching cubes
-    /// in those. Nothing waits for the GPU; the buffers grow by what the surface needed a few frames ago. A surface that does not fit as a whole is
-    /// not emitted: the last complete one stays, and a warning says so.
+    /// The surface of a liquid as triangles on the GPU, made only where it is: a scalar field in blocks of 8^3 cells
+    /// near the surface, marching cubes in those. Nothing waits for the GPU; the buffers grow by what the surface
+    /// needed a few frames ago. A surface that does not fit as a whole is not emitted: the last complete one stays, and
+    /// a warning says so.
     /// </summary>
     public sealed class SparseSurface : IDisposable
     {
@@ -35,10 +36,15 @@ namespace SphFluid
             readback = new NumberReadback(SurfaceCounters.Slots, Take);
         }
 
-        /// <summary>Vertices, 16 bytes each: Shaders/Surface/Sparse/SurfaceVertices.hlsl. Ask again after each recording: it may have grown.</summary>
+        /// <summary>
+        /// Vertices, 16 bytes each: Shaders/Surface/Sparse/SurfaceVertices.hlsl. Ask again after each recording: it may
+        /// have grown.
+        /// </summary>
         public GraphicsBuffer Vertices => triangles.Vertices;
 
-        /// <summary>32-bit indices, three a triangle, clockwise seen from outside the liquid. Ask again after each recording.</summary>
+        /// <summary>
+        /// 32-bit indices, three a triangle, clockwise seen from outside the liquid. Ask again after each recording.
+        /// </summary>
         public GraphicsBuffer Indices => triangles.Indices;
 
         /// <summary>One <see cref="GraphicsBuffer.IndirectDrawIndexedArgs"/>: all triangles, one instance.</summary>
@@ -76,11 +82,16 @@ namespace SphFluid
             readback.RecordRequest(cmd, blocks.Counters);
         }
 
-        /// <summary>Something that the user must know, e.g. that the surface exceeds its budget; each kind of problem is reported once.</summary>
+        /// <summary>
+        /// Something that the user must know, e.g. that the surface exceeds its budget; each kind of problem is
+        /// reported once.
+        /// </summary>
         /// <returns>A sentence with the cure, or null.</returns>
         public string TakeWarning() => warnings.Take();
 
-        /// <summary>Waits for the GPU and reads what became of the surface that was recorded and executed last.</summary>
+        /// <summary>
+        /// Waits for the GPU and reads what became of the surface that was recorded and executed last.
+        /// </summary>
         internal SurfaceStatus ReadStatus()
         {
             readback.ReadNow(blocks.Counters);
@@ -88,9 +99,12 @@ namespace SphFluid
         }
 
         /// <summary>Waits for the GPU and reads what was recorded and executed last.</summary>
-        /// <returns>A mesh in simulation space [m] in which all triangles around a vertex share it. The same liquid gives the same mesh.</returns>
-        /// <exception cref="InvalidOperationException">Nothing was recorded, or the surface did not fit the buffers as they were.</exception>
-        /// <exception cref="FluidDeviceException">The surface is larger than the budget or the device allows.</exception>
+        /// <returns>A mesh in simulation space [m] in which all triangles around a vertex share it. The same liquid
+        /// gives the same mesh.</returns>
+        /// <exception cref="InvalidOperationException">Nothing was recorded, or the surface did not fit the buffers as
+        /// they were.</exception>
+        /// <exception cref="FluidDeviceException">The surface is larger than the budget or the device
+        /// allows.</exception>
         public SurfaceMesh ReadMesh()
         {
             if (blocks.Counters == null)
@@ -102,13 +116,16 @@ namespace SphFluid
             return triangles.Read(blocks, Status);
         }
 
-        /// <summary>Makes the surface now and reads it: records, executes, and repeats with larger buffers until all of it fits.</summary>
+        /// <summary>
+        /// Makes the surface now and reads it: records, executes, and repeats with larger buffers until all of it fits.
+        /// </summary>
         /// <param name="solver">The particles; they are sorted into cells first.</param>
         /// <param name="settings">The field.</param>
         /// <param name="grid">The grid, over the solver's domain.</param>
         /// <param name="walls">What becomes of the surface at the domain's walls.</param>
         /// <returns>See <see cref="ReadMesh"/>.</returns>
-        /// <exception cref="FluidDeviceException">The surface is larger than the budget or the device allows.</exception>
+        /// <exception cref="FluidDeviceException">The surface is larger than the budget or the device
+        /// allows.</exception>
         public SurfaceMesh Extract(FluidSolver solver, in SurfaceFieldSettings settings, SurfaceGrid grid, SurfaceWalls walls)
         {
             do

@@ -4,7 +4,9 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Slots of the sparse surface's counters on the GPU: Shaders/Surface/Sparse/SurfaceCounters.hlsl.</summary>
+    /// <summary>
+    /// Slots of the sparse surface's counters on the GPU: Shaders/Surface/Sparse/SurfaceCounters.hlsl.
+    /// </summary>
     static class SurfaceCounters
     {
         public const int Slots = 16;
@@ -30,7 +32,9 @@ namespace SphFluid
         /// <summary>Indices of all listed blocks.</summary>
         public const int IndicesRequested = 6;
 
-        /// <summary>Faces of blocks that the surface crosses towards a block without a slot, after the late round.</summary>
+        /// <summary>
+        /// Faces of blocks that the surface crosses towards a block without a slot, after the late round.
+        /// </summary>
         public const int OpenFaces = 7;
 
         /// <summary>Particles that are skipped: their position is not a number.</summary>
@@ -41,8 +45,9 @@ namespace SphFluid
     }
 
     /// <summary>
-    /// Blocks of 8³ cubes over a surface grid, of which only those near the surface hold samples: a table over all blocks, and slots
-    /// (Shaders/Surface/Sparse/SurfaceBlocks.hlsl). Cubes and samples count the ring that closes the surface at the walls.
+    /// Blocks of 8³ cubes over a surface grid, of which only those near the surface hold samples: a table over all
+    /// blocks, and slots (Shaders/Surface/Sparse/SurfaceBlocks.hlsl). Cubes and samples count the ring that closes the
+    /// surface at the walls.
     /// </summary>
     sealed class SurfaceBlocks : BufferSet
     {
@@ -81,7 +86,10 @@ namespace SphFluid
         /// <summary>uint a slot: number of its block, x fastest.</summary>
         public FluidBuffer List => list;
 
-        /// <summary>Field values, float, <see cref="SamplesPerBlock"/> a slot, x fastest; the surface is where they equal the iso value.</summary>
+        /// <summary>
+        /// Field values, float, <see cref="SamplesPerBlock"/> a slot, x fastest; the surface is where they equal the
+        /// iso value.
+        /// </summary>
         public FluidBuffer Samples => samples;
 
         /// <summary>uint4 a slot: first vertex, vertices, first index, indices.</summary>

@@ -4,13 +4,13 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// How large the buffers of a sparse surface are. At first by the number of particles; once they are three quarters full, half as much again
-    /// as the surface was found to need, up to a limit.
+    /// How large the buffers of a sparse surface are. At first by the number of particles; once they are three quarters
+    /// full, half as much again as the surface was found to need, up to a limit.
     /// </summary>
     sealed class SurfaceCapacity
     {
-        // Splashes have 2 to 9 triangles a particle at 1 to 0.5 spacings a cell, large pools less than one: they grow with the square of spacings
-        // a cell (surface-quality.md of com.sphfluid.validation).
+        // Splashes have 2 to 9 triangles a particle at 1 to 0.5 spacings a cell, large pools less than one: they grow
+        // with the square of spacings a cell (surface-quality.md of com.sphfluid.validation).
         const int SpareTriangles = 65536;
         const int SplashParticles = 131072;
         const float SplashTriangles = 2.25f;
@@ -59,7 +59,9 @@ namespace SphFluid
             triangles.Reserve(vertices, indices);
         }
 
-        /// <summary>Why a surface that was not complete will not become so by growing, and the cure; null if it will.</summary>
+        /// <summary>
+        /// Why a surface that was not complete will not become so by growing, and the cure; null if it will.
+        /// </summary>
         public string Obstacle(in SurfaceStatus status)
         {
             if (status.Blocks > SurfaceBlocks.DeviceCapacity)
@@ -86,7 +88,8 @@ namespace SphFluid
             return SpareTriangles + (long)(cellsPerSpacing * cellsPerSpacing * (SplashTriangles * splash + PoolTriangles * (particles - splash)));
         }
 
-        // Before the buffer is full, as a splash grows while the count of an earlier frame is read back. E.g. 80 of 100 become 120.
+        // Before the buffer is full, as a splash grows while the count of an earlier frame is read back. E.g. 80 of 100
+        // become 120.
         static int Grown(int capacity, long start, long used, int limit)
         {
             long grown = 4 * used > 3L * capacity ? used + used / 2 : capacity;

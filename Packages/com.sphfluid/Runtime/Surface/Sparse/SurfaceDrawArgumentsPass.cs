@@ -3,8 +3,8 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Decides on the GPU whether the surface fits the buffers, and so how much is emitted and drawn; what does not fit leaves the last complete
-    /// surface alone (Shaders/Surface/Sparse/SurfaceDrawArguments.compute).
+    /// Decides on the GPU whether the surface fits the buffers, and so how much is emitted and drawn; what does not fit
+    /// leaves the last complete surface alone (Shaders/Surface/Sparse/SurfaceDrawArguments.compute).
     /// </summary>
     sealed class SurfaceDrawArgumentsPass : ComputePass
     {

@@ -4,9 +4,10 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// The scalar field whose iso surface is the liquid's surface. Smooth: each particle's volume 1/D (D its poly6 density on the lattice's scale) over
-    /// a poly6 kernel at a position that is moved towards the mean of its neighbours (Yu and Turk 2010), a binomial filter, and the union with
-    /// the unfiltered field less an offset, which keeps drops and films. Thesis: m/ρ0 over the solver's kernel, 6.4.3.
+    /// The scalar field whose iso surface is the liquid's surface. Smooth: each particle's volume 1/D (D its poly6
+    /// density on the lattice's scale) over a poly6 kernel at a position that is moved towards the mean of its
+    /// neighbours (Yu and Turk 2010), a binomial filter, and the union with the unfiltered field less an offset, which
+    /// keeps drops and films. Thesis: m/ρ0 over the solver's kernel, 6.4.3.
     /// </summary>
     public readonly struct SurfaceFieldSettings
     {
@@ -37,13 +38,18 @@ namespace SphFluid
         /// <summary>Particle spacing dx [m].</summary>
         public float Spacing { get; }
 
-        /// <summary>Edge of a cell of the surface grid that the field is made for [m]; the grid's own may be a little smaller, to divide the domain.</summary>
+        /// <summary>
+        /// Edge of a cell of the surface grid that the field is made for [m]; the grid's own may be a little smaller,
+        /// to divide the domain.
+        /// </summary>
         public float CellSize { get; }
 
         /// <summary>Radius of the field's kernel [m], the solver's R at most.</summary>
         public float SupportRadius { get; }
 
-        /// <summary>λ: how far a particle's kernel moves towards the mean of its neighbours, 0 to 1 of the distance.</summary>
+        /// <summary>
+        /// λ: how far a particle's kernel moves towards the mean of its neighbours, 0 to 1 of the distance.
+        /// </summary>
         public float Smoothing { get; }
 
         /// <summary>Passes of the filter 1 2 1 along each axis of the grid, 0 to 2.</summary>
@@ -67,7 +73,10 @@ namespace SphFluid
         /// <summary>Farthest that a particle's kernel reaches from the particle [m].</summary>
         internal float KernelReach => LongestShift + (IsAnisotropic ? LongestAxis : 1f) * SupportRadius;
 
-        /// <summary>Farthest that the centre of a kernel lies from its particle [m]: the mean of the neighbours counts up to one spacing away.</summary>
+        /// <summary>
+        /// Farthest that the centre of a kernel lies from its particle [m]: the mean of the neighbours counts up to one
+        /// spacing away.
+        /// </summary>
         internal float LongestShift => Smoothing * Spacing;
 
         /// <summary>Whether this was made by one of the methods below.</summary>
@@ -83,21 +92,25 @@ namespace SphFluid
         /// <param name="quality">Smoothing and filter.</param>
         /// <param name="settings">The liquid: spacing and support radius.</param>
         /// <param name="cellSizeInSpacings">Edge of a cell in particle spacings.</param>
-        /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a positive number.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a
+        /// positive number.</exception>
         public static SurfaceFieldSettings For(FluidSurfaceQuality quality, in FluidSolverSettings settings, float cellSizeInSpacings) =>
             Smooth(settings, Preset.Of(quality), cellSizeInSpacings, FieldKind.Smooth);
 
         /// <summary>
-        /// A field whose kernels are stretched along the surface (Yu and Turk 2010), λ = 0.9, no filter: flatter pools for more work. Made to be
-        /// compared with; lone drops are small balls.
+        /// A field whose kernels are stretched along the surface (Yu and Turk 2010), λ = 0.9, no filter: flatter pools
+        /// for more work. Made to be compared with; lone drops are small balls.
         /// </summary>
         /// <param name="settings">The liquid: spacing and support radius.</param>
         /// <param name="cellSizeInSpacings">Edge of a cell in particle spacings.</param>
-        /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a positive number.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a
+        /// positive number.</exception>
         public static SurfaceFieldSettings Anisotropic(in FluidSolverSettings settings, float cellSizeInSpacings = 0.5f) =>
             Smooth(settings, Preset.OfAnisotropic, cellSizeInSpacings, FieldKind.Anisotropic);
 
-        /// <summary>The thesis's field: the solver's kernel over each particle's mass, as <see cref="SurfaceField"/> has it.</summary>
+        /// <summary>
+        /// The thesis's field: the solver's kernel over each particle's mass, as <see cref="SurfaceField"/> has it.
+        /// </summary>
         /// <param name="settings">The liquid.</param>
         /// <param name="grid">The grid it is sampled on.</param>
         /// <param name="isoValue">Density over rest density on the surface, greater than 0.</param>
@@ -134,7 +147,8 @@ namespace SphFluid
             Anisotropic,
         }
 
-        // Chosen by surface-quality.md of com.sphfluid.validation: the filter flattens, smoothing lets coarse cells keep thin parts.
+        // Chosen by surface-quality.md of com.sphfluid.validation: the filter flattens, smoothing lets coarse cells
+        // keep thin parts.
         readonly struct Preset
         {
             Preset(float cellRatio, float smoothing, int filterPasses, float unionOffset)

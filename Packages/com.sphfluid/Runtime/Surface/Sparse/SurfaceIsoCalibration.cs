@@ -4,16 +4,19 @@ using System.Collections.Generic;
 namespace SphFluid
 {
     /// <summary>
-    /// The iso value at which the surface of a perfect lattice pool lies half a spacing above its last layer, on average over sub-cell positions
-    /// of the grid: volumes then come out right. Lengths are in particle spacings. Values are computed once and kept.
+    /// The iso value at which the surface of a perfect lattice pool lies half a spacing above its last layer, on
+    /// average over sub-cell positions of the grid: volumes then come out right. Lengths are in particle spacings.
+    /// Values are computed once and kept.
     /// </summary>
     public static class SurfaceIsoCalibration
     {
-        // Positions of the pool against the grid: along z they divide a cell evenly; across, any incommensurate ones serve.
+        // Positions of the pool against the grid: along z they divide a cell evenly; across, any incommensurate ones
+        // serve.
         const int Phases = 6;
         const double PhaseX = 0.137 * 1.3, PhaseY = 0.731;
 
-        // Columns of samples whose heights are averaged: a square of 8 spacings, or as many columns as take the time of a blink.
+        // Columns of samples whose heights are averaged: a square of 8 spacings, or as many columns as take the time of
+        // a blink.
         const double ColumnsFrom = 6.0, ColumnsTo = 14.0;
         const int MostColumns = 24;
 
@@ -71,7 +74,8 @@ namespace SphFluid
             return 0.5 * (low + high);
         }
 
-        // Field values of columns of samples from below the surface upwards; bottoms: height of each column's first sample above the last layer.
+        // Field values of columns of samples from below the surface upwards; bottoms: height of each column's first
+        // sample above the last layer.
         static void AddColumns(LatticePool pool, double cell, int passes, double unionOffset, double shiftX, double shiftY, double shiftZ,
             List<double[]> columns, List<double> bottoms)
         {
@@ -143,8 +147,8 @@ namespace SphFluid
     }
 
     /// <summary>
-    /// The raw field of a pool of lattice layers at z = 0, −1, −2 …, endless across, its particles weighted, moved and stretched as
-    /// Shaders/Surface/Sparse/PrepareSurfaceParticles.compute has it. Lengths in spacings.
+    /// The raw field of a pool of lattice layers at z = 0, −1, −2 …, endless across, its particles weighted, moved and
+    /// stretched as Shaders/Surface/Sparse/PrepareSurfaceParticles.compute has it. Lengths in spacings.
     /// </summary>
     sealed class LatticePool
     {

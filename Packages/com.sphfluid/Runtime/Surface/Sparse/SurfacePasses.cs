@@ -62,7 +62,9 @@ namespace SphFluid
         }
     }
 
-    /// <summary>From particles to triangles: the passes of a sparse surface in their order. Nothing is read back.</summary>
+    /// <summary>
+    /// From particles to triangles: the passes of a sparse surface in their order. Nothing is read back.
+    /// </summary>
     sealed class SurfacePasses : IDisposable
     {
         readonly ClearSurfaceBlocksPass clear;
@@ -94,8 +96,9 @@ namespace SphFluid
         public long Bytes => GpuBuffers.Size(tables) + Particles.Bytes;
 
         /// <summary>
-        /// Records everything from the particles' present positions to the arguments of the draw. Where more blocks are marked than there are
-        /// slots, none is sampled; where the triangles do not fit, none is emitted. The counters say how many there are.
+        /// Records everything from the particles' present positions to the arguments of the draw. Where more blocks are
+        /// marked than there are slots, none is sampled; where the triangles do not fit, none is emitted. The counters
+        /// say how many there are.
         /// </summary>
         public void Record(CommandBuffer cmd, in SurfaceInput input, SurfaceTriangles triangles)
         {
@@ -117,10 +120,15 @@ namespace SphFluid
             RecordSamples(cmd, input);
         }
 
-        /// <summary>Samples of the blocks that are listed; the particles are as <see cref="RecordField"/> left them.</summary>
+        /// <summary>
+        /// Samples of the blocks that are listed; the particles are as <see cref="RecordField"/> left them.
+        /// </summary>
         public void RecordSamples(CommandBuffer cmd, in SurfaceInput input) => RecordRound(cmd, input, false);
 
-        /// <summary>Samples of the blocks that <see cref="RecordCount"/> listed: those that the surface reaches though no particle marked them.</summary>
+        /// <summary>
+        /// Samples of the blocks that <see cref="RecordCount"/> listed: those that the surface reaches though no
+        /// particle marked them.
+        /// </summary>
         public void RecordLateSamples(CommandBuffer cmd, in SurfaceInput input) => RecordRound(cmd, input, true);
 
         /// <summary>Vertices and indices of the blocks that were sampled last.</summary>

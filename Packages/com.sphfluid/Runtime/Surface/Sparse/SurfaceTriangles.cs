@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>A vertex of the sparse surface; mirrors the struct of Shaders/Surface/Sparse/PackedSurfaceVertex.hlsl.</summary>
+    /// <summary>
+    /// A vertex of the sparse surface; mirrors the struct of Shaders/Surface/Sparse/PackedSurfaceVertex.hlsl.
+    /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     struct PackedSurfaceVertex
     {
@@ -34,7 +36,9 @@ namespace SphFluid
         }
     }
 
-    /// <summary>The triangles of a sparse surface on the GPU: vertices, indices and the arguments of an indexed indirect draw.</summary>
+    /// <summary>
+    /// The triangles of a sparse surface on the GPU: vertices, indices and the arguments of an indexed indirect draw.
+    /// </summary>
     sealed class SurfaceTriangles : BufferSet
     {
         const int DrawArgumentCount = 5;
@@ -81,7 +85,8 @@ namespace SphFluid
         public int IndexCapacity { get; private set; }
 
         /// <summary>
-        /// Sets how much may be written and grows the buffers to it. Where a buffer is made anew, nothing is drawn until the next complete surface.
+        /// Sets how much may be written and grows the buffers to it. Where a buffer is made anew, nothing is drawn
+        /// until the next complete surface.
         /// </summary>
         public void Reserve(int vertexCapacity, int indexCapacity)
         {
@@ -95,9 +100,10 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Waits for the GPU and reads a complete surface. All triangles around a vertex share it: blocks compute the vertices on a common face alike,
-        /// so equal bits of the position identify them. Slots are given in no particular order; triangles are read in the order of the blocks, so
-        /// that the same surface gives the same mesh.
+        /// Waits for the GPU and reads a complete surface. All triangles around a vertex share it: blocks compute the
+        /// vertices on a common face alike, so equal bits of the position identify them. Slots are given in no
+        /// particular order; triangles are read in the order of the blocks, so that the same surface gives the same
+        /// mesh.
         /// </summary>
         public SurfaceMesh Read(SurfaceBlocks blocks, in SurfaceStatus status)
         {

@@ -4,8 +4,8 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Copies a sparse surface into the vertex and index buffers of a mesh; what the surface does not use becomes triangles without area
-    /// (Shaders/Surface/Sparse/WriteSurfaceMesh.compute).
+    /// Copies a sparse surface into the vertex and index buffers of a mesh; what the surface does not use becomes
+    /// triangles without area (Shaders/Surface/Sparse/WriteSurfaceMesh.compute).
     /// </summary>
     sealed class WriteSurfaceMeshPass : ComputePass
     {

@@ -3,7 +3,10 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>How many triangle corners the surface of a dense field has (Shaders/Surface/Thesis/CountSurfaceVertices.compute).</summary>
+    /// <summary>
+    /// How many triangle corners the surface of a dense field has
+    /// (Shaders/Surface/Thesis/CountSurfaceVertices.compute).
+    /// </summary>
     sealed class CountSurfaceVerticesPass : ComputePass
     {
         static readonly int VertexCount = Id("_SurfaceVertexCount");

@@ -4,7 +4,8 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// The triangles of a dense field's surface, an <see cref="EmittedVertex"/> a corner (Shaders/Surface/Thesis/EmitSurfaceVertices.compute).
+    /// The triangles of a dense field's surface, an <see cref="EmittedVertex"/> a corner
+    /// (Shaders/Surface/Thesis/EmitSurfaceVertices.compute).
     /// </summary>
     sealed class EmitSurfaceVerticesPass : ComputePass
     {
@@ -25,7 +26,8 @@ namespace SphFluid
         /// <param name="field">The field.</param>
         /// <param name="isoValue">Its value on the surface.</param>
         /// <param name="tables">See <see cref="MarchingCubesTables.CreateBuffer"/>.</param>
-        /// <param name="count">Raw: its first number is where the next corner goes; all corners are added to it.</param>
+        /// <param name="count">Raw: its first number is where the next corner goes; all corners are added to
+        /// it.</param>
         /// <param name="vertices">The corners.</param>
         /// <param name="capacity">Corners that may be written; cubes that do not fit are counted only.</param>
         public void Record(

@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>A triangle's corner as EmitSurfaceVertices.compute writes it; mirrors the struct of EmittedVertex.hlsl.</summary>
+    /// <summary>
+    /// A triangle's corner as EmitSurfaceVertices.compute writes it; mirrors the struct of EmittedVertex.hlsl.
+    /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     struct EmittedVertex
     {

@@ -6,7 +6,10 @@ namespace SphFluid
         /// <summary>The liquid's surface: the triangles of marching cubes.</summary>
         MarchingCubes = 0,
 
-        /// <summary>The edges of the grid's cubes with at least one vertex inside the liquid: how fine the grid is, and what it holds.</summary>
+        /// <summary>
+        /// The edges of the grid's cubes with at least one vertex inside the liquid: how fine the grid is, and what it
+        /// holds.
+        /// </summary>
         Cubes = 1,
     }
 }

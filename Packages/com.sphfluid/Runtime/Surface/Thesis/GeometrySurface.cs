@@ -4,8 +4,8 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Draws the surface of a field as the thesis does (6.4.4): one point a cube, its number passed through the vertex shader, triangles made by the
-    /// geometry shader, light by the pixel shader.
+    /// Draws the surface of a field as the thesis does (6.4.4): one point a cube, its number passed through the vertex
+    /// shader, triangles made by the geometry shader, light by the pixel shader.
     /// </summary>
     sealed class GeometrySurface : IDisposable
     {
@@ -18,7 +18,8 @@ namespace SphFluid
         readonly FluidBuffer tables;
         Material material;
 
-        /// <exception cref="FluidDeviceException">The device has no geometry shaders, or the shader is missing.</exception>
+        /// <exception cref="FluidDeviceException">The device has no geometry shaders, or the shader is
+        /// missing.</exception>
         public GeometrySurface(FluidShaderSet shaders)
         {
             string missing = MissingSupport();
@@ -41,7 +42,9 @@ namespace SphFluid
             return null;
         }
 
-        /// <summary>Fills the properties of a draw; colour and smoothness only where <paramref name="colour"/> is given.</summary>
+        /// <summary>
+        /// Fills the properties of a draw; colour and smoothness only where <paramref name="colour"/> is given.
+        /// </summary>
         public MaterialPropertyBlock Properties(SurfaceField field, float isoValue, Color? colour, float smoothness, in DrawPlacement placement)
         {
             properties.Clear();

@@ -4,7 +4,8 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Thesis 6.4.2: empties the marching-cubes grid before the density factors are summed (Shaders/Surface/Thesis/ResetMCGrid.compute).
+    /// Thesis 6.4.2: empties the marching-cubes grid before the density factors are summed
+    /// (Shaders/Surface/Thesis/ResetMCGrid.compute).
     /// </summary>
     sealed class ResetMCGridPass : ComputePass
     {

@@ -4,8 +4,8 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Thesis 6.4.3: at each vertex of the marching-cubes grid the density that the particles within the support radius give there, found through
-    /// the cells of the vertex's octant in the fluid grid, as a fraction of the rest density
+    /// Thesis 6.4.3: at each vertex of the marching-cubes grid the density that the particles within the support radius
+    /// give there, found through the cells of the vertex's octant in the fluid grid, as a fraction of the rest density
     /// (Shaders/Surface/Thesis/SetMCGridDensityFactors.compute).
     /// </summary>
     sealed class SetMCGridDensityFactorsPass : ComputePass

@@ -5,8 +5,8 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// The scalar field of the surface on the GPU: a density factor at each vertex of a <see cref="SurfaceGrid"/>, 1 in liquid at rest and 0 where
-    /// no particle is near. The surface is where it equals the iso value.
+    /// The scalar field of the surface on the GPU: a density factor at each vertex of a <see cref="SurfaceGrid"/>, 1 in
+    /// liquid at rest and 0 where no particle is near. The surface is where it equals the iso value.
     /// </summary>
     public sealed class SurfaceField : IDisposable
     {
@@ -48,14 +48,16 @@ namespace SphFluid
         public long GpuBytes => (long)Grid.VertexCount * sizeof(float);
 
         /// <summary>
-        /// Divides the density near a wall of the domain by the part of the kernel that lies inside, as if the liquid went on behind the wall, so
-        /// that the surface is level at walls. Off: as the thesis prints it; the surface then falls away from the walls.
+        /// Divides the density near a wall of the domain by the part of the kernel that lies inside, as if the liquid
+        /// went on behind the wall, so that the surface is level at walls. Off: as the thesis prints it; the surface
+        /// then falls away from the walls.
         /// </summary>
         public bool WallCompletion { get; set; } = true;
 
         /// <summary>Records everything from the particles' present positions to the finished field.</summary>
         /// <param name="cmd">Command buffer to record into.</param>
-        /// <param name="solver">The particles; they are sorted into cells first, so that the ranges of the cells fit.</param>
+        /// <param name="solver">The particles; they are sorted into cells first, so that the ranges of the cells
+        /// fit.</param>
         public void Record(CommandBuffer cmd, FluidSolver solver)
         {
             if (cmd == null)

@@ -5,7 +5,9 @@ namespace SphFluid
     /// <summary>Cells a side of the grid that the surface is made on; the sizes of the thesis's tables.</summary>
     public enum SurfaceGridSize
     {
-        /// <summary>128 on a graphics card, 64 where a program on the CPU draws (llvmpipe, SwiftShader, WARP).</summary>
+        /// <summary>
+        /// 128 on a graphics card, 64 where a program on the CPU draws (llvmpipe, SwiftShader, WARP).
+        /// </summary>
         Automatic = 0,
 
         /// <summary>32 cells a side: 36 thousand grid vertices.</summary>

@@ -6,8 +6,9 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// The compute twin of the geometry shader: the same triangles, read back as a mesh. Waits for the GPU: for export and tests, not for drawing
-    /// each frame. The triangles are counted first, the buffer grown to fit, then they are written.
+    /// The compute twin of the geometry shader: the same triangles, read back as a mesh. Waits for the GPU: for export
+    /// and tests, not for drawing each frame. The triangles are counted first, the buffer grown to fit, then they are
+    /// written.
     /// </summary>
     public sealed class SurfacePolygoniser : IDisposable
     {
@@ -46,9 +47,11 @@ namespace SphFluid
         /// <summary>The surface of a field.</summary>
         /// <param name="field">The field as the GPU holds it after all commands executed so far.</param>
         /// <param name="isoValue">Density factor of the surface, greater than 0; 0.5 by custom.</param>
-        /// <returns>A closed mesh in the field's space, empty where the field nowhere reaches the iso value. The same field gives the same mesh.</returns>
+        /// <returns>A closed mesh in the field's space, empty where the field nowhere reaches the iso value. The same
+        /// field gives the same mesh.</returns>
         /// <exception cref="ArgumentOutOfRangeException">The iso value is not a positive number.</exception>
-        /// <exception cref="FluidDeviceException">The surface has more triangles than a buffer of this device holds.</exception>
+        /// <exception cref="FluidDeviceException">The surface has more triangles than a buffer of this device
+        /// holds.</exception>
         public SurfaceMesh Polygonise(SurfaceField field, float isoValue = 0.5f)
         {
             if (field == null)
@@ -105,7 +108,8 @@ namespace SphFluid
             vertices = GpuBuffers.Create("SurfaceVertices", Math.Min(count + count / 2L, vertexLimit), EmittedVertex.Stride);
         }
 
-        // Joins the vertices that lie on the same edge of the grid. The order of the cubes in the input does not matter.
+        // Joins the vertices that lie on the same edge of the grid. The order of the cubes in the input does not
+        // matter.
         static SurfaceMesh Weld(EmittedVertex[] emitted, int count)
         {
             int[] firsts = FirstVertexOfEachCube(emitted, count);
@@ -132,7 +136,8 @@ namespace SphFluid
             return new SurfaceMesh(positions.ToArray(), normals.ToArray(), indices);
         }
 
-        // Each cube's vertices stand together in the order of its triangles; only the order of the cubes is left to chance on the GPU.
+        // Each cube's vertices stand together in the order of its triangles; only the order of the cubes is left to
+        // chance on the GPU.
         static int[] FirstVertexOfEachCube(EmittedVertex[] emitted, int count)
         {
             var cubes = new List<uint>();

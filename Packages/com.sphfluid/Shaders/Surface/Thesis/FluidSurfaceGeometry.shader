@@ -1,5 +1,6 @@
-// The thesis's surface: marching cubes in a geometry shader, lit per pixel. Drawn with MeshTopology.Points, one point a cube.
-// FLUID_CUBES draws the edges of the cubes with a vertex inside instead of the triangles in them. FLUID_HDRP: see FluidShading.hlsl.
+// The thesis's surface: marching cubes in a geometry shader, lit per pixel. Drawn with MeshTopology.Points, one point a
+// cube. FLUID_CUBES draws the edges of the cubes with a vertex inside instead of the triangles in them. FLUID_HDRP: see
+// FluidShading.hlsl.
 Shader "SPH Fluid/Surface (Geometry Shader)"
 {
     Properties
@@ -12,7 +13,8 @@ Shader "SPH Fluid/Surface (Geometry Shader)"
     {
         Tags { "RenderType" = "Opaque" "Queue" = "Geometry" }
 
-        // No LightMode: drawn by the Built-in pipeline in forward and deferred rendering, by URP and HDRP as SRPDefaultUnlit.
+        // No LightMode: drawn by the Built-in pipeline in forward and deferred rendering, by URP and HDRP as
+        // SRPDefaultUnlit.
         Pass
         {
             Name "Forward"

@@ -1,5 +1,5 @@
-// The thesis's drawing stages, 6.4.4: a vertex shader that passes its number on, one vertex a cube, and a geometry shader that turns the
-// cube into triangles.
+// The thesis's drawing stages, 6.4.4: a vertex shader that passes its number on, one vertex a cube, and a geometry
+// shader that turns the cube into triangles.
 #ifndef SPHFLUID_SURFACE_GEOMETRY_INCLUDED
 #define SPHFLUID_SURFACE_GEOMETRY_INCLUDED
 
@@ -21,7 +21,8 @@ CubePoint PassThrough(uint vertexId : SV_VertexID)
 
 #if defined(FLUID_CUBES)
 
-// A corner of a cube as the end of a line. It is lit like the liquid's surface; where the density is even, deep inside, it is turned from the light.
+// A corner of a cube as the end of a line. It is lit like the liquid's surface; where the density is even, deep inside,
+// it is turned from the light.
 SurfaceVertex CubeCorner(int3 v)
 {
     float3 outwards = MCInGrid(v) ? -MCGradient(clamp(v, 0, MCCells())) : (float3)0.0;
@@ -33,7 +34,8 @@ SurfaceVertex CubeCorner(int3 v)
     return surface;
 }
 
-// Fig. 12 of the thesis, middle: the edges of the cubes with at least one vertex inside. Cubes of the ring are as thin as it.
+// Fig. 12 of the thesis, middle: the edges of the cubes with at least one vertex inside. Cubes of the ring are as thin
+// as it.
 [maxvertexcount(2 * MC_EDGES)]
 void GenerateIsosurface(point CubePoint input[1], inout LineStream<SurfaceFragment> lines)
 {

@@ -5,8 +5,8 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>
-    /// Marching cubes on the CPU, cube by cube over the whole grid: what the kernels count and emit. Written from the definition of the grid; only the
-    /// tables are the product's, which have tests of their own.
+    /// Marching cubes on the CPU, cube by cube over the whole grid: what the kernels count and emit. Written from the
+    /// definition of the grid; only the tables are the product's, which have tests of their own.
     /// </summary>
     sealed class MarchingCubesReference
     {
@@ -65,7 +65,9 @@ namespace SphFluid.Tests
             return corners;
         }
 
-        /// <summary>The whole mesh; its vertices are shared by the triangles around them. Normals are not computed.</summary>
+        /// <summary>
+        /// The whole mesh; its vertices are shared by the triangles around them. Normals are not computed.
+        /// </summary>
         public SurfaceMesh Mesh()
         {
             var numbers = new Dictionary<(Vector3Int, Vector3Int), int>();

@@ -46,7 +46,8 @@ namespace SphFluid.Tests
             }
         }
 
-        // Inside a cube every side of a triangle is met by another triangle in the opposite direction; the sides that are left lie in faces.
+        // Inside a cube every side of a triangle is met by another triangle in the opposite direction; the sides that
+        // are left lie in faces.
         [Test]
         public void OpenSidesOfTrianglesLieInFacesOfTheCube()
         {
@@ -57,7 +58,8 @@ namespace SphFluid.Tests
             }
         }
 
-        // The cube next door sees the face's four signs and nothing else: over all cases with these signs the joints must be the same.
+        // The cube next door sees the face's four signs and nothing else: over all cases with these signs the joints
+        // must be the same.
         [Test]
         public void FacesAreJoinedByTheirOwnFourSignsAlone()
         {

@@ -7,7 +7,9 @@ namespace SphFluid.Tests
     /// <summary>What must hold for every surface mesh.</summary>
     static class MeshChecks
     {
-        /// <summary>Each side of a triangle belongs to exactly one other triangle, which runs along it the other way.</summary>
+        /// <summary>
+        /// Each side of a triangle belongs to exactly one other triangle, which runs along it the other way.
+        /// </summary>
         public static void AssertClosed(SurfaceMesh mesh)
         {
             foreach (KeyValuePair<(int low, int high), (int up, int down)> edge in Edges(mesh))
@@ -44,7 +46,8 @@ namespace SphFluid.Tests
         /// <summary>Vertices less edges plus triangles: 2 a ball, 0 a torus.</summary>
         public static int EulerCharacteristic(SurfaceMesh mesh) => new HashSet<int>(mesh.Indices).Count - Edges(mesh).Count + mesh.TriangleCount;
 
-        // By its lower and its higher vertex: the triangles that run along the edge from the lower to the higher one, and those that run back.
+        // By its lower and its higher vertex: the triangles that run along the edge from the lower to the higher one,
+        // and those that run back.
         static Dictionary<(int low, int high), (int up, int down)> Edges(SurfaceMesh mesh)
         {
             var edges = new Dictionary<(int low, int high), (int up, int down)>();
@@ -73,7 +76,9 @@ namespace SphFluid.Tests
             return boundary;
         }
 
-        /// <summary>The same triangles in any order: each has one in the other mesh whose corners lie within the tolerance.</summary>
+        /// <summary>
+        /// The same triangles in any order: each has one in the other mesh whose corners lie within the tolerance.
+        /// </summary>
         public static void AssertSameTriangles(SurfaceMesh expected, SurfaceMesh found, float tolerance)
         {
             Assert.AreEqual(expected.TriangleCount, found.TriangleCount, "triangles");

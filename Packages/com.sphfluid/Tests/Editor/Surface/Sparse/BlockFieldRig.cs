@@ -78,7 +78,9 @@ namespace SphFluid.Tests
         public static Vector3Int SampleAt(Vector3Int block, int index) =>
             block * SurfaceBlocks.CubesPerSide - Vector3Int.one + new Vector3Int(index % 9, index / 9 % 9, index / 81);
 
-        /// <summary>Whether a cube of the block, those of the ring included, has corners on both sides of the surface.</summary>
+        /// <summary>
+        /// Whether a cube of the block, those of the ring included, has corners on both sides of the surface.
+        /// </summary>
         public static bool IsCrossed(Vector3Int block, float[] samples, float iso, Vector3Int cells)
         {
             for (int cube = 0; cube < 512; cube++)

@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>PrepareSurfaceParticles marks every block that the surface crosses; the truth comes from sampling all blocks.</summary>
+    /// <summary>
+    /// PrepareSurfaceParticles marks every block that the surface crosses; the truth comes from sampling all blocks.
+    /// </summary>
     public sealed class BlockMarkingTests
     {
         const float Spacing = 0.05f;
@@ -56,7 +58,8 @@ namespace SphFluid.Tests
             AssertCovered(ball, settings, field, SurfaceGrid.OverDomain(Domain, field.CellSize));
         }
 
-        // Amid a pool no block is active; without closed walls none along them either, but for some at the domain's edges.
+        // Amid a pool no block is active; without closed walls none along them either, but for some at the domain's
+        // edges.
         [Test]
         public void BlocksInsideTheLiquidAreNotMarked()
         {

@@ -4,7 +4,9 @@ using UnityEngine.Rendering;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The polygoniser of the sparse surface on samples that are written by hand into every block of a grid.</summary>
+    /// <summary>
+    /// The polygoniser of the sparse surface on samples that are written by hand into every block of a grid.
+    /// </summary>
     sealed class BlockPolygonRig : IDisposable
     {
         const float Iso = 0.5f;
@@ -13,7 +15,10 @@ namespace SphFluid.Tests
         readonly SurfaceGrid grid;
         readonly SurfacePasses passes;
 
-        /// <summary>Fills the blocks that are active, all by default, from the field's values at grid vertices; the ring around the grid is empty.</summary>
+        /// <summary>
+        /// Fills the blocks that are active, all by default, from the field's values at grid vertices; the ring around
+        /// the grid is empty.
+        /// </summary>
         public BlockPolygonRig(FluidShaderSet shaders, SurfaceGrid grid, Func<Vector3Int, float> value, Predicate<Vector3Int> isActive = null)
         {
             this.grid = grid;

@@ -9,7 +9,8 @@ namespace SphFluid.Tests
     {
         const uint Canary = 99u;
 
-        // Fewer blocks than counters, a group less one, a group, one more, a prime, and more groups than a row of blocks has.
+        // Fewer blocks than counters, a group less one, a group, one more, a prime, and more groups than a row of
+        // blocks has.
         [TestCase(1)]
         [TestCase(15)]
         [TestCase(16)]

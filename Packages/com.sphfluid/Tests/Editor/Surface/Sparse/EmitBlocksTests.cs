@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>EmitBlocks on fields that are written by hand, against marching cubes on the CPU and against the dense twin.</summary>
+    /// <summary>
+    /// EmitBlocks on fields that are written by hand, against marching cubes on the CPU and against the dense twin.
+    /// </summary>
     public sealed class EmitBlocksTests
     {
         const float Iso = 0.5f;
@@ -87,7 +89,8 @@ namespace SphFluid.Tests
             }
         }
 
-        // Blocks without a crossing have no slot, so that gradients at the rim of the others must do without their samples.
+        // Blocks without a crossing have no slot, so that gradients at the rim of the others must do without their
+        // samples.
         [TestCase(32, 32, 32)]
         [TestCase(45, 38, 23)]
         public void TrianglesAreThoseOfTheDenseTwin(int x, int y, int z)

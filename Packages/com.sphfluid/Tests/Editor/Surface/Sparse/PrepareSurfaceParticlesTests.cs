@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>PrepareSurfaceParticles: each particle's kernel against sums over all particles in double precision.</summary>
+    /// <summary>
+    /// PrepareSurfaceParticles: each particle's kernel against sums over all particles in double precision.
+    /// </summary>
     public sealed class PrepareSurfaceParticlesTests
     {
         const float Spacing = 0.05f;

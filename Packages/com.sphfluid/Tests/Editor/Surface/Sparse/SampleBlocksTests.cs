@@ -5,7 +5,10 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>SampleBlocks, after PrepareSurfaceParticles, against sums over all particles in double precision, and against the dense field.</summary>
+    /// <summary>
+    /// SampleBlocks, after PrepareSurfaceParticles, against sums over all particles in double precision, and against
+    /// the dense field.
+    /// </summary>
     public sealed class SampleBlocksTests
     {
         static readonly Vector3 Domain = new Vector3(0.9f, 0.7f, 0.5f);
@@ -168,7 +171,8 @@ namespace SphFluid.Tests
                 Assert.AreEqual(3u, rig.Counters()[SurfaceCounters.NonFinite]);
                 var others = new List<FluidParticle>(particles);
                 others.RemoveAll(p => p.IsRemoved || float.IsNaN(p.Position.sqrMagnitude) || float.IsInfinity(p.Position.sqrMagnitude));
-                // What is removed stands behind all others and in no cell; here it does not, so that its neighbours still count it.
+                // What is removed stands behind all others and in no cell; here it does not, so that its neighbours
+                // still count it.
                 others.Add(particles[150]);
                 Compare(rig.Read(), new SurfaceFieldReference(others, settings, field, grid), 2e-4, Near(particles[150].Position, grid, settings));
             }

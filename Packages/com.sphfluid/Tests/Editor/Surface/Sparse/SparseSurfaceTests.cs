@@ -5,7 +5,10 @@ using UnityEngine.Rendering;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The sparse surface as a whole: from particles to a mesh, with buffers that are too small, and against the thesis's dense surface.</summary>
+    /// <summary>
+    /// The sparse surface as a whole: from particles to a mesh, with buffers that are too small, and against the
+    /// thesis's dense surface.
+    /// </summary>
     public sealed class SparseSurfaceTests
     {
         static readonly Vector3 Domain = new Vector3(0.9f, 0.7f, 0.5f);

@@ -4,7 +4,10 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>SurfaceDrawArguments: what fits is emitted and drawn, whatever was in the buffers before; what does not leaves them alone.</summary>
+    /// <summary>
+    /// SurfaceDrawArguments: what fits is emitted and drawn, whatever was in the buffers before; what does not leaves
+    /// them alone.
+    /// </summary>
     public sealed class SurfaceDrawArgumentsTests
     {
         [Test]
@@ -37,7 +40,8 @@ namespace SphFluid.Tests
             }
         }
 
-        // 65,537 blocks are two rows of groups. Their samples would take 191 MB, more than a buffer of llvmpipe: only the kernel gets the capacity.
+        // 65,537 blocks are two rows of groups. Their samples would take 191 MB, more than a buffer of llvmpipe: only
+        // the kernel gets the capacity.
         [TestCase(0u, 0u, 0u)]
         [TestCase(1u, 1u, 1u)]
         [TestCase(65535u, 65535u, 1u)]

@@ -4,7 +4,10 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The field of the sparse surface in double precision, by brute force over all particles; written from the formulas, not from the shaders.</summary>
+    /// <summary>
+    /// The field of the sparse surface in double precision, by brute force over all particles; written from the
+    /// formulas, not from the shaders.
+    /// </summary>
     sealed class SurfaceFieldReference
     {
         readonly SurfaceFieldSettings field;

@@ -2,7 +2,9 @@ using NUnit.Framework;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The calibrated iso values; references from an independent single-precision program that meshes a finite pool.</summary>
+    /// <summary>
+    /// The calibrated iso values; references from an independent single-precision program that meshes a finite pool.
+    /// </summary>
     public sealed class SurfaceIsoCalibrationTests
     {
         [TestCase(1.0, 0.9, 1, 0.10, 0.503)]

@@ -8,7 +8,8 @@ namespace SphFluid.Tests
     {
         const float Iso = 0.5f;
 
-        // Cubes, with the ring's: less than a group of 4 along an axis, a group, one more, a prime; a field that is empty, full, or noise.
+        // Cubes, with the ring's: less than a group of 4 along an axis, a group, one more, a prime; a field that is
+        // empty, full, or noise.
         [Test]
         public void CountIsThatOfTheReference(
             [Values(1, 2, 3, 6, 15, 29)] int cells, [Values(0.0, 0.5, 1.0)] double liquidPart)

@@ -5,7 +5,10 @@ using UnityEngine.Rendering;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The geometry shader's triangles cannot be read back: it and its compute twin are compared by what they cover, how deep and how inclined.</summary>
+    /// <summary>
+    /// The geometry shader's triangles cannot be read back: it and its compute twin are compared by what they cover,
+    /// how deep and how inclined.
+    /// </summary>
     public sealed class GeometrySurfaceTests
     {
         const int Size = 256;
@@ -73,7 +76,8 @@ namespace SphFluid.Tests
             }
         }
 
-        // One grid vertex inside: the edges of the eight cubes around it, seen from the front three lines each way over two cells.
+        // One grid vertex inside: the edges of the eight cubes around it, seen from the front three lines each way over
+        // two cells.
         [Test]
         public void CubesAroundAVertexAreDrawnAsWires()
         {

@@ -1,4 +1,5 @@
-// Test only: what both backends of the surface drew, as numbers. Red: distance to the eye; green and blue: normal x and y; alpha: 1.
+// Test only: what both backends of the surface drew, as numbers. Red: distance to the eye; green and blue: normal x and
+// y; alpha: 1.
 Shader "Hidden/SPH Fluid/Tests/Surface Compare"
 {
     SubShader

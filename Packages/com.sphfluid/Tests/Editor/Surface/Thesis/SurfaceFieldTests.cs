@@ -40,7 +40,8 @@ namespace SphFluid.Tests
             }
         }
 
-        // Liquid at rest fills the lower half of the domain from wall to wall; its surface is flat, and as high at the walls as amid.
+        // Liquid at rest fills the lower half of the domain from wall to wall; its surface is flat, and as high at the
+        // walls as amid.
         [Test]
         public void SurfaceOfLiquidAtRestMeetsTheWallsLevel()
         {
