@@ -87,7 +87,8 @@ namespace SphFluid
             string missing = MissingSupport();
             if (missing != null)
             {
-                Debug.LogWarning($"{FluidMessage.Prefix} '{name}': {missing} The sparse surface is drawn instead.", this);
+                Debug.LogWarning($"{FluidMessage.Prefix} '{name}': {missing} The sparse surface is drawn instead.",
+                    this);
                 fallback = new LiquidDrawing(shaders);
                 return;
             }
@@ -112,7 +113,8 @@ namespace SphFluid
         protected override void Draw(FluidSimulation drawn)
         {
             if (fallback != null)
-                fallback.DrawOpaque(drawn.Solver, fallbackOptions, colour, smoothness, null, Placement(drawn, 0f), this);
+                fallback.DrawOpaque(drawn.Solver, fallbackOptions, colour, smoothness, null, Placement(drawn, 0f),
+                    this);
             else
                 DrawSurface(drawn);
         }

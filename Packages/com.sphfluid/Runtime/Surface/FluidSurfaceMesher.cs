@@ -17,9 +17,10 @@ namespace SphFluid
         /// <returns>A mesh [m], closed where the walls are; multiply by the simulation's LocalToWorld
         /// (<see cref="SurfaceMesh.Transformed"/>) for world space.</returns>
         /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold the surface.</exception>
-        public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders, FluidSurfaceQuality quality = FluidSurfaceQuality.Default,
-            SurfaceWalls walls = SurfaceWalls.Closed) =>
-            Extract(solver, shaders, new FluidSurfaceOptions { Quality = quality, ClosedAtWalls = walls == SurfaceWalls.Closed });
+        public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders,
+            FluidSurfaceQuality quality = FluidSurfaceQuality.Default, SurfaceWalls walls = SurfaceWalls.Closed) =>
+            Extract(solver, shaders,
+                new FluidSurfaceOptions { Quality = quality, ClosedAtWalls = walls == SurfaceWalls.Closed });
 
         /// <summary>The liquid's surface in simulation space, as a component with these options makes it.</summary>
         /// <param name="solver">The particles.</param>
@@ -35,7 +36,8 @@ namespace SphFluid
             if (options == null)
                 throw new ArgumentNullException(nameof(options));
             SurfaceFieldSettings field = options.Field(solver.Settings);
-            return Extract(solver, shaders, field, SurfaceGrid.OverDomain(solver.Settings.DomainSize, field.CellSize), options.Walls);
+            return Extract(solver, shaders, field, SurfaceGrid.OverDomain(solver.Settings.DomainSize, field.CellSize),
+                options.Walls);
         }
 
         /// <summary>The liquid's surface in simulation space, of a field and on a grid of one's own.</summary>
@@ -46,8 +48,8 @@ namespace SphFluid
         /// <param name="walls">What becomes of the surface at the domain's walls.</param>
         /// <returns>A mesh [m], closed where the walls are.</returns>
         /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold the surface.</exception>
-        public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders, in SurfaceFieldSettings field, SurfaceGrid grid,
-            SurfaceWalls walls = SurfaceWalls.Closed)
+        public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders, in SurfaceFieldSettings field,
+            SurfaceGrid grid, SurfaceWalls walls = SurfaceWalls.Closed)
         {
             RequireSolver(solver);
             using (var surface = new SparseSurface(shaders))
@@ -62,7 +64,8 @@ namespace SphFluid
         /// <param name="wallCompletion">See <see cref="SurfaceField.WallCompletion"/>.</param>
         /// <returns>A closed mesh [m].</returns>
         /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold the surface.</exception>
-        public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders, SurfaceGridSize gridSize, float isoValue = 0.5f, bool wallCompletion = true)
+        public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders, SurfaceGridSize gridSize,
+            float isoValue = 0.5f, bool wallCompletion = true)
         {
             RequireSolver(solver);
             using (var field = new SurfaceField(shaders, SurfaceGrid.OverDomain(solver.Settings.DomainSize, gridSize)))

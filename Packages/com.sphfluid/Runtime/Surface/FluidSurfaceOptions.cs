@@ -40,6 +40,8 @@ namespace SphFluid
         /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a
         /// positive number.</exception>
         internal SurfaceFieldSettings Field(in FluidSolverSettings settings) =>
-            cellSize == 0f ? SurfaceFieldSettings.For(quality, settings) : SurfaceFieldSettings.For(quality, settings, cellSize);
+            cellSize == 0f
+                ? SurfaceFieldSettings.For(quality, settings)
+                : SurfaceFieldSettings.For(quality, settings, cellSize);
     }
 }

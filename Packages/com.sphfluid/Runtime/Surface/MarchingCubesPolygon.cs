@@ -20,7 +20,10 @@ namespace SphFluid
         {
             midpoints = new Vector3Int[edgeCorners.Length / 2];
             for (int edge = 0; edge < midpoints.Length; edge++)
-                midpoints[edge] = SurfaceGrid.CornerOffset(edgeCorners[2 * edge]) + SurfaceGrid.CornerOffset(edgeCorners[2 * edge + 1]);
+            {
+                midpoints[edge] =
+                    SurfaceGrid.CornerOffset(edgeCorners[2 * edge]) + SurfaceGrid.CornerOffset(edgeCorners[2 * edge + 1]);
+            }
         }
 
         /// <summary>Triangles of the loop, three edge numbers each, in the loop's direction.</summary>

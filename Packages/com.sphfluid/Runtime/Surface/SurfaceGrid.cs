@@ -25,7 +25,8 @@ namespace SphFluid
             : this(minimum, size, Vector3Int.one * cells)
         {
             if (cells > MaximumCells)
-                throw new ArgumentOutOfRangeException(nameof(cells), $"A surface grid has 1 to {MaximumCells} cells a side, not {cells}.");
+                throw new ArgumentOutOfRangeException(nameof(cells),
+                    $"A surface grid has 1 to {MaximumCells} cells a side, not {cells}.");
         }
 
         /// <summary>A grid over a box.</summary>
@@ -38,9 +39,11 @@ namespace SphFluid
         public SurfaceGrid(Vector3 minimum, Vector3 size, Vector3Int cells)
         {
             if (!IsBox(size) || !IsFinite(minimum))
-                throw new ArgumentOutOfRangeException(nameof(size), $"A surface grid needs a box with edges greater than zero; this one is {size} m at {minimum}.");
+                throw new ArgumentOutOfRangeException(nameof(size),
+                    $"A surface grid needs a box with edges greater than zero; this one is {size} m at {minimum}.");
             if (cells.x < 1 || cells.y < 1 || cells.z < 1)
-                throw new ArgumentOutOfRangeException(nameof(cells), $"A surface grid has one cell or more along each axis, not {cells}.");
+                throw new ArgumentOutOfRangeException(nameof(cells),
+                    $"A surface grid has one cell or more along each axis, not {cells}.");
             if (!Fits(cells))
                 throw TooMany(nameof(cells), cells);
             Minimum = minimum;
@@ -82,7 +85,8 @@ namespace SphFluid
         /// <param name="domainSize">Edges of the domain [m].</param>
         /// <param name="size">Cells a side.</param>
         /// <returns>A grid whose outermost vertices lie on the domain's walls.</returns>
-        public static SurfaceGrid OverDomain(Vector3 domainSize, SurfaceGridSize size) => new SurfaceGrid(domainSize * -0.5f, domainSize, size.Cells());
+        public static SurfaceGrid OverDomain(Vector3 domainSize, SurfaceGridSize size) =>
+            new SurfaceGrid(domainSize * -0.5f, domainSize, size.Cells());
 
         /// <summary>The grid over the domain of a simulation, in cells that are nearly cubes.</summary>
         /// <param name="domainSize">Edges of the domain [m].</param>
@@ -93,9 +97,11 @@ namespace SphFluid
         public static SurfaceGrid OverDomain(Vector3 domainSize, float cellEdge)
         {
             if (!(cellEdge > 0f) || float.IsInfinity(cellEdge))
-                throw new ArgumentOutOfRangeException(nameof(cellEdge), $"The cells of a surface grid need an edge greater than zero, not {cellEdge} m.");
+                throw new ArgumentOutOfRangeException(nameof(cellEdge),
+                    $"The cells of a surface grid need an edge greater than zero, not {cellEdge} m.");
             if (!IsBox(domainSize))
-                throw new ArgumentOutOfRangeException(nameof(domainSize), $"A surface grid needs a domain with edges greater than zero, not {domainSize} m.");
+                throw new ArgumentOutOfRangeException(nameof(domainSize),
+                    $"A surface grid needs a domain with edges greater than zero, not {domainSize} m.");
             Vector3 cells = domainSize / cellEdge;
             cells = new Vector3(Mathf.Ceil(cells.x), Mathf.Ceil(cells.y), Mathf.Ceil(cells.z));
             if (!Fits(cells))
@@ -127,13 +133,16 @@ namespace SphFluid
         public override int GetHashCode() => HashCode.Combine(Minimum, Size, Cells);
 
         /// <summary>Where a corner of a cube lies, after Bourke's numbering; e.g. corner 2 at (1, 1, 0).</summary>
-        internal static Vector3Int CornerOffset(int corner) => new Vector3Int((corner + 1) >> 1 & 1, corner >> 1 & 1, corner >> 2);
+        internal static Vector3Int CornerOffset(int corner) =>
+            new Vector3Int((corner + 1) >> 1 & 1, corner >> 1 & 1, corner >> 2);
 
         static int Product(Vector3Int counts) => counts.x * counts.y * counts.z;
 
-        static bool Fits(Vector3 cells) => ((double)cells.x + 3.0) * (cells.y + 3.0) * (cells.z + 3.0) <= MostNamedVertices;
+        static bool Fits(Vector3 cells) =>
+            ((double)cells.x + 3.0) * (cells.y + 3.0) * (cells.z + 3.0) <= MostNamedVertices;
 
-        static ArgumentOutOfRangeException TooMany(string parameter, Vector3 cells) => new ArgumentOutOfRangeException(parameter,
+        static ArgumentOutOfRangeException TooMany(string parameter, Vector3 cells) =>
+            new ArgumentOutOfRangeException(parameter,
             $"A surface grid of {cells.x:F0} x {cells.y:F0} x {cells.z:F0} cells has more edges than 32 bits can name. Choose larger cells or a smaller domain.");
 
         static bool IsBox(Vector3 size) => size.x > 0f && size.y > 0f && size.z > 0f && IsFinite(size);

@@ -23,7 +23,8 @@ namespace SphFluid
             if (normals.Length != positions.Length)
                 throw new ArgumentException($"A mesh needs a normal for each vertex: {positions.Length} positions, {normals.Length} normals.", nameof(normals));
             if (indices.Length % 3 != 0)
-                throw new ArgumentException($"A mesh needs three indices a triangle, not {indices.Length} in all.", nameof(indices));
+                throw new ArgumentException($"A mesh needs three indices a triangle, not {indices.Length} in all.",
+                    nameof(indices));
         }
 
         /// <summary>Positions of the vertices [m].</summary>

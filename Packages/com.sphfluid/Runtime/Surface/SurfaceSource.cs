@@ -54,7 +54,8 @@ namespace SphFluid
         }
 
         // A cell size that cannot be met is reported once, until it is changed.
-        bool TryField(in FluidSolverSettings settings, FluidSurfaceOptions options, Object owner, out SurfaceFieldSettings field, out SurfaceGrid grid)
+        bool TryField(in FluidSolverSettings settings, FluidSurfaceOptions options, Object owner,
+            out SurfaceFieldSettings field, out SurfaceGrid grid)
         {
             grid = default;
             field = default;

@@ -46,7 +46,8 @@ namespace SphFluid.Tests
         /// </summary>
         public static Color[] Render(int size, Matrix4x4 view, Matrix4x4 projection, Action<CommandBuffer> draw)
         {
-            var target = new RenderTexture(size, size, 24, RenderTextureFormat.ARGBFloat, RenderTextureReadWrite.Linear);
+            var target = new RenderTexture(size, size, 24, RenderTextureFormat.ARGBFloat,
+                RenderTextureReadWrite.Linear);
             var picture = new Texture2D(size, size, TextureFormat.RGBAFloat, false, true);
             RenderTexture before = RenderTexture.active;
             try

@@ -13,7 +13,8 @@ namespace SphFluid
         const int VertexStride = 6 * sizeof(float);
 
         // Unity has nothing to check: the content is on the GPU.
-        const MeshUpdateFlags Unchecked = MeshUpdateFlags.DontRecalculateBounds | MeshUpdateFlags.DontValidateIndices | MeshUpdateFlags.DontResetBoneBounds;
+        const MeshUpdateFlags Unchecked = MeshUpdateFlags.DontRecalculateBounds | MeshUpdateFlags.DontValidateIndices |
+            MeshUpdateFlags.DontResetBoneBounds;
 
         readonly WriteSurfaceMeshPass writeMesh;
         Mesh mesh;
@@ -72,14 +73,16 @@ namespace SphFluid
             if (bytes > SystemInfo.maxGraphicsBufferSize)
             {
                 throw new FluidDeviceException(
-                    $"The mesh of the surface needs a buffer of {bytes / 1048576.0:F0} MiB; {SystemInfo.graphicsDeviceName} allows " +
-                    $"{SystemInfo.maxGraphicsBufferSize / 1048576.0:F0} MiB. Use a coarser surface or a smaller triangle budget.");
+                    $"The mesh of the surface needs a buffer of {bytes / 1048576.0:F0} MiB; " +
+                    $"{SystemInfo.graphicsDeviceName} allows {SystemInfo.maxGraphicsBufferSize / 1048576.0:F0} MiB. " +
+                    "Use a coarser surface or a smaller triangle budget.");
             }
             VertexCapacity = Math.Max(vertices, VertexCapacity);
             IndexCapacity = Math.Max(indices, IndexCapacity);
             mesh.Clear();
             mesh.SetVertexBufferParams(
-                VertexCapacity, new VertexAttributeDescriptor(VertexAttribute.Position), new VertexAttributeDescriptor(VertexAttribute.Normal));
+                VertexCapacity, new VertexAttributeDescriptor(VertexAttribute.Position),
+                new VertexAttributeDescriptor(VertexAttribute.Normal));
             mesh.SetIndexBufferParams(IndexCapacity, IndexFormat.UInt32);
             mesh.SetSubMesh(0, new SubMeshDescriptor(0, IndexCapacity) { vertexCount = VertexCapacity }, Unchecked);
         }

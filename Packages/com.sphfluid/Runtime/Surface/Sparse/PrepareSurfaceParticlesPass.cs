@@ -110,7 +110,8 @@ namespace SphFluid
             double ratio = field.SupportRadius / (double)field.Spacing;
             smooth.SetFloat(cmd, Smoothing, field.Smoothing);
             smooth.SetFloat(cmd, LongestShift, field.LongestShift);
-            smooth.SetFloat(cmd, FewNeighboursId, (float)(FewNeighbours * (4.0 / 3.0 * Math.PI * ratio * ratio * ratio - 1.0)));
+            smooth.SetFloat(cmd, FewNeighboursId,
+                (float)(FewNeighbours * (4.0 / 3.0 * Math.PI * ratio * ratio * ratio - 1.0)));
             smooth.SetFloat(cmd, FarMeanId, FarMean * field.Spacing);
         }
 
@@ -119,7 +120,9 @@ namespace SphFluid
         {
             FluidSolverSettings settings = input.Solver.Settings;
             double radius = input.Field.SupportRadius;
-            double volume = input.Field.IsThesis ? settings.ParticleMass / (double)settings.RestDensity : Math.Pow(input.Field.Spacing, 3.0);
+            double volume = input.Field.IsThesis
+                ? settings.ParticleMass / (double)settings.RestDensity
+                : Math.Pow(input.Field.Spacing, 3.0);
             return volume * 315.0 / (64.0 * Math.PI * radius * radius * radius);
         }
     }

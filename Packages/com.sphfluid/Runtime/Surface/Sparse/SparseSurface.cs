@@ -30,7 +30,8 @@ namespace SphFluid
         internal SparseSurface(FluidShaderSet shaders, int firstBlocks, int firstTriangles)
         {
             if (shaders == null)
-                throw new ArgumentNullException(nameof(shaders), "A sparse surface needs a shader set: assign one in the fluid profile.");
+                throw new ArgumentNullException(nameof(shaders),
+                    "A sparse surface needs a shader set: assign one in the fluid profile.");
             passes = new SurfacePasses(shaders);
             capacity = new SurfaceCapacity(firstBlocks, firstTriangles);
             readback = new NumberReadback(SurfaceCounters.Slots, Take);
@@ -51,7 +52,11 @@ namespace SphFluid
         public GraphicsBuffer DrawArguments => triangles.DrawArguments;
 
         /// <summary>Most triangles; 0: as many as the device holds.</summary>
-        public int TriangleBudget { get => capacity.TriangleBudget; set => capacity.TriangleBudget = Math.Max(value, 0); }
+        public int TriangleBudget
+        {
+            get => capacity.TriangleBudget;
+            set => capacity.TriangleBudget = Math.Max(value, 0);
+        }
 
         /// <summary>What became of the last surface that was read back.</summary>
         public SurfaceStatus Status { get; private set; }
@@ -70,7 +75,8 @@ namespace SphFluid
         /// <param name="grid">The grid, over the solver's domain.</param>
         /// <param name="walls">What becomes of the surface at the domain's walls.</param>
         /// <exception cref="FluidDeviceException">The device cannot hold the first buffers.</exception>
-        public void Record(CommandBuffer cmd, FluidSolver solver, in SurfaceFieldSettings settings, SurfaceGrid grid, SurfaceWalls walls)
+        public void Record(CommandBuffer cmd, FluidSolver solver, in SurfaceFieldSettings settings, SurfaceGrid grid,
+            SurfaceWalls walls)
         {
             if (cmd == null)
                 throw new ArgumentNullException(nameof(cmd));
@@ -108,11 +114,17 @@ namespace SphFluid
         public SurfaceMesh ReadMesh()
         {
             if (blocks.Counters == null)
-                throw new InvalidOperationException("No surface was recorded: call Record and execute the command buffer first.");
+            {
+                throw new InvalidOperationException(
+                    "No surface was recorded: call Record and execute the command buffer first.");
+            }
             ReadStatus();
             ThrowIfObstructed();
             if (!Status.IsComplete)
-                throw new InvalidOperationException("The surface did not fit its buffers. Record and execute it again: the buffers have grown by then.");
+            {
+                throw new InvalidOperationException(
+                    "The surface did not fit its buffers. Record and execute it again: the buffers have grown by then.");
+            }
             return triangles.Read(blocks, Status);
         }
 
@@ -126,7 +138,8 @@ namespace SphFluid
         /// <returns>See <see cref="ReadMesh"/>.</returns>
         /// <exception cref="FluidDeviceException">The surface is larger than the budget or the device
         /// allows.</exception>
-        public SurfaceMesh Extract(FluidSolver solver, in SurfaceFieldSettings settings, SurfaceGrid grid, SurfaceWalls walls)
+        public SurfaceMesh Extract(FluidSolver solver, in SurfaceFieldSettings settings, SurfaceGrid grid,
+            SurfaceWalls walls)
         {
             do
             {
@@ -158,12 +171,15 @@ namespace SphFluid
             if (grid.Cells.x < 1)
                 throw new ArgumentException("A sparse surface needs a grid that was made with a size.", nameof(grid));
             if (!settings.IsSet)
-                throw new ArgumentException("A sparse surface needs a field made by SurfaceFieldSettings.For or Thesis.", nameof(settings));
+            {
+                throw new ArgumentException(
+                    "A sparse surface needs a field made by SurfaceFieldSettings.For or Thesis.", nameof(settings));
+            }
             if (settings.SupportRadius > solver.Settings.SupportRadius)
             {
                 throw new ArgumentException(
-                    $"The surface field's radius is {settings.SupportRadius} m, but the solver's cells serve {solver.Settings.SupportRadius} m: " +
-                    "make the field's settings from the solver's.", nameof(settings));
+                    $"The surface field's radius is {settings.SupportRadius} m, but the solver's cells serve " +
+                    $"{solver.Settings.SupportRadius} m: make the field's settings from the solver's.", nameof(settings));
             }
         }
 

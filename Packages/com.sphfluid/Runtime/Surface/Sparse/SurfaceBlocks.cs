@@ -107,7 +107,8 @@ namespace SphFluid
 
         /// <summary>Blocks that a grid has along each axis.</summary>
         /// <param name="cells">Cells of the grid along each axis.</param>
-        public static Vector3Int CountsOver(Vector3Int cells) => new Vector3Int(CountOver(cells.x), CountOver(cells.y), CountOver(cells.z));
+        public static Vector3Int CountsOver(Vector3Int cells) =>
+            new Vector3Int(CountOver(cells.x), CountOver(cells.y), CountOver(cells.z));
 
         /// <summary>Makes the buffers large enough; what they held may be lost.</summary>
         /// <param name="cells">Cells of the surface grid along each axis, one or more.</param>
@@ -117,13 +118,16 @@ namespace SphFluid
         public void Reserve(Vector3Int cells, int capacity)
         {
             if (cells.x < 1 || cells.y < 1 || cells.z < 1)
-                throw new ArgumentOutOfRangeException(nameof(cells), cells, "A surface grid has one cell or more along each axis.");
+                throw new ArgumentOutOfRangeException(nameof(cells), cells,
+                    "A surface grid has one cell or more along each axis.");
             if (capacity < 1)
-                throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "A sparse surface has one slot or more.");
+                throw new ArgumentOutOfRangeException(nameof(capacity), capacity,
+                    "A sparse surface has one slot or more.");
             if (capacity > DeviceCapacity)
             {
-                throw new FluidDeviceException($"A sparse surface of {capacity} blocks does not fit: a buffer of {SystemInfo.graphicsDeviceName} holds " +
-                    $"{DeviceCapacity}. Choose a coarser surface.");
+                throw new FluidDeviceException(
+                    $"A sparse surface of {capacity} blocks does not fit: a buffer of {SystemInfo.graphicsDeviceName} " +
+                    $"holds {DeviceCapacity}. Choose a coarser surface.");
             }
 
             Vector3Int counts = CountsOver(cells);

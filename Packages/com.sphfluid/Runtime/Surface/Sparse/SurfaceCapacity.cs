@@ -44,18 +44,19 @@ namespace SphFluid
         static int DeviceTriangleLimit => SurfaceTriangles.DeviceIndexLimit / 3;
 
         /// <summary>Grows the buffers by what the last surface needed.</summary>
-        public void Reserve(SurfaceBlocks blocks, SurfaceTriangles triangles, in SurfaceGrid grid, in SurfaceFieldSettings field, int particles,
-            in SurfaceStatus last)
+        public void Reserve(SurfaceBlocks blocks, SurfaceTriangles triangles, in SurfaceGrid grid,
+            in SurfaceFieldSettings field, int particles, in SurfaceStatus last)
         {
             float perSpacing = field.Spacing / field.CellSize;
             Vector3Int counts = SurfaceBlocks.CountsOver(grid.Cells);
             int blockLimit = Math.Min(counts.x * counts.y * counts.z, SurfaceBlocks.DeviceCapacity);
-            long startBlocks = firstBlocks > 0 ? firstBlocks : SpareBlocks + (long)(BlocksPerParticle * perSpacing * perSpacing * particles);
+            long startBlocks = firstBlocks > 0 ? firstBlocks : StartBlocks(particles, perSpacing);
             blocks.Reserve(grid.Cells, Grown(blocks.Capacity, startBlocks, last.Blocks, blockLimit));
 
             long start = firstTriangles > 0 ? firstTriangles : StartTriangles(particles, perSpacing);
+            long startVertices = (long)Math.Ceiling(VerticesPerTriangle * start);
             int indices = Grown(triangles.IndexCapacity, 3 * start, 3 * last.Triangles, 3 * TriangleLimit);
-            int vertices = Grown(triangles.VertexCapacity, (long)Math.Ceiling(VerticesPerTriangle * start), last.Vertices, VertexLimit);
+            int vertices = Grown(triangles.VertexCapacity, startVertices, last.Vertices, VertexLimit);
             triangles.Reserve(vertices, indices);
         }
 
@@ -66,26 +67,31 @@ namespace SphFluid
         {
             if (status.Blocks > SurfaceBlocks.DeviceCapacity)
             {
-                return $"The surface lies in {status.Blocks} blocks; a buffer of {SystemInfo.graphicsDeviceName} holds {SurfaceBlocks.DeviceCapacity}. " +
-                    "Choose a lower quality or larger cells.";
+                return $"The surface lies in {status.Blocks} blocks; a buffer of {SystemInfo.graphicsDeviceName} holds " +
+                    $"{SurfaceBlocks.DeviceCapacity}. Choose a lower quality or larger cells.";
             }
             if (TriangleBudget > 0 && status.Triangles > TriangleBudget)
             {
                 return $"The surface has {status.Triangles} triangles; its budget is {TriangleBudget}. " +
-                    "Raise the triangle budget (0: as many as the device holds), or choose a lower quality or larger cells.";
+                    "Raise the triangle budget (0: as many as the device holds), or choose a lower quality or larger " +
+                    "cells.";
             }
             if (status.Triangles > TriangleLimit || status.Vertices > VertexLimit)
             {
-                return $"The surface has {status.Triangles} triangles; {SystemInfo.graphicsDeviceName} holds {TriangleLimit} in a buffer. " +
-                    "Choose a lower quality or larger cells.";
+                return $"The surface has {status.Triangles} triangles; {SystemInfo.graphicsDeviceName} holds " +
+                    $"{TriangleLimit} in a buffer. Choose a lower quality or larger cells.";
             }
             return null;
         }
 
+        static long StartBlocks(int particles, float cellsPerSpacing) =>
+            SpareBlocks + (long)(BlocksPerParticle * cellsPerSpacing * cellsPerSpacing * particles);
+
         static long StartTriangles(int particles, float cellsPerSpacing)
         {
             int splash = Math.Min(particles, SplashParticles);
-            return SpareTriangles + (long)(cellsPerSpacing * cellsPerSpacing * (SplashTriangles * splash + PoolTriangles * (particles - splash)));
+            float perCell = SplashTriangles * splash + PoolTriangles * (particles - splash);
+            return SpareTriangles + (long)(cellsPerSpacing * cellsPerSpacing * perCell);
         }
 
         // Before the buffer is full, as a splash grows while the count of an earlier frame is read back. E.g. 80 of 100

@@ -24,7 +24,8 @@ namespace SphFluid
             Record(cmd, blocks.Counters, blocks.Capacity, triangles.VertexCapacity, triangles.IndexCapacity, triangles);
 
         /// <summary>For capacities other than the buffers'.</summary>
-        internal void Record(CommandBuffer cmd, FluidBuffer counters, int blockCapacity, int vertexCapacity, int indexCapacity, SurfaceTriangles triangles)
+        internal void Record(CommandBuffer cmd, FluidBuffer counters, int blockCapacity, int vertexCapacity,
+            int indexCapacity, SurfaceTriangles triangles)
         {
             using (Sample(cmd))
             {

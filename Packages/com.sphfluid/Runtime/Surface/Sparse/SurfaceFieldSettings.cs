@@ -22,7 +22,8 @@ namespace SphFluid
 
         readonly FieldKind kind;
 
-        SurfaceFieldSettings(float spacing, float cellSize, float supportRadius, in Preset preset, float isoValue, FieldKind kind, bool wallCompletion)
+        SurfaceFieldSettings(float spacing, float cellSize, float supportRadius, in Preset preset, float isoValue,
+            FieldKind kind, bool wallCompletion)
         {
             Spacing = spacing;
             CellSize = cellSize;
@@ -94,7 +95,8 @@ namespace SphFluid
         /// <param name="cellSizeInSpacings">Edge of a cell in particle spacings.</param>
         /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a
         /// positive number.</exception>
-        public static SurfaceFieldSettings For(FluidSurfaceQuality quality, in FluidSolverSettings settings, float cellSizeInSpacings) =>
+        public static SurfaceFieldSettings For(FluidSurfaceQuality quality, in FluidSolverSettings settings,
+            float cellSizeInSpacings) =>
             Smooth(settings, Preset.Of(quality), cellSizeInSpacings, FieldKind.Smooth);
 
         /// <summary>
@@ -105,7 +107,8 @@ namespace SphFluid
         /// <param name="cellSizeInSpacings">Edge of a cell in particle spacings.</param>
         /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a
         /// positive number.</exception>
-        public static SurfaceFieldSettings Anisotropic(in FluidSolverSettings settings, float cellSizeInSpacings = 0.5f) =>
+        public static SurfaceFieldSettings Anisotropic(in FluidSolverSettings settings,
+            float cellSizeInSpacings = 0.5f) =>
             Smooth(settings, Preset.OfAnisotropic, cellSizeInSpacings, FieldKind.Anisotropic);
 
         /// <summary>
@@ -116,27 +119,31 @@ namespace SphFluid
         /// <param name="isoValue">Density over rest density on the surface, greater than 0.</param>
         /// <param name="wallCompletion">Whether walls count as liquid.</param>
         /// <exception cref="ArgumentOutOfRangeException">The iso value is not a positive number.</exception>
-        public static SurfaceFieldSettings Thesis(in FluidSolverSettings settings, SurfaceGrid grid, float isoValue = 0.5f, bool wallCompletion = true)
+        public static SurfaceFieldSettings Thesis(in FluidSolverSettings settings, SurfaceGrid grid,
+            float isoValue = 0.5f, bool wallCompletion = true)
         {
             if (!(isoValue > 0f) || float.IsInfinity(isoValue))
-                throw new ArgumentOutOfRangeException(nameof(isoValue), $"The iso value is a density factor greater than 0, not {isoValue}.");
+                throw new ArgumentOutOfRangeException(nameof(isoValue),
+                    $"The iso value is a density factor greater than 0, not {isoValue}.");
             Vector3 cell = grid.CellSize;
             float edge = Mathf.Max(cell.x, Mathf.Max(cell.y, cell.z));
-            return new SurfaceFieldSettings(settings.Spacing, edge, settings.SupportRadius, default, isoValue, FieldKind.Thesis, wallCompletion);
+            return new SurfaceFieldSettings(settings.Spacing, edge, settings.SupportRadius, default, isoValue,
+                FieldKind.Thesis, wallCompletion);
         }
 
-        static SurfaceFieldSettings Smooth(in FluidSolverSettings settings, in Preset preset, float cellSizeInSpacings, FieldKind kind)
+        static SurfaceFieldSettings Smooth(in FluidSolverSettings settings, in Preset preset, float cellSizeInSpacings,
+            FieldKind kind)
         {
             float dx = settings.Spacing;
             float radius = Mathf.Min(SmoothRatio * dx, settings.SupportRadius);
             if (!(cellSizeInSpacings > 0f) || cellSizeInSpacings * dx > LargestCellRatio * radius)
             {
                 throw new ArgumentOutOfRangeException(nameof(cellSizeInSpacings),
-                    $"Cells of the surface have an edge above 0 and up to {LargestCellRatio * radius / dx:G3} particle spacings, the radius of the field's " +
-                    $"kernel, not {cellSizeInSpacings}.");
+                    $"Cells of the surface have an edge above 0 and up to {LargestCellRatio * radius / dx:G3} particle " +
+                    $"spacings, the radius of the field's kernel, not {cellSizeInSpacings}.");
             }
-            float iso = SurfaceIsoCalibration.IsoValue(radius / dx, cellSizeInSpacings, preset.Smoothing, preset.FilterPasses, preset.UnionOffset,
-                kind == FieldKind.Anisotropic);
+            float iso = SurfaceIsoCalibration.IsoValue(radius / dx, cellSizeInSpacings, preset.Smoothing,
+                preset.FilterPasses, preset.UnionOffset, kind == FieldKind.Anisotropic);
             return new SurfaceFieldSettings(dx, cellSizeInSpacings * dx, radius, preset, iso, kind, true);
         }
 
@@ -180,7 +187,8 @@ namespace SphFluid
                     case FluidSurfaceQuality.High:
                         return new Preset(0.5f, 0.5f, 2, 0.15f);
                     default:
-                        throw new ArgumentOutOfRangeException(nameof(quality), quality, "There is no such quality of a surface.");
+                        throw new ArgumentOutOfRangeException(nameof(quality), quality,
+                            "There is no such quality of a surface.");
                 }
             }
         }

@@ -15,22 +15,22 @@ namespace SphFluid
         const int Phases = 6;
         const double PhaseX = 0.137 * 1.3, PhaseY = 0.731;
 
-        // Columns of samples whose heights are averaged: a square of 8 spacings, or as many columns as take the time of
-        // a blink.
+        // Columns of samples whose heights are averaged: a square of 8 spacings, but no more columns than is quick.
         const double ColumnsFrom = 6.0, ColumnsTo = 14.0;
         const int MostColumns = 24;
 
-        // Layers of the pool, deep enough for the lowest ones not to be felt, and halvings of the interval from 0 to 1.
+        // Layers of the pool, deep enough that the lowest do not matter, and halvings of the interval from 0 to 1.
         const int Layers = 10;
         const int Halvings = 26;
 
-        // Depth below the last layer in which the surface is looked for.
+        // Depth below the last layer down to which the surface is searched.
         const double DeepestTop = 1.5;
 
         // Keys are rounded so that sizes that differ in the last bits share a value.
         const double KeySteps = 4096.0;
 
-        static readonly Dictionary<(long, long, long, int, long, bool), float> Known = new Dictionary<(long, long, long, int, long, bool), float>();
+        static readonly Dictionary<(long, long, long, int, long, bool), float> Known =
+            new Dictionary<(long, long, long, int, long, bool), float>();
 
         /// <summary>The iso value of a smooth field.</summary>
         /// <param name="supportRatio">R/dx of the field's kernel, above 1.</param>
@@ -40,13 +40,19 @@ namespace SphFluid
         /// <param name="unionOffset">δ.</param>
         /// <param name="anisotropic">Whether kernels are stretched along the surface.</param>
         /// <returns>The value.</returns>
-        public static float IsoValue(double supportRatio, double cellRatio, double smoothing, int filterPasses, double unionOffset, bool anisotropic = false)
+        public static float IsoValue(double supportRatio, double cellRatio, double smoothing, int filterPasses,
+            double unionOffset, bool anisotropic = false)
         {
-            var key = (Round(supportRatio), Round(cellRatio), Round(smoothing), filterPasses, Round(unionOffset), anisotropic);
+            var key = (Round(supportRatio), Round(cellRatio), Round(smoothing), filterPasses, Round(unionOffset),
+                anisotropic);
             lock (Known)
             {
                 if (!Known.TryGetValue(key, out float iso))
-                    Known.Add(key, iso = (float)Compute(new LatticePool(supportRatio, smoothing, Layers, anisotropic), cellRatio, filterPasses, unionOffset));
+                {
+                    var pool = new LatticePool(supportRatio, smoothing, Layers, anisotropic);
+                    iso = (float)Compute(pool, cellRatio, filterPasses, unionOffset);
+                    Known.Add(key, iso);
+                }
                 return iso;
             }
         }
@@ -59,7 +65,8 @@ namespace SphFluid
             var bottoms = new List<double>();
             for (int phase = 0; phase < Phases; phase++)
             {
-                double x = 0.5 + PhaseX * phase * cell, y = 0.5 + PhaseY * phase * cell, z = 0.5 + cell * (phase + 0.5) / Phases;
+                double x = 0.5 + PhaseX * phase * cell, y = 0.5 + PhaseY * phase * cell;
+                double z = 0.5 + cell * (phase + 0.5) / Phases;
                 AddColumns(pool, cell, filterPasses, unionOffset, x, y, z, columns, bottoms);
             }
 
@@ -76,20 +83,22 @@ namespace SphFluid
 
         // Field values of columns of samples from below the surface upwards; bottoms: height of each column's first
         // sample above the last layer.
-        static void AddColumns(LatticePool pool, double cell, int passes, double unionOffset, double shiftX, double shiftY, double shiftZ,
-            List<double[]> columns, List<double> bottoms)
+        static void AddColumns(LatticePool pool, double cell, int passes, double unionOffset, double shiftX,
+            double shiftY, double shiftZ, List<double[]> columns, List<double> bottoms)
         {
             int firstX = (int)Math.Ceiling(ColumnsFrom / cell), firstY = firstX;
             int count = Math.Min((int)Math.Floor(ColumnsTo / cell) - firstX + 1, MostColumns);
             int firstZ = (int)Math.Ceiling((shiftZ - DeepestTop) / cell) - passes;
-            int nx = count + 2 * passes, ny = nx, nz = (int)Math.Ceiling((shiftZ + pool.Radius) / cell) + 1 + passes - firstZ;
+            int nx = count + 2 * passes, ny = nx;
+            int nz = (int)Math.Ceiling((shiftZ + pool.Radius) / cell) + 1 + passes - firstZ;
             var raw = new double[nx, ny, nz];
             for (int x = 0; x < nx; x++)
             {
                 for (int y = 0; y < ny; y++)
                 {
                     for (int z = 0; z < nz; z++)
-                        raw[x, y, z] = pool.At((firstX - passes + x) * cell - shiftX, (firstY - passes + y) * cell - shiftY, (firstZ + z) * cell - shiftZ);
+                        raw[x, y, z] = pool.At((firstX - passes + x) * cell - shiftX,
+                            (firstY - passes + y) * cell - shiftY, (firstZ + z) * cell - shiftZ);
                 }
             }
 
@@ -109,7 +118,7 @@ namespace SphFluid
             }
         }
 
-        // 1 2 1 along each axis; the outermost values stay, nobody asks for them.
+        // 1 2 1 along each axis; the outermost values stay and are not used.
         static double[,,] Filter(double[,,] source)
         {
             double[,,] result = (double[,,])source.Clone();
@@ -122,7 +131,10 @@ namespace SphFluid
                     for (int y = dy; y < from.GetLength(1) - dy; y++)
                     {
                         for (int z = dz; z < from.GetLength(2) - dz; z++)
-                            result[x, y, z] = 0.25 * (from[x - dx, y - dy, z - dz] + 2.0 * from[x, y, z] + from[x + dx, y + dy, z + dz]);
+                        {
+                            double before = from[x - dx, y - dy, z - dz], after = from[x + dx, y + dy, z + dz];
+                            result[x, y, z] = 0.25 * (before + 2.0 * from[x, y, z] + after);
+                        }
                     }
                 }
             }

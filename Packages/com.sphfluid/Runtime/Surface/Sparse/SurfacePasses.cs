@@ -13,8 +13,8 @@ namespace SphFluid
         static readonly int FieldRadius = Shader.PropertyToID("_FieldRadius");
         static readonly int WallCompletion = Shader.PropertyToID("_WallCompletion");
 
-        public SurfaceInput(
-            FluidSolver solver, in SurfaceFieldSettings field, in SurfaceGrid grid, SurfaceWalls walls, SurfaceBlocks blocks)
+        public SurfaceInput(FluidSolver solver, in SurfaceFieldSettings field, in SurfaceGrid grid, SurfaceWalls walls,
+            SurfaceBlocks blocks)
         {
             Solver = solver;
             Field = field;

@@ -57,12 +57,14 @@ namespace SphFluid
                 Report(ref obstacleReported, obstacle + " Until then the last complete surface stays.");
             if (status.OpenFaces > 0)
             {
-                Report(ref gapsReported, $"The surface has gaps at {status.OpenFaces} faces between its blocks: no particle was found near them. " +
+                Report(ref gapsReported,
+                    $"The surface has gaps at {status.OpenFaces} faces between its blocks: no particle was found near them. " +
                     "Choose smaller cells, and please report the scene, as this should not happen.");
             }
             if (status.NonFiniteParticles > 0)
             {
-                Report(ref nonFiniteReported, $"The surface skips {status.NonFiniteParticles} particles whose position is not a number. " +
+                Report(ref nonFiniteReported,
+                    $"The surface skips {status.NonFiniteParticles} particles whose position is not a number. " +
                     "Add a Fluid Diagnostics component to find out why, or choose a smaller time step.");
             }
         }

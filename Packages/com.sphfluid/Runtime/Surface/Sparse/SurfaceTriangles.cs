@@ -61,10 +61,12 @@ namespace SphFluid
         }
 
         /// <summary>Most vertices that a buffer of this device holds.</summary>
-        public static int DeviceVertexLimit => (int)Math.Min(SystemInfo.maxGraphicsBufferSize / PackedSurfaceVertex.Stride, int.MaxValue);
+        public static int DeviceVertexLimit =>
+            (int)Math.Min(SystemInfo.maxGraphicsBufferSize / PackedSurfaceVertex.Stride, int.MaxValue);
 
         /// <summary>Most indices that a buffer of this device holds.</summary>
-        public static int DeviceIndexLimit => (int)Math.Min(SystemInfo.maxGraphicsBufferSize / sizeof(uint), int.MaxValue);
+        public static int DeviceIndexLimit =>
+            (int)Math.Min(SystemInfo.maxGraphicsBufferSize / sizeof(uint), int.MaxValue);
 
         /// <summary><see cref="PackedSurfaceVertex"/> each; equal ones only where blocks meet.</summary>
         public FluidBuffer Vertices => vertices;
@@ -95,7 +97,8 @@ namespace SphFluid
             if (vertices != null && vertices.Count >= vertexCapacity && indices.Count >= indexCapacity)
                 return;
             Reserve(ref vertices, "SurfaceVertices", vertexCapacity, PackedSurfaceVertex.Stride);
-            Reserve(ref indices, "SurfaceIndices", indexCapacity, sizeof(uint), GraphicsBuffer.Target.Index | GraphicsBuffer.Target.Raw);
+            Reserve(ref indices, "SurfaceIndices", indexCapacity, sizeof(uint),
+                GraphicsBuffer.Target.Index | GraphicsBuffer.Target.Raw);
             DrawArguments.SetData(NothingDrawn);
         }
 
@@ -126,7 +129,8 @@ namespace SphFluid
         {
             var runs = new (int First, int Count)[blockNumbers.Length];
             for (int slot = 0; slot < runs.Length; slot++)
-                runs[slot] = ((int)ranges[RangeLength * slot + FirstIndex], (int)ranges[RangeLength * slot + IndexCount]);
+                runs[slot] = ((int)ranges[RangeLength * slot + FirstIndex],
+                    (int)ranges[RangeLength * slot + IndexCount]);
             Array.Sort(blockNumbers, runs);
             return runs;
         }
@@ -152,11 +156,12 @@ namespace SphFluid
             return new SurfaceMesh(positions.ToArray(), normals.ToArray(), welded.ToArray());
         }
 
-        static int NumberOf(
-            in PackedSurfaceVertex vertex, Dictionary<(int, int, int), int> numbers, List<Vector3> positions, List<Vector3> normals)
+        static int NumberOf(in PackedSurfaceVertex vertex, Dictionary<(int, int, int), int> numbers,
+            List<Vector3> positions, List<Vector3> normals)
         {
             Vector3 p = vertex.Position;
-            (int, int, int) bits = (BitConverter.SingleToInt32Bits(p.x), BitConverter.SingleToInt32Bits(p.y), BitConverter.SingleToInt32Bits(p.z));
+            (int, int, int) bits = (BitConverter.SingleToInt32Bits(p.x), BitConverter.SingleToInt32Bits(p.y),
+                BitConverter.SingleToInt32Bits(p.z));
             if (!numbers.TryGetValue(bits, out int number))
             {
                 number = positions.Count;

@@ -34,7 +34,8 @@ namespace SphFluid
         /// <param name="vertices">Raw: float3 position and float3 normal each.</param>
         /// <param name="indices">Raw: 32-bit indices; as many as the surface can have, or more.</param>
         /// <param name="toMesh">Simulation space to the mesh's; with an inverse.</param>
-        public void Record(CommandBuffer cmd, in SurfaceBuffers surface, GraphicsBuffer vertices, GraphicsBuffer indices, in Matrix4x4 toMesh)
+        public void Record(CommandBuffer cmd, in SurfaceBuffers surface, GraphicsBuffer vertices,
+            GraphicsBuffer indices, in Matrix4x4 toMesh)
         {
             int triangles = indices.count / 3;
             using (Sample(cmd))

@@ -25,7 +25,8 @@ namespace SphFluid
         /// <param name="isoValue">Its value on the surface.</param>
         /// <param name="tables">See <see cref="MarchingCubesTables.CreateBuffer"/>.</param>
         /// <param name="count">Raw: the corners are added to its first number.</param>
-        public void Record(CommandBuffer cmd, SurfaceField field, float isoValue, FluidBuffer tables, GraphicsBuffer count)
+        public void Record(CommandBuffer cmd, SurfaceField field, float isoValue, FluidBuffer tables,
+            GraphicsBuffer count)
         {
             using (Sample(cmd))
             {
@@ -35,7 +36,8 @@ namespace SphFluid
             }
         }
 
-        internal static void SetField(CommandBuffer cmd, ComputeKernel kernel, SurfaceField field, float isoValue, FluidBuffer tables)
+        internal static void SetField(CommandBuffer cmd, ComputeKernel kernel, SurfaceField field, float isoValue,
+            FluidBuffer tables)
         {
             kernel.Set(cmd, field.Buffer);
             kernel.Set(cmd, tables);

@@ -1,8 +1,31 @@
+using System.Runtime.InteropServices;
 using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
+    /// <summary>
+    /// A triangle's corner as EmitSurfaceVertices.compute writes it; mirrors the struct of EmittedVertex.hlsl.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    struct EmittedVertex
+    {
+        /// <summary>Bytes of one element.</summary>
+        public const int Stride = 32;
+
+        /// <summary>Position [m], simulation space.</summary>
+        public Vector3 Position;
+
+        /// <summary>Name of the grid edge it lies on, the same in all cubes around that edge.</summary>
+        public uint Edge;
+
+        /// <summary>Unit normal out of the liquid.</summary>
+        public Vector3 Normal;
+
+        /// <summary>Number of the cube that emitted it.</summary>
+        public uint Cube;
+    }
+
     /// <summary>
     /// The triangles of a dense field's surface, an <see cref="EmittedVertex"/> a corner
     /// (Shaders/Surface/Thesis/EmitSurfaceVertices.compute).
@@ -30,8 +53,8 @@ namespace SphFluid
         /// it.</param>
         /// <param name="vertices">The corners.</param>
         /// <param name="capacity">Corners that may be written; cubes that do not fit are counted only.</param>
-        public void Record(
-            CommandBuffer cmd, SurfaceField field, float isoValue, FluidBuffer tables, GraphicsBuffer count, GraphicsBuffer vertices, int capacity)
+        public void Record(CommandBuffer cmd, SurfaceField field, float isoValue, FluidBuffer tables,
+            GraphicsBuffer count, GraphicsBuffer vertices, int capacity)
         {
             using (Sample(cmd))
             {

@@ -45,7 +45,8 @@ namespace SphFluid
         /// <summary>
         /// Fills the properties of a draw; colour and smoothness only where <paramref name="colour"/> is given.
         /// </summary>
-        public MaterialPropertyBlock Properties(SurfaceField field, float isoValue, Color? colour, float smoothness, in DrawPlacement placement)
+        public MaterialPropertyBlock Properties(SurfaceField field, float isoValue, Color? colour, float smoothness,
+            in DrawPlacement placement)
         {
             properties.Clear();
             properties.SetBuffer(field.Buffer.Id, field.Buffer);
@@ -63,7 +64,8 @@ namespace SphFluid
         }
 
         /// <summary>What the surface's own material draws.</summary>
-        public void SetStyle(FluidSurfaceStyle style) => DrawMaterial.SetKeyword(material, CubesKeyword, style == FluidSurfaceStyle.Cubes);
+        public void SetStyle(FluidSurfaceStyle style) =>
+            DrawMaterial.SetKeyword(material, CubesKeyword, style == FluidSurfaceStyle.Cubes);
 
         /// <summary>Draws for every camera of this frame with the properties filled last.</summary>
         public void Draw(SurfaceField field, Material ownMaterial, in DrawPlacement placement)

@@ -21,7 +21,8 @@ namespace SphFluid
         public SurfaceField(FluidShaderSet shaders, SurfaceGrid grid)
         {
             if (shaders == null)
-                throw new ArgumentNullException(nameof(shaders), "A surface field needs a shader set: assign one in the fluid profile.");
+                throw new ArgumentNullException(nameof(shaders),
+                    "A surface field needs a shader set: assign one in the fluid profile.");
             if (grid.Cells.x < 1)
                 throw new ArgumentException("A surface field needs a grid that was made with a size.", nameof(grid));
             Grid = grid;

@@ -35,7 +35,8 @@ namespace SphFluid
             get
             {
                 string device = SystemInfo.graphicsDeviceName;
-                return System.Array.Exists(SoftwareDevices, software => device.IndexOf(software, System.StringComparison.OrdinalIgnoreCase) >= 0);
+                return System.Array.Exists(SoftwareDevices,
+                    software => device.IndexOf(software, System.StringComparison.OrdinalIgnoreCase) >= 0);
             }
         }
 

@@ -30,7 +30,8 @@ namespace SphFluid
         internal SurfacePolygoniser(FluidShaderSet shaders, int vertexLimit)
         {
             if (shaders == null)
-                throw new ArgumentNullException(nameof(shaders), "A surface polygoniser needs a shader set: assign one in the fluid profile.");
+                throw new ArgumentNullException(nameof(shaders),
+                    "A surface polygoniser needs a shader set: assign one in the fluid profile.");
             countVertices = new CountSurfaceVerticesPass(shaders);
             emitVertices = new EmitSurfaceVerticesPass(shaders);
             this.vertexLimit = vertexLimit;
@@ -42,7 +43,8 @@ namespace SphFluid
         public int VertexCapacity => vertices?.count ?? 0;
 
         /// <summary>Triangle corners that a buffer may hold on this device.</summary>
-        public static int DeviceVertexLimit => (int)Math.Min(SystemInfo.maxGraphicsBufferSize / EmittedVertex.Stride, int.MaxValue);
+        public static int DeviceVertexLimit =>
+            (int)Math.Min(SystemInfo.maxGraphicsBufferSize / EmittedVertex.Stride, int.MaxValue);
 
         /// <summary>The surface of a field.</summary>
         /// <param name="field">The field as the GPU holds it after all commands executed so far.</param>
@@ -57,15 +59,20 @@ namespace SphFluid
             if (field == null)
                 throw new ArgumentNullException(nameof(field));
             if (!(isoValue > 0f) || float.IsInfinity(isoValue))
-                throw new ArgumentOutOfRangeException(nameof(isoValue), $"The iso value is a density factor greater than 0, not {isoValue}.");
+                throw new ArgumentOutOfRangeException(nameof(isoValue),
+                    $"The iso value is a density factor greater than 0, not {isoValue}.");
 
             uint count = Run(cmd => countVertices.Record(cmd, field, isoValue, tables, counter));
             if (count == 0)
                 return new SurfaceMesh(Array.Empty<Vector3>(), Array.Empty<Vector3>(), Array.Empty<int>());
             Reserve(count, field.Grid.Cells);
-            uint emitted = Run(cmd => emitVertices.Record(cmd, field, isoValue, tables, counter, vertices, VertexCapacity));
+            uint emitted = Run(cmd => emitVertices.Record(cmd, field, isoValue, tables, counter, vertices,
+                VertexCapacity));
             if (emitted != count)
-                throw new InvalidOperationException($"The surface field changed while it was read: {count} triangle corners were counted, {emitted} written.");
+            {
+                throw new InvalidOperationException(
+                    $"The surface field changed while it was read: {count} triangle corners were counted, {emitted} written.");
+            }
 
             var read = new EmittedVertex[count];
             vertices.GetData(read, 0, 0, (int)count);
@@ -105,7 +112,8 @@ namespace SphFluid
             if (count <= VertexCapacity)
                 return;
             GpuBuffers.Dispose(ref vertices);
-            vertices = GpuBuffers.Create("SurfaceVertices", Math.Min(count + count / 2L, vertexLimit), EmittedVertex.Stride);
+            vertices = GpuBuffers.Create("SurfaceVertices", Math.Min(count + count / 2L, vertexLimit),
+                EmittedVertex.Stride);
         }
 
         // Joins the vertices that lie on the same edge of the grid. The order of the cubes in the input does not

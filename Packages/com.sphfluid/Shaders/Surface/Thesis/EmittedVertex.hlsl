@@ -1,7 +1,7 @@
 #ifndef SPHFLUID_EMITTED_VERTEX_INCLUDED
 #define SPHFLUID_EMITTED_VERTEX_INCLUDED
 
-// A triangle's corner. Mirrored by EmittedVertex in EmittedVertex.cs: 32 bytes.
+// A triangle's corner. Mirrored by EmittedVertex in EmitSurfaceVerticesPass.cs: 32 bytes.
 struct EmittedVertex
 {
     float3 position; // simulation space [m]

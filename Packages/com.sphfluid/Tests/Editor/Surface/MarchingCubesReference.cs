@@ -23,7 +23,8 @@ namespace SphFluid.Tests
         /// <param name="value">Field values at grid vertices.</param>
         /// <param name="iso">Value of the field on the surface.</param>
         /// <param name="walls">Closed: the cubes of the ring count too.</param>
-        public MarchingCubesReference(SurfaceGrid grid, Func<Vector3Int, float> value, float iso, SurfaceWalls walls = SurfaceWalls.Closed)
+        public MarchingCubesReference(SurfaceGrid grid, Func<Vector3Int, float> value, float iso,
+            SurfaceWalls walls = SurfaceWalls.Closed)
         {
             this.grid = grid;
             this.value = value;
@@ -102,7 +103,8 @@ namespace SphFluid.Tests
             }
         }
 
-        float Value(Vector3Int s) => s == Vector3Int.Max(Vector3Int.zero, Vector3Int.Min(s, grid.Cells)) ? value(s) : 0f;
+        float Value(Vector3Int s) =>
+            s == Vector3Int.Max(Vector3Int.zero, Vector3Int.Min(s, grid.Cells)) ? value(s) : 0f;
 
         // Edges of the cube's triangles, three a triangle: the row of its case.
         List<int> Row(Vector3Int cube)
@@ -112,12 +114,14 @@ namespace SphFluid.Tests
                 outside |= IsInside(cube + SurfaceGrid.CornerOffset(corner)) ? 0 : 1 << corner;
             var row = new List<int>();
             int first = outside * MarchingCubesTables.RowLength;
-            for (int i = first; i < first + MarchingCubesTables.RowLength && MarchingCubesTables.TriangleTable[i] >= 0; i++)
+            int end = first + MarchingCubesTables.RowLength;
+            for (int i = first; i < end && MarchingCubesTables.TriangleTable[i] >= 0; i++)
                 row.Add(MarchingCubesTables.TriangleTable[i]);
             return row;
         }
 
-        static Vector3Int Corner(int edge, int end) => SurfaceGrid.CornerOffset(MarchingCubesTables.EdgeCorners[2 * edge + end]);
+        static Vector3Int Corner(int edge, int end) =>
+            SurfaceGrid.CornerOffset(MarchingCubesTables.EdgeCorners[2 * edge + end]);
 
         Vector3 Crossing(Vector3Int a, Vector3Int b)
         {

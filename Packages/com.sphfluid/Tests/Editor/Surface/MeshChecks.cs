@@ -15,7 +15,8 @@ namespace SphFluid.Tests
             foreach (KeyValuePair<(int low, int high), (int up, int down)> edge in Edges(mesh))
             {
                 (int up, int down) = edge.Value;
-                Assert.IsTrue(up == 1 && down == 1, $"{up + down} triangles at the edge {edge.Key}, {up} of them run along it upwards");
+                Assert.IsTrue(up == 1 && down == 1,
+                    $"{up + down} triangles at the edge {edge.Key}, {up} of them run along it upwards");
             }
         }
 
@@ -44,7 +45,8 @@ namespace SphFluid.Tests
         }
 
         /// <summary>Vertices less edges plus triangles: 2 a ball, 0 a torus.</summary>
-        public static int EulerCharacteristic(SurfaceMesh mesh) => new HashSet<int>(mesh.Indices).Count - Edges(mesh).Count + mesh.TriangleCount;
+        public static int EulerCharacteristic(SurfaceMesh mesh) =>
+            new HashSet<int>(mesh.Indices).Count - Edges(mesh).Count + mesh.TriangleCount;
 
         // By its lower and its higher vertex: the triangles that run along the edge from the lower to the higher one,
         // and those that run back.
@@ -89,8 +91,10 @@ namespace SphFluid.Tests
                 triangles.Add(LowestFirst(found.Indices[i], found.Indices[i + 1], found.Indices[i + 2]));
             for (int i = 0; i < expected.Indices.Length; i += 3)
             {
-                (int, int, int) twin = LowestFirst(twins[expected.Indices[i]], twins[expected.Indices[i + 1]], twins[expected.Indices[i + 2]]);
-                Assert.IsTrue(triangles.Contains(twin), $"triangle {i / 3} at {expected.Positions[expected.Indices[i]]} is missing");
+                (int, int, int) twin = LowestFirst(twins[expected.Indices[i]], twins[expected.Indices[i + 1]],
+                    twins[expected.Indices[i + 2]]);
+                Assert.IsTrue(triangles.Contains(twin),
+                    $"triangle {i / 3} at {expected.Positions[expected.Indices[i]]} is missing");
             }
         }
 
@@ -108,10 +112,12 @@ namespace SphFluid.Tests
                 for (int k = 0; k < 27; k++)
                 {
                     var neighbour = centre + new Vector3Int(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-                    if (cells.TryGetValue(neighbour, out int other) && (to.Positions[other] - from.Positions[i]).magnitude <= tolerance)
+                    if (cells.TryGetValue(neighbour, out int other) &&
+                        (to.Positions[other] - from.Positions[i]).magnitude <= tolerance)
                         nearest[i] = other;
                 }
-                Assert.GreaterOrEqual(nearest[i], 0, $"no vertex at {from.Positions[i]:F9}; the nearest lies {Nearest(to, from.Positions[i])} m away");
+                Assert.GreaterOrEqual(nearest[i], 0,
+                    $"no vertex at {from.Positions[i]:F9}; the nearest lies {Nearest(to, from.Positions[i])} m away");
             }
             return nearest;
         }

@@ -27,7 +27,8 @@ namespace SphFluid.Tests
 
         public SurfaceBlocks Blocks { get; }
 
-        public void Record(in SurfaceFieldSettings settings, SurfaceGrid grid, int capacity = EnoughBlocks, bool wallsClosed = true)
+        public void Record(in SurfaceFieldSettings settings, SurfaceGrid grid, int capacity = EnoughBlocks,
+            bool wallsClosed = true)
         {
             Blocks.Reserve(grid.Cells, Math.Min(capacity, Volume(SurfaceBlocks.CountsOver(grid.Cells))));
             SurfaceInput input = Input(settings, grid, wallsClosed);
@@ -72,7 +73,8 @@ namespace SphFluid.Tests
         }
 
         public Vector3Int BlockAt(int number) =>
-            new Vector3Int(number % Blocks.Counts.x, number / Blocks.Counts.x % Blocks.Counts.y, number / (Blocks.Counts.x * Blocks.Counts.y));
+            new Vector3Int(number % Blocks.Counts.x, number / Blocks.Counts.x % Blocks.Counts.y,
+                number / (Blocks.Counts.x * Blocks.Counts.y));
 
         /// <summary>The grid vertex of a block's sample, by its index in the block.</summary>
         public static Vector3Int SampleAt(Vector3Int block, int index) =>

@@ -44,7 +44,8 @@ namespace SphFluid.Tests
                 counters[SurfaceCounters.BlocksRequested] = (uint)active.Count;
                 rig.Blocks.Counters.SetData(counters);
                 GpuTest.Run(rig.RecordEmit);
-                PackedSurfaceVertex[] vertices = GpuTest.Read<PackedSurfaceVertex>(rig.Triangles.Vertices, (int)rig.Status().Vertices);
+                PackedSurfaceVertex[] vertices = GpuTest.Read<PackedSurfaceVertex>(rig.Triangles.Vertices,
+                    (int)rig.Status().Vertices);
                 int compared = 0, atTheRim = 0;
                 foreach (PackedSurfaceVertex vertex in vertices)
                 {

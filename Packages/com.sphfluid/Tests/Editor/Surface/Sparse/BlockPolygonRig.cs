@@ -13,15 +13,18 @@ namespace SphFluid.Tests
         const int Plenty = 1 << 20;
 
         readonly SurfaceGrid grid;
+        readonly SurfaceWalls walls;
         readonly SurfacePasses passes;
 
         /// <summary>
         /// Fills the blocks that are active, all by default, from the field's values at grid vertices; the ring around
         /// the grid is empty.
         /// </summary>
-        public BlockPolygonRig(FluidShaderSet shaders, SurfaceGrid grid, Func<Vector3Int, float> value, Predicate<Vector3Int> isActive = null)
+        public BlockPolygonRig(FluidShaderSet shaders, SurfaceGrid grid, Func<Vector3Int, float> value,
+            Predicate<Vector3Int> isActive = null, SurfaceWalls walls = SurfaceWalls.Closed)
         {
             this.grid = grid;
+            this.walls = walls;
             passes = new SurfacePasses(shaders);
             Triangles.Reserve(Plenty, Plenty);
             Blocks = new SurfaceBlocks();
@@ -34,10 +37,9 @@ namespace SphFluid.Tests
 
         public SurfaceTriangles Triangles { get; } = new SurfaceTriangles();
 
-        public SurfaceWalls Walls { get; set; }
-
         // Without particles: the samples are there.
-        SurfaceInput Input => new SurfaceInput(null, SurfaceFieldSettings.Thesis(default, grid, Iso), grid, Walls, Blocks);
+        SurfaceInput Input =>
+            new SurfaceInput(null, SurfaceFieldSettings.Thesis(default, grid, Iso), grid, walls, Blocks);
 
         public void RecordCount(CommandBuffer cmd) => passes.RecordCount(cmd, Input);
 
@@ -72,11 +74,13 @@ namespace SphFluid.Tests
             uint slots = 0;
             for (int number = 0; number < table.Length; number++)
             {
-                var block = new Vector3Int(number % counts.x, number / counts.x % counts.y, number / (counts.x * counts.y));
+                var block = new Vector3Int(number % counts.x, number / counts.x % counts.y,
+                    number / (counts.x * counts.y));
                 if (!isActive(block))
                     continue;
                 for (int i = 0; i < SurfaceBlocks.SamplesPerBlock; i++)
-                    samples[slots * SurfaceBlocks.SamplesPerBlock + i] = Sample(BlockFieldRig.SampleAt(block, i), value);
+                    samples[slots * SurfaceBlocks.SamplesPerBlock + i] = Sample(BlockFieldRig.SampleAt(block, i),
+                        value);
                 list[slots] = (uint)number;
                 table[number] = ++slots;
             }

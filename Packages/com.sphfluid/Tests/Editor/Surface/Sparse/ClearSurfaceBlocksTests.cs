@@ -29,7 +29,8 @@ namespace SphFluid.Tests
                 Fill(blocks, blockCount);
                 Clear(blocks);
                 CollectionAssert.AreEqual(new uint[blockCount], GpuTest.Read<uint>(blocks.Table, blockCount));
-                CollectionAssert.AreEqual(new uint[SurfaceCounters.Slots], GpuTest.Read<uint>(blocks.Counters, SurfaceCounters.Slots));
+                CollectionAssert.AreEqual(new uint[SurfaceCounters.Slots],
+                    GpuTest.Read<uint>(blocks.Counters, SurfaceCounters.Slots));
             }
         }
 

@@ -28,7 +28,8 @@ namespace SphFluid.Tests
             {
                 var grid = new SurfaceGrid(Vector3.zero, Vector3.one, new Vector3Int(x, y, z));
                 MarchingCubesReference reference = Noise(grid, walls, 1, out float[] values);
-                using (var rig = new BlockPolygonRig(shaders, grid, s => values[grid.Index(s.x, s.y, s.z)]) { Walls = walls })
+                using (var rig = new BlockPolygonRig(shaders, grid,
+                    s => values[grid.Index(s.x, s.y, s.z)], walls: walls))
                 {
                     GpuTest.Run(rig.RecordCount);
                     AssertCounted(rig, reference, Blocks(rig).ToArray());
@@ -47,12 +48,14 @@ namespace SphFluid.Tests
             MarchingCubesReference reference = Noise(grid, SurfaceWalls.Closed, seed, out float[] values);
             var random = new System.Random(seed);
             HashSet<Vector3Int> active = Blocks(SurfaceBlocks.CountsOver(grid.Cells)).Where(_ => random.NextDouble() < share).ToHashSet();
-            using (var rig = new BlockPolygonRig(shaders, grid, s => values[grid.Index(s.x, s.y, s.z)], active.Contains))
+            using (var rig = new BlockPolygonRig(shaders, grid, s => values[grid.Index(s.x, s.y, s.z)],
+                active.Contains))
             {
                 GpuTest.Run(rig.RecordCount);
                 Vector3Int[] slots = Blocks(rig).Where(active.Contains).ToArray();
                 AssertCounted(rig, reference, slots);
-                Vector3Int[] late = slots.SelectMany(b => CrossedNeighbours(rig.Blocks, reference, b)).Where(b => !active.Contains(b)).Distinct().ToArray();
+                Vector3Int[] late = slots.SelectMany(b => CrossedNeighbours(rig.Blocks, reference, b))
+                    .Where(b => !active.Contains(b)).Distinct().ToArray();
                 Assert.AreEqual(active.Count + late.Length, rig.Status().Blocks);
                 uint[] list = GpuTest.Read<uint>(rig.Blocks.List, rig.Status().Blocks);
                 CollectionAssert.AreEquivalent(late.Select(b => Number(rig.Blocks, b)), list.Skip(active.Count));
@@ -71,7 +74,8 @@ namespace SphFluid.Tests
             MarchingCubesReference reference = Noise(grid, SurfaceWalls.Closed, seed, out float[] values);
             var random = new System.Random(seed);
             HashSet<Vector3Int> active = Blocks(SurfaceBlocks.CountsOver(grid.Cells)).Where(_ => random.NextDouble() < share).ToHashSet();
-            using (var rig = new BlockPolygonRig(shaders, grid, s => values[grid.Index(s.x, s.y, s.z)], active.Contains))
+            using (var rig = new BlockPolygonRig(shaders, grid, s => values[grid.Index(s.x, s.y, s.z)],
+                active.Contains))
             {
                 const uint first = 3u;
                 uint[] counters = GpuTest.Read<uint>(rig.Blocks.Counters, SurfaceCounters.Slots);
@@ -96,15 +100,19 @@ namespace SphFluid.Tests
             for (int slot = 0; slot < slots.Length; slot++)
             {
                 Vector3Int origin = 8 * slots[slot] - Vector3Int.one;
-                Vector3Int first = Vector3Int.Max(origin, reference.FirstCube), end = Vector3Int.Min(origin + 8 * Vector3Int.one, reference.EndCube);
+                Vector3Int first = Vector3Int.Max(origin, reference.FirstCube);
+                Vector3Int end = Vector3Int.Min(origin + 8 * Vector3Int.one, reference.EndCube);
                 bool isEmpty = end.x <= first.x || end.y <= first.y || end.z <= first.z;
-                Assert.AreEqual(isEmpty ? 0 : reference.CutEdges(first, end), (int)ranges[4 * slot + 1], $"vertices of block {slots[slot]}");
-                Assert.AreEqual(isEmpty ? 0 : reference.Corners(first, end), (int)ranges[4 * slot + 3], $"indices of block {slots[slot]}");
+                Assert.AreEqual(isEmpty ? 0 : reference.CutEdges(first, end), (int)ranges[4 * slot + 1],
+                    $"vertices of block {slots[slot]}");
+                Assert.AreEqual(isEmpty ? 0 : reference.Corners(first, end), (int)ranges[4 * slot + 3],
+                    $"indices of block {slots[slot]}");
                 vertices += ranges[4 * slot + 1];
                 indices += ranges[4 * slot + 3];
             }
-            AssertContiguous(Enumerable.Range(0, slots.Length).Select(slot => (ranges[4 * slot], ranges[4 * slot + 1])));
-            AssertContiguous(Enumerable.Range(0, slots.Length).Select(slot => (ranges[4 * slot + 2], ranges[4 * slot + 3])));
+            IEnumerable<int> all = Enumerable.Range(0, slots.Length);
+            AssertContiguous(all.Select(slot => (ranges[4 * slot], ranges[4 * slot + 1])));
+            AssertContiguous(all.Select(slot => (ranges[4 * slot + 2], ranges[4 * slot + 3])));
             Assert.AreEqual(vertices, rig.Status().Vertices);
             Assert.AreEqual(indices, 3 * rig.Status().Triangles);
         }
@@ -120,10 +128,12 @@ namespace SphFluid.Tests
         }
 
         // Neighbours across faces that have polygonised samples on both sides of the surface.
-        static IEnumerable<Vector3Int> CrossedNeighbours(SurfaceBlocks blocks, MarchingCubesReference reference, Vector3Int block)
+        static IEnumerable<Vector3Int> CrossedNeighbours(SurfaceBlocks blocks, MarchingCubesReference reference,
+            Vector3Int block)
         {
             Vector3Int origin = 8 * block - Vector3Int.one;
-            Vector3Int first = Vector3Int.Max(origin, reference.FirstCube), last = Vector3Int.Min(origin + 8 * Vector3Int.one, reference.EndCube);
+            Vector3Int first = Vector3Int.Max(origin, reference.FirstCube);
+            Vector3Int last = Vector3Int.Min(origin + 8 * Vector3Int.one, reference.EndCube);
             for (int face = 0; face < 6; face++)
             {
                 int axis = face / 2, step = face % 2 == 0 ? -1 : 1;
@@ -151,7 +161,8 @@ namespace SphFluid.Tests
             return new MarchingCubesReference(grid, s => noise[grid.Index(s.x, s.y, s.z)], Iso, walls);
         }
 
-        static uint Number(SurfaceBlocks blocks, Vector3Int b) => (uint)((b.z * blocks.Counts.y + b.y) * blocks.Counts.x + b.x);
+        static uint Number(SurfaceBlocks blocks, Vector3Int b) =>
+            (uint)((b.z * blocks.Counts.y + b.y) * blocks.Counts.x + b.x);
 
         static IEnumerable<Vector3Int> Blocks(BlockPolygonRig rig) => Blocks(rig.Blocks.Counts);
 

@@ -22,12 +22,15 @@ namespace SphFluid.Tests
         {
             var centre = new Vector3(0.013f, -0.007f, 0.021f);
             const float radius = 0.31f;
-            SurfaceMesh mesh = Polygonise(Box(Vector3.one, new Vector3Int(30, 31, 33)), p => Iso + radius - (p - centre).magnitude);
+            SurfaceMesh mesh = Polygonise(Box(Vector3.one, new Vector3Int(30, 31, 33)),
+                p => Iso + radius - (p - centre).magnitude);
             CheckMesh(mesh, 2);
             for (int i = 0; i < mesh.VertexCount; i++)
-                Assert.Greater(Vector3.Dot(mesh.Normals[i], (mesh.Positions[i] - centre).normalized), 0.98f, $"normal {i}");
+                Assert.Greater(Vector3.Dot(mesh.Normals[i], (mesh.Positions[i] - centre).normalized), 0.98f,
+                    $"normal {i}");
             for (int i = 0; i < mesh.Indices.Length; i += 3)
-                Assert.Greater(Vector3.Dot(MeshChecks.FaceNormal(mesh, i), mesh.Positions[mesh.Indices[i]] - centre), 0f, $"triangle {i / 3} faces inwards");
+                Assert.Greater(Vector3.Dot(MeshChecks.FaceNormal(mesh, i), mesh.Positions[mesh.Indices[i]] - centre),
+                    0f, $"triangle {i / 3} faces inwards");
             Assert.AreEqual(1.0, mesh.Volume() / (4.0 / 3.0 * Math.PI * Math.Pow(radius, 3)), 0.02);
         }
 
@@ -48,7 +51,8 @@ namespace SphFluid.Tests
         public void SpheresThatTouchBecomeOne(float radius, int euler)
         {
             var centre = new Vector3(0.2f, 0f, 0f);
-            SurfaceMesh mesh = Polygonise(Box(Vector3.one, new Vector3Int(40, 40, 40)), p => Iso + radius - Mathf.Min((p - centre).magnitude, (p + centre).magnitude));
+            SurfaceMesh mesh = Polygonise(Box(Vector3.one, new Vector3Int(40, 40, 40)),
+                p => Iso + radius - Mathf.Min((p - centre).magnitude, (p + centre).magnitude));
             CheckMesh(mesh, euler);
         }
 
@@ -84,8 +88,9 @@ namespace SphFluid.Tests
             float Value(Vector3Int s) => values[grid.Index(s.x, s.y, s.z)];
             foreach (SurfaceWalls walls in new[] { SurfaceWalls.Closed, SurfaceWalls.Open })
             {
-                using (var rig = new BlockPolygonRig(shaders, grid, Value) { Walls = walls })
-                    MeshChecks.AssertSameTriangles(new MarchingCubesReference(grid, Value, Iso, walls).Mesh(), rig.Polygonise(), 1e-4f);
+                using (var rig = new BlockPolygonRig(shaders, grid, Value, walls: walls))
+                    MeshChecks.AssertSameTriangles(new MarchingCubesReference(grid, Value, Iso, walls).Mesh(),
+                        rig.Polygonise(), 1e-4f);
             }
         }
 
@@ -100,7 +105,8 @@ namespace SphFluid.Tests
             float[] values = Values(grid, Ball);
             using (var polygoniser = new SurfacePolygoniser(shaders))
             using (SurfaceField field = SurfaceTestScene.Field(shaders, grid, Ball))
-            using (var rig = new BlockPolygonRig(shaders, grid, s => values[grid.Index(s.x, s.y, s.z)], block => IsCrossed(grid, values, block)))
+            using (var rig = new BlockPolygonRig(shaders, grid, s => values[grid.Index(s.x, s.y, s.z)],
+                block => IsCrossed(grid, values, block)))
             {
                 SurfaceMesh sparse = rig.Polygonise();
                 MeshChecks.AssertClosed(sparse);
@@ -116,7 +122,8 @@ namespace SphFluid.Tests
             {
                 Assert.AreEqual(0, rig.Polygonise().TriangleCount);
                 Assert.IsTrue(rig.Status().IsComplete);
-                CollectionAssert.AreEqual(new uint[] { 0, 1, 0, 0, 0 }, GpuTest.Read<uint>(rig.Triangles.DrawArguments, 5));
+                CollectionAssert.AreEqual(new uint[] { 0, 1, 0, 0, 0 },
+                    GpuTest.Read<uint>(rig.Triangles.DrawArguments, 5));
             }
         }
 
@@ -126,7 +133,8 @@ namespace SphFluid.Tests
         [TestCase(1, 1, 1)]
         public void FullFieldIsTheDomain(int x, int y, int z)
         {
-            using (var rig = new BlockPolygonRig(shaders, Box(new Vector3(2f, 1f, 3f), new Vector3Int(x, y, z)), _ => 1f))
+            using (var rig = new BlockPolygonRig(shaders, Box(new Vector3(2f, 1f, 3f), new Vector3Int(x, y, z)),
+                _ => 1f))
             {
                 SurfaceMesh mesh = rig.Polygonise();
                 CheckMesh(mesh, 2);
@@ -139,7 +147,8 @@ namespace SphFluid.Tests
         [Test]
         public void OpenWallsLeaveAFullDomainWithoutASurface()
         {
-            using (var rig = new BlockPolygonRig(shaders, Box(Vector3.one, new Vector3Int(7, 9, 14)), _ => 1f) { Walls = SurfaceWalls.Open })
+            using (var rig = new BlockPolygonRig(shaders, Box(Vector3.one, new Vector3Int(7, 9, 14)),
+                _ => 1f, walls: SurfaceWalls.Open))
                 Assert.AreEqual(0, rig.Polygonise().TriangleCount);
         }
 
@@ -150,7 +159,8 @@ namespace SphFluid.Tests
         {
             SurfaceGrid grid = Box(Vector3.one, Vector3Int.one * cells);
             float[] values = Values(grid, p => Mathf.Max(0f, Iso + 0.03f - p.y + 0.1f * Mathf.Sin(5f * p.x)));
-            using (var rig = new BlockPolygonRig(shaders, grid, s => values[grid.Index(s.x, s.y, s.z)]) { Walls = SurfaceWalls.Open })
+            using (var rig = new BlockPolygonRig(shaders, grid,
+                s => values[grid.Index(s.x, s.y, s.z)], walls: SurfaceWalls.Open))
             {
                 SurfaceMesh mesh = rig.Polygonise();
                 MeshChecks.AssertSound(mesh);
@@ -158,7 +168,8 @@ namespace SphFluid.Tests
                 Assert.GreaterOrEqual(rim.Count, 4 * cells);
                 foreach ((Vector3 a, Vector3 b) in rim)
                     Assert.IsTrue(OnAWall(a, b), $"the surface ends between {a} and {b}");
-                Assert.AreEqual(mesh.VertexCount, rig.Status().Vertices - RepeatedVertices(rig, mesh), "vertices that no triangle uses");
+                Assert.AreEqual(mesh.VertexCount, rig.Status().Vertices - RepeatedVertices(rig, mesh),
+                    "vertices that no triangle uses");
             }
         }
 
@@ -168,7 +179,8 @@ namespace SphFluid.Tests
         {
             const uint canary = 0xdeadbeef;
             var random = new System.Random(9);
-            using (var rig = new BlockPolygonRig(shaders, Box(Vector3.one, new Vector3Int(10, 11, 12)), _ => (float)random.NextDouble(), block => true))
+            using (var rig = new BlockPolygonRig(shaders, Box(Vector3.one, new Vector3Int(10, 11, 12)),
+                _ => (float)random.NextDouble(), block => true))
             {
                 var indices = new uint[rig.Triangles.Indices.Count];
                 Array.Fill(indices, canary);
@@ -198,7 +210,8 @@ namespace SphFluid.Tests
 
         static long RepeatedVertices(BlockPolygonRig rig, SurfaceMesh mesh)
         {
-            PackedSurfaceVertex[] all = GpuTest.Read<PackedSurfaceVertex>(rig.Triangles.Vertices, (int)rig.Status().Vertices);
+            PackedSurfaceVertex[] all = GpuTest.Read<PackedSurfaceVertex>(rig.Triangles.Vertices,
+                (int)rig.Status().Vertices);
             var distinct = new HashSet<Vector3>();
             foreach (PackedSurfaceVertex vertex in all)
                 distinct.Add(vertex.Position);
@@ -229,7 +242,8 @@ namespace SphFluid.Tests
 
         SurfaceMesh Polygonise(SurfaceGrid grid, Func<Vector3, float> value)
         {
-            using (var rig = new BlockPolygonRig(shaders, grid, s => Mathf.Max(0f, value(grid.Position(s.x, s.y, s.z)))))
+            using (var rig = new BlockPolygonRig(shaders, grid,
+                s => Mathf.Max(0f, value(grid.Position(s.x, s.y, s.z)))))
                 return rig.Polygonise();
         }
 
@@ -237,7 +251,8 @@ namespace SphFluid.Tests
         {
             var values = new float[grid.VertexCount];
             for (int i = 0; i < values.Length; i++)
-                values[i] = value(grid.Position(i % grid.Vertices.x, i / grid.Vertices.x % grid.Vertices.y, i / (grid.Vertices.x * grid.Vertices.y)));
+                values[i] = value(grid.Position(i % grid.Vertices.x, i / grid.Vertices.x % grid.Vertices.y,
+                    i / (grid.Vertices.x * grid.Vertices.y)));
             return values;
         }
     }

@@ -33,7 +33,8 @@ namespace SphFluid.Tests
                 for (int slot = 0; slot < list.Length; slot++)
                     Assert.AreEqual(slot + 1, (int)table[list[slot]]);
                 Assert.AreEqual(blockCount - marked.Count, table.Count(entry => entry == 0u));
-                CollectionAssert.AreEqual(new[] { (uint)marked.Count, marked.Count > 0 ? 1u : 0u, 1u }, GpuTest.Read<uint>(blocks.RoundArguments, 3));
+                CollectionAssert.AreEqual(new[] { (uint)marked.Count, marked.Count > 0 ? 1u : 0u, 1u },
+                    GpuTest.Read<uint>(blocks.RoundArguments, 3));
             }
         }
 
@@ -69,7 +70,8 @@ namespace SphFluid.Tests
                 blocks.Table.SetData(Enumerable.Repeat(uint.MaxValue, 600).ToArray());
                 blocks.Counters.SetData(new uint[SurfaceCounters.Slots]);
                 GpuTest.Run(cmd => new ListSurfaceBlocksPass(shaders).Record(cmd, blocks));
-                uint[] slots = GpuTest.Read<uint>(blocks.Table, 600).Where(entry => entry != uint.MaxValue).OrderBy(entry => entry).ToArray();
+                uint[] slots = GpuTest.Read<uint>(blocks.Table, 600)
+                    .Where(entry => entry != uint.MaxValue).OrderBy(entry => entry).ToArray();
                 CollectionAssert.AreEqual(Enumerable.Range(1, capacity).Select(i => (uint)i), slots);
             }
         }
@@ -107,7 +109,8 @@ namespace SphFluid.Tests
                 using (var small = new BlockFieldRig(shaders, settings, ParticleSets.Random(500, domain, 0f, 1)))
                 {
                     small.Blocks.Reserve(grid.Cells, (int)requested - 1);
-                    var untouched = Enumerable.Repeat(-7f, small.Blocks.Capacity * SurfaceBlocks.SamplesPerBlock).ToArray();
+                    var untouched = Enumerable.Repeat(-7f,
+                        small.Blocks.Capacity * SurfaceBlocks.SamplesPerBlock).ToArray();
                     small.Blocks.Samples.SetData(untouched);
                     small.Record(field, grid, (int)requested - 1);
                     Assert.AreEqual(requested, small.Counters()[SurfaceCounters.BlocksRequested]);
@@ -164,6 +167,7 @@ namespace SphFluid.Tests
             return GpuTest.Read<uint>(blocks.Counters, SurfaceCounters.Slots);
         }
 
-        void BeginLate(SurfaceBlocks blocks) => GpuTest.Run(cmd => new ListSurfaceBlocksPass(shaders).RecordRound(cmd, blocks, true));
+        void BeginLate(SurfaceBlocks blocks) =>
+            GpuTest.Run(cmd => new ListSurfaceBlocksPass(shaders).RecordRound(cmd, blocks, true));
     }
 }

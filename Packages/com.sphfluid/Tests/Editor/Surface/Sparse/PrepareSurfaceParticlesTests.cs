@@ -76,7 +76,8 @@ namespace SphFluid.Tests
             }
         }
 
-        void Compare(int count, in FluidSolverSettings settings, in SurfaceFieldSettings field, SurfaceGrid grid, double tolerance)
+        void Compare(int count, in FluidSolverSettings settings, in SurfaceFieldSettings field, SurfaceGrid grid,
+            double tolerance)
         {
             using (var rig = new BlockFieldRig(shaders, settings, ParticleSets.Random(count, Domain, 0f, count)))
             {
@@ -90,7 +91,8 @@ namespace SphFluid.Tests
                     Vector3 found = grid.Minimum + field.SupportRadius * (Vector3)prepared[i];
                     var error = new Double3(found.x - centre.X, found.y - centre.Y, found.z - centre.Z);
                     Assert.Less(error.Length, tolerance * Spacing, $"centre of particle {i} of {count}");
-                    Assert.AreEqual(1.0, prepared[i].w / reference.Weight(i), tolerance, $"weight of particle {i} of {count}");
+                    Assert.AreEqual(1.0, prepared[i].w / reference.Weight(i), tolerance,
+                        $"weight of particle {i} of {count}");
                 }
             }
         }

@@ -27,11 +27,13 @@ namespace SphFluid.Tests
         [TestCase(1009, FluidSurfaceQuality.Cheap, true, FluidAxes.X)]
         [TestCase(1009, FluidSurfaceQuality.Default, false, FluidAxes.X | FluidAxes.Z)]
         [TestCase(509, FluidSurfaceQuality.High, true, FluidAxes.X | FluidAxes.Y)]
-        public void SmoothFieldEqualsTheSumOverAllParticles(int count, FluidSurfaceQuality quality, bool octant = true, FluidAxes periodic = FluidAxes.None)
+        public void SmoothFieldEqualsTheSumOverAllParticles(int count, FluidSurfaceQuality quality, bool octant = true,
+            FluidAxes periodic = FluidAxes.None)
         {
             FluidSolverSettings settings = Settings(octant, periodic);
             SurfaceFieldSettings field = SurfaceFieldSettings.For(quality, settings);
-            CompareWithReference(ParticleSets.Random(count, Domain, 0f, count), settings, field, SurfaceGrid.OverDomain(Domain, field.CellSize));
+            CompareWithReference(ParticleSets.Random(count, Domain, 0f, count), settings, field,
+                SurfaceGrid.OverDomain(Domain, field.CellSize));
         }
 
         // Spacings far from 1 m on either side of it: a length taken for its square or its inverse shows.
@@ -53,14 +55,16 @@ namespace SphFluid.Tests
         {
             FluidSolverSettings settings = Settings(octant, periodic);
             SurfaceFieldSettings field = SurfaceFieldSettings.Anisotropic(settings, 0.75f);
-            CompareWithReference(ParticleSets.Random(count, Domain, 0f, count), settings, field, SurfaceGrid.OverDomain(Domain, field.CellSize), 1e-3);
+            CompareWithReference(ParticleSets.Random(count, Domain, 0f, count), settings, field,
+                SurfaceGrid.OverDomain(Domain, field.CellSize), 1e-3);
         }
 
         [TestCase(1, 11)]
         [TestCase(257, 32)]
         [TestCase(1009, 17, false)]
         [TestCase(1009, 29, true, FluidAxes.Y)]
-        public void ThesisFieldEqualsTheSumOverAllParticles(int count, int cells, bool completed = true, FluidAxes periodic = FluidAxes.None)
+        public void ThesisFieldEqualsTheSumOverAllParticles(int count, int cells, bool completed = true,
+            FluidAxes periodic = FluidAxes.None)
         {
             FluidSolverSettings settings = Settings(true, periodic);
             var grid = new SurfaceGrid(-0.5f * Domain, Domain, cells);
@@ -79,7 +83,8 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = FluidRules.Derive(input);
             SurfaceFieldSettings field = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, settings);
             Assert.Less(field.SupportRadius, settings.SupportRadius);
-            CompareWithReference(ParticleSets.Random(701, Domain, 0f, 5), settings, field, SurfaceGrid.OverDomain(Domain, field.CellSize));
+            CompareWithReference(ParticleSets.Random(701, Domain, 0f, 5), settings, field,
+                SurfaceGrid.OverDomain(Domain, field.CellSize));
         }
 
         [TestCase(32, true, FluidAxes.None)]
@@ -101,7 +106,8 @@ namespace SphFluid.Tests
                     for (int i = 0; i < block.Value.Length; i++)
                     {
                         Vector3Int s = BlockFieldRig.SampleAt(block.Key, i);
-                        bool inGrid = Math.Min(s.x, Math.Min(s.y, s.z)) >= 0 && s.x <= cells && s.y <= cells && s.z <= cells;
+                        bool inGrid = Math.Min(s.x, Math.Min(s.y, s.z)) >= 0 && s.x <= cells && s.y <= cells &&
+                            s.z <= cells;
                         float value = inGrid ? expected[grid.Index(s.x, s.y, s.z)] : 0f;
                         Assert.AreEqual(value, block.Value[i], 1e-5f * Math.Max(1f, value), $"sample {s}");
                         compared++;
@@ -170,11 +176,13 @@ namespace SphFluid.Tests
                 rig.Record(field, grid);
                 Assert.AreEqual(3u, rig.Counters()[SurfaceCounters.NonFinite]);
                 var others = new List<FluidParticle>(particles);
-                others.RemoveAll(p => p.IsRemoved || float.IsNaN(p.Position.sqrMagnitude) || float.IsInfinity(p.Position.sqrMagnitude));
+                others.RemoveAll(p => p.IsRemoved || float.IsNaN(p.Position.sqrMagnitude) ||
+                    float.IsInfinity(p.Position.sqrMagnitude));
                 // What is removed stands behind all others and in no cell; here it does not, so that its neighbours
                 // still count it.
                 others.Add(particles[150]);
-                Compare(rig.Read(), new SurfaceFieldReference(others, settings, field, grid), 2e-4, Near(particles[150].Position, grid, settings));
+                Compare(rig.Read(), new SurfaceFieldReference(others, settings, field, grid), 2e-4,
+                    Near(particles[150].Position, grid, settings));
             }
         }
 
@@ -186,7 +194,8 @@ namespace SphFluid.Tests
             return settings;
         }
 
-        void CompareWithReference(FluidParticle[] particles, in FluidSolverSettings settings, in SurfaceFieldSettings field, SurfaceGrid grid, double tolerance = 2e-4)
+        void CompareWithReference(FluidParticle[] particles, in FluidSolverSettings settings,
+            in SurfaceFieldSettings field, SurfaceGrid grid, double tolerance = 2e-4)
         {
             using (var rig = new BlockFieldRig(shaders, settings, particles))
             {
@@ -199,7 +208,8 @@ namespace SphFluid.Tests
             }
         }
 
-        static void Compare(Dictionary<Vector3Int, float[]> blocks, SurfaceFieldReference reference, double tolerance, Predicate<Vector3Int> skip)
+        static void Compare(Dictionary<Vector3Int, float[]> blocks, SurfaceFieldReference reference, double tolerance,
+            Predicate<Vector3Int> skip)
         {
             var random = new System.Random(11);
             var places = new List<Vector3Int>(blocks.Keys);

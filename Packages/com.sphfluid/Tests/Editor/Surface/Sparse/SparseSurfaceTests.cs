@@ -31,7 +31,8 @@ namespace SphFluid.Tests
             {
                 SurfaceGrid grid = SurfaceGrid.OverDomain(Domain, SurfaceGridSize.Cells32);
                 SurfaceMesh dense = FluidSurfaceMesher.Extract(solver, shaders, SurfaceGridSize.Cells32, isoValue);
-                SurfaceMesh sparse = FluidSurfaceMesher.Extract(solver, shaders, SurfaceFieldSettings.Thesis(solver.Settings, grid, isoValue), grid);
+                SurfaceMesh sparse = FluidSurfaceMesher.Extract(solver, shaders,
+                    SurfaceFieldSettings.Thesis(solver.Settings, grid, isoValue), grid);
                 Assert.Greater(sparse.TriangleCount, 0);
                 MeshChecks.AssertClosed(sparse);
                 MeshChecks.AssertSameTriangles(dense, sparse, 1e-4f * Spacing);
@@ -69,7 +70,8 @@ namespace SphFluid.Tests
         [Test]
         public void ParticlesThatAreNotNumbersAreReported()
         {
-            using (FluidSolver solver = Solver(new FluidParticle(Vector3.zero, Vector3.zero, 0), new FluidParticle(0.2f * Vector3.one, Vector3.zero, 1)))
+            using (FluidSolver solver = Solver(new FluidParticle(Vector3.zero, Vector3.zero, 0),
+                new FluidParticle(0.2f * Vector3.one, Vector3.zero, 1)))
             using (var surface = new SparseSurface(shaders))
             {
                 GpuTest.Run(solver.RecordNeighbourSetup);
@@ -95,7 +97,8 @@ namespace SphFluid.Tests
             {
                 SurfaceMesh mesh = FluidSurfaceMesher.Extract(solver, shaders, FluidSurfaceQuality.Default, walls);
                 MeshChecks.AssertClosed(mesh);
-                Assert.AreEqual(walls == SurfaceWalls.Closed ? Domain.x * Domain.y * Domain.z : 0.0, mesh.Volume(), 0.01);
+                Assert.AreEqual(walls == SurfaceWalls.Closed ? Domain.x * Domain.y * Domain.z : 0.0, mesh.Volume(),
+                    0.01);
             }
         }
 
@@ -136,7 +139,8 @@ namespace SphFluid.Tests
                 uint drawn = GpuTest.Read<uint>(surface.DrawArguments, 1)[0];
                 Record(surface, splash);
                 Assert.Throws<FluidDeviceException>(() => surface.ReadMesh());
-                Assert.AreEqual(drawn, GpuTest.Read<uint>(surface.DrawArguments, 1)[0], "the last complete surface is drawn on");
+                Assert.AreEqual(drawn, GpuTest.Read<uint>(surface.DrawArguments, 1)[0],
+                    "the last complete surface is drawn on");
                 string warning = surface.TakeWarning();
                 StringAssert.Contains($"its budget is {budget}", warning);
                 StringAssert.Contains($"{surface.Status.Triangles} triangles", warning);
@@ -146,7 +150,8 @@ namespace SphFluid.Tests
                 Assert.IsNull(surface.TakeWarning(), "reported once");
                 SurfaceFieldSettings field = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, splash.Settings);
                 SurfaceGrid grid = SurfaceGrid.OverDomain(Domain, field.CellSize);
-                var thrown = Assert.Throws<FluidDeviceException>(() => surface.Extract(splash, field, grid, SurfaceWalls.Closed));
+                var thrown = Assert.Throws<FluidDeviceException>(() => surface.Extract(splash, field, grid,
+                    SurfaceWalls.Closed));
                 StringAssert.Contains("Raise the triangle budget", thrown.Message);
                 surface.TriangleBudget = 0;
                 Record(surface, splash);
@@ -217,10 +222,12 @@ namespace SphFluid.Tests
                 SurfaceFieldSettings field = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, solver.Settings);
                 SurfaceGrid grid = SurfaceGrid.OverDomain(Domain, field.CellSize);
                 Assert.Throws<InvalidOperationException>(() => surface.ReadMesh());
-                Assert.Throws<ArgumentNullException>(() => surface.Record(null, solver, field, grid, SurfaceWalls.Closed));
+                Assert.Throws<ArgumentNullException>(() => surface.Record(null, solver, field, grid,
+                    SurfaceWalls.Closed));
                 Assert.Throws<ArgumentNullException>(() => surface.Record(cmd, null, field, grid, SurfaceWalls.Closed));
                 Assert.Throws<ArgumentException>(() => surface.Record(cmd, solver, default, grid, SurfaceWalls.Closed));
-                Assert.Throws<ArgumentException>(() => surface.Record(cmd, solver, field, default, SurfaceWalls.Closed));
+                Assert.Throws<ArgumentException>(() => surface.Record(cmd, solver, field, default,
+                    SurfaceWalls.Closed));
                 Assert.Throws<ArgumentNullException>(() => FluidSurfaceMesher.Extract(null, shaders));
             }
         }
@@ -231,20 +238,24 @@ namespace SphFluid.Tests
             uint last = counters[SurfaceCounters.RoundCount] - 1;
             uint[] table = GpuTest.Read<uint>(blocks.Table, blocks.BlockCount);
             table[GpuTest.Read<uint>(blocks.List, (int)last + 1)[last]] = 0;
-            foreach (int slot in new[] { SurfaceCounters.RoundCount, SurfaceCounters.BlocksListed, SurfaceCounters.BlocksRequested })
+            foreach (int slot in new[] { SurfaceCounters.RoundCount, SurfaceCounters.BlocksListed,
+                SurfaceCounters.BlocksRequested })
                 counters[slot] = last;
             blocks.Table.SetData(table);
             blocks.Counters.SetData(counters);
         }
 
-        FluidSolver Splash() => new FluidSolver(TestSettings.ByRule(Domain, Spacing), shaders, ParticleSets.Random(809, Domain, 0f, 3));
+        FluidSolver Splash() =>
+            new FluidSolver(TestSettings.ByRule(Domain, Spacing), shaders, ParticleSets.Random(809, Domain, 0f, 3));
 
-        FluidSolver Solver(params FluidParticle[] particles) => new FluidSolver(TestSettings.ByRule(Domain, Spacing), shaders, particles);
+        FluidSolver Solver(params FluidParticle[] particles) =>
+            new FluidSolver(TestSettings.ByRule(Domain, Spacing), shaders, particles);
 
         static void Record(SparseSurface surface, FluidSolver solver)
         {
             SurfaceFieldSettings field = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, solver.Settings);
-            GpuTest.Run(cmd => surface.Record(cmd, solver, field, SurfaceGrid.OverDomain(Domain, field.CellSize), SurfaceWalls.Closed));
+            GpuTest.Run(cmd => surface.Record(cmd, solver, field, SurfaceGrid.OverDomain(Domain, field.CellSize),
+                SurfaceWalls.Closed));
         }
     }
 }

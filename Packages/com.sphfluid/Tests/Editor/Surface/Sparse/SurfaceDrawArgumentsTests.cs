@@ -14,12 +14,14 @@ namespace SphFluid.Tests
         public void EveryArgumentIsWrittenOverWhatWasThere()
         {
             var grid = new SurfaceGrid(Vector3.zero, Vector3.one, 16);
-            using (var rig = new BlockPolygonRig(SurfaceTestScene.LoadShaders(), grid, s => 0.5f + 0.1f * (6f - (s - new Vector3(8f, 8f, 8f)).magnitude)))
+            using (var rig = new BlockPolygonRig(SurfaceTestScene.LoadShaders(), grid,
+                s => 0.5f + 0.1f * (6f - (s - new Vector3(8f, 8f, 8f)).magnitude)))
             {
                 rig.Triangles.DrawArguments.SetData(new uint[] { 71, 72, 73, 74, 75 });
                 int indices = rig.Polygonise().Indices.Length;
                 Assert.Greater(indices, 0);
-                CollectionAssert.AreEqual(new uint[] { (uint)indices, 1, 0, 0, 0 }, GpuTest.Read<uint>(rig.Triangles.DrawArguments, 5),
+                CollectionAssert.AreEqual(new uint[] { (uint)indices, 1, 0, 0, 0 },
+                    GpuTest.Read<uint>(rig.Triangles.DrawArguments, 5),
                     "indices, instances, first index, base vertex, first instance");
             }
         }
@@ -60,7 +62,9 @@ namespace SphFluid.Tests
         public void SurfaceThatDoesNotFitLeavesTheBuffersAlone(int vertexCapacity, int indexCapacity)
         {
             const uint canary = 0xdeadbeef;
-            using (var rig = new BlockPolygonRig(SurfaceTestScene.LoadShaders(), new SurfaceGrid(Vector3.zero, Vector3.one, 24), s => (s - Vector3Int.one * 12).magnitude < 9f ? 1f : 0f))
+            using (var rig = new BlockPolygonRig(SurfaceTestScene.LoadShaders(),
+                new SurfaceGrid(Vector3.zero, Vector3.one, 24),
+                s => (s - Vector3Int.one * 12).magnitude < 9f ? 1f : 0f))
             {
                 rig.Triangles.Reserve(vertexCapacity, indexCapacity);
                 var vertices = new uint[rig.Triangles.Vertices.Count * 4];
@@ -78,14 +82,16 @@ namespace SphFluid.Tests
                 SurfaceStatus status = rig.Status();
                 Assert.IsFalse(status.IsComplete);
                 Assert.Greater(status.Triangles, 1000);
-                Assert.AreEqual(42, GpuTest.Read<uint>(rig.Triangles.DrawArguments, 1)[0], "the last surface is drawn on");
+                Assert.AreEqual(42, GpuTest.Read<uint>(rig.Triangles.DrawArguments, 1)[0],
+                    "the last surface is drawn on");
                 CollectionAssert.AreEqual(vertices, GpuTest.Read<uint>(rig.Triangles.Vertices, vertices.Length));
                 CollectionAssert.AreEqual(indices, GpuTest.Read<uint>(rig.Triangles.Indices, indices.Length));
             }
         }
 
         // What the kernel makes of counters, where 20 vertices and 30 indices fit.
-        static SurfaceStatus Decide(SurfaceTriangles triangles, int blockCapacity, uint blocks, uint vertices, uint indices)
+        static SurfaceStatus Decide(SurfaceTriangles triangles, int blockCapacity, uint blocks, uint vertices,
+            uint indices)
         {
             var counted = new uint[SurfaceCounters.Slots];
             counted[SurfaceCounters.BlocksRequested] = blocks;

@@ -19,7 +19,8 @@ namespace SphFluid.Tests
             var random = new System.Random(cells);
             var pass = new CountSurfaceVerticesPass(shaders);
             FluidBuffer tables = MarchingCubesTables.CreateBuffer();
-            using (SurfaceField field = SurfaceTestScene.Field(shaders, grid, _ => random.NextDouble() < liquidPart ? 1f : 0f))
+            using (SurfaceField field = SurfaceTestScene.Field(shaders, grid,
+                _ => random.NextDouble() < liquidPart ? 1f : 0f))
             using (GraphicsBuffer count = GpuBuffers.Create("Count", 1, sizeof(uint), GraphicsBuffer.Target.Raw))
             {
                 const uint before = 5u; // what is counted is added

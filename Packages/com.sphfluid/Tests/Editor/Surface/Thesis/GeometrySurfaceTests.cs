@@ -40,10 +40,12 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void BallLooksTheSameFromBothBackends() => CompareBackends(p => 0.5f + (0.35f - (p - new Vector3(0.02f, 0.01f, 0.03f)).magnitude), 0.14);
+        public void BallLooksTheSameFromBothBackends() =>
+            CompareBackends(p => 0.5f + (0.35f - (p - new Vector3(0.02f, 0.01f, 0.03f)).magnitude), 0.14);
 
         [Test]
-        public void LiquidAgainstWallsLooksTheSameFromBothBackends() => CompareBackends(p => p.y < 0.1f + 0.1f * Mathf.Sin(7f * p.x) ? 1f : 0f, 0.2);
+        public void LiquidAgainstWallsLooksTheSameFromBothBackends() =>
+            CompareBackends(p => p.y < 0.1f + 0.1f * Mathf.Sin(7f * p.x) ? 1f : 0f, 0.2);
 
         [Test]
         public void NoiseLooksTheSameFromBothBackends()
@@ -111,8 +113,10 @@ namespace SphFluid.Tests
             using (var surface = new GeometrySurface(shaders))
             {
                 Matrix4x4 projection = Matrix4x4.Ortho(-2f * cell, 2f * cell, -2f * cell, 2f * cell, near, far);
-                return SurfaceTestScene.Render(Size, SurfaceTestScene.LookAtOrigin(new Vector3(0f, 0f, -1f)), projection, cmd =>
-                    cmd.DrawProcedural(Matrix4x4.identity, material, GeometryPass, MeshTopology.Points, field.Grid.CubeCount, 1, Properties(surface, field)));
+                Matrix4x4 view = SurfaceTestScene.LookAtOrigin(new Vector3(0f, 0f, -1f));
+                return SurfaceTestScene.Render(Size, view, projection, cmd =>
+                    cmd.DrawProcedural(Matrix4x4.identity, material, GeometryPass, MeshTopology.Points,
+                        field.Grid.CubeCount, 1, Properties(surface, field)));
             }
         }
 
@@ -152,7 +156,8 @@ namespace SphFluid.Tests
         }
 
         Color[] DrawGeometry(GeometrySurface surface, SurfaceField field) => Render(cmd =>
-            cmd.DrawProcedural(Matrix4x4.identity, material, GeometryPass, MeshTopology.Points, field.Grid.CubeCount, 1, Properties(surface, field)));
+            cmd.DrawProcedural(Matrix4x4.identity, material, GeometryPass, MeshTopology.Points, field.Grid.CubeCount, 1,
+                Properties(surface, field)));
 
         Color[] DrawMesh(SurfaceMesh surface, MaterialPropertyBlock properties)
         {
@@ -168,6 +173,7 @@ namespace SphFluid.Tests
         }
 
         static Color[] Render(Action<CommandBuffer> draw) =>
-            SurfaceTestScene.Render(Size, SurfaceTestScene.LookAtOrigin(Eye), Matrix4x4.Perspective(45f, 1f, 0.1f, 10f), draw);
+            SurfaceTestScene.Render(Size, SurfaceTestScene.LookAtOrigin(Eye), Matrix4x4.Perspective(45f, 1f, 0.1f, 10f),
+                draw);
     }
 }

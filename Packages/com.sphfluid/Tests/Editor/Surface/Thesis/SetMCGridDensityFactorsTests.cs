@@ -30,8 +30,9 @@ namespace SphFluid.Tests
             settings.OctantSearch = octant;
             settings.Boundaries.Periodic = periodic;
             using (var solver = new FluidSolver(settings, shaders, particles))
-            using (var field = new SurfaceField(shaders, SurfaceGrid.OverDomain(Domain, size)) { WallCompletion = wallCompletion })
+            using (var field = new SurfaceField(shaders, SurfaceGrid.OverDomain(Domain, size)))
             {
+                field.WallCompletion = wallCompletion;
                 GpuTest.Run(cmd => field.Record(cmd, solver));
                 float[] factors = GpuTest.Read<float>(field.Values, field.Grid.VertexCount);
                 foreach (Vector3Int v in SomeVertices(field.Grid.Cells, 400))
@@ -65,7 +66,8 @@ namespace SphFluid.Tests
                 foreach (Vector3Int v in MarchingCubesReference.Box(Vector3Int.zero, grid.Vertices))
                 {
                     double expected = Factor(particles, settings, grid.Position(v.x, v.y, v.z));
-                    Assert.AreEqual(expected, factors[grid.Index(v.x, v.y, v.z)], 2e-4 * Math.Max(1.0, expected), $"vertex {v}");
+                    Assert.AreEqual(expected, factors[grid.Index(v.x, v.y, v.z)], 2e-4 * Math.Max(1.0, expected),
+                        $"vertex {v}");
                 }
             }
         }
@@ -73,10 +75,12 @@ namespace SphFluid.Tests
         static IEnumerable<Vector3Int> SomeVertices(Vector3Int cells, int count)
         {
             for (int corner = 0; corner < 8; corner++)
-                yield return new Vector3Int((corner & 1) * cells.x, (corner >> 1 & 1) * cells.y, (corner >> 2) * cells.z);
+                yield return new Vector3Int((corner & 1) * cells.x, (corner >> 1 & 1) * cells.y,
+                    (corner >> 2) * cells.z);
             var random = new System.Random(3);
             for (int i = 0; i < count; i++)
-                yield return new Vector3Int(random.Next(cells.x + 1), random.Next(cells.y + 1), random.Next(cells.z + 1));
+                yield return new Vector3Int(random.Next(cells.x + 1), random.Next(cells.y + 1),
+                    random.Next(cells.z + 1));
         }
 
         static double Factor(FluidParticle[] particles, FluidSolverSettings settings, Vector3 position)
@@ -84,7 +88,8 @@ namespace SphFluid.Tests
             double sum = 0.0;
             foreach (FluidParticle particle in particles)
             {
-                Double3 d = ThesisReference.Separation(new FluidParticle(position, Vector3.zero, 0), particle, settings.PeriodLength);
+                Double3 d = ThesisReference.Separation(new FluidParticle(position, Vector3.zero, 0), particle,
+                    settings.PeriodLength);
                 sum += settings.ParticleMass * ThesisReference.Poly6(d.Length, settings.SupportRadius);
             }
             return sum / settings.RestDensity;

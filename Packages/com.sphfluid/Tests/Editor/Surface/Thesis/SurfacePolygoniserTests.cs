@@ -33,9 +33,11 @@ namespace SphFluid.Tests
             MeshChecks.AssertClosed(mesh);
             MeshChecks.AssertSound(mesh);
             for (int i = 0; i < mesh.Indices.Length; i += 3)
-                Assert.Greater(Vector3.Dot(MeshChecks.FaceNormal(mesh, i), mesh.Positions[mesh.Indices[i]] - centre), 0f, $"triangle {i / 3} faces inwards");
+                Assert.Greater(Vector3.Dot(MeshChecks.FaceNormal(mesh, i), mesh.Positions[mesh.Indices[i]] - centre),
+                    0f, $"triangle {i / 3} faces inwards");
             for (int i = 0; i < mesh.VertexCount; i++)
-                Assert.Greater(Vector3.Dot(mesh.Normals[i], (mesh.Positions[i] - centre).normalized), 0.98f, $"normal {i}");
+                Assert.Greater(Vector3.Dot(mesh.Normals[i], (mesh.Positions[i] - centre).normalized), 0.98f,
+                    $"normal {i}");
             Assert.AreEqual(1.0, mesh.Volume() / (4.0 / 3.0 * Math.PI * Math.Pow(radius, 3)), tolerance);
             Assert.AreEqual(1.0, mesh.Area() / (4.0 * Math.PI * radius * radius), tolerance);
         }
@@ -183,7 +185,8 @@ namespace SphFluid.Tests
             StringAssert.Contains("Choose a smaller grid size", exception.Message);
         }
 
-        static SurfaceGrid Cube(float edge, int cells) => new SurfaceGrid(Vector3.one * (-0.5f * edge), Vector3.one * edge, cells);
+        static SurfaceGrid Cube(float edge, int cells) =>
+            new SurfaceGrid(Vector3.one * (-0.5f * edge), Vector3.one * edge, cells);
 
         static float Ball(Vector3 p, Vector3 centre, float radius) => Iso + (radius - (p - centre).magnitude);
 
@@ -193,6 +196,7 @@ namespace SphFluid.Tests
                 return polygoniser.Polygonise(field, Iso);
         }
 
-        SurfaceField Field(SurfaceGrid grid, Func<Vector3, float> density) => SurfaceTestScene.Field(shaders, grid, density);
+        SurfaceField Field(SurfaceGrid grid, Func<Vector3, float> density) =>
+            SurfaceTestScene.Field(shaders, grid, density);
     }
 }
