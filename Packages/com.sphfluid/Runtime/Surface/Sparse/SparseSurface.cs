@@ -14,7 +14,7 @@ namespace SphFluid
     {
         readonly SurfacePasses passes;
         readonly SurfaceBlocks blocks = new SurfaceBlocks();
-        readonly SurfaceTriangles triangles = new SurfaceTriangles();
+        readonly SurfaceTriangles triangles;
         readonly SurfaceCapacity capacity;
         readonly NumberReadback readback;
         readonly SurfaceWarnings warnings = new SurfaceWarnings();
@@ -33,6 +33,7 @@ namespace SphFluid
                 throw new ArgumentNullException(nameof(shaders),
                     "A sparse surface needs a shader set: assign one in the fluid profile.");
             passes = new SurfacePasses(shaders);
+            triangles = new SurfaceTriangles();
             capacity = new SurfaceCapacity(firstBlocks, firstTriangles);
             readback = new NumberReadback(SurfaceCounters.Slots, Take);
         }

@@ -63,7 +63,9 @@ namespace SphFluid
     }
 
     /// <summary>
-    /// From particles to triangles: the passes of a sparse surface in their order. Nothing is read back.
+    /// From particles to triangles: prepare the particles and mark the blocks near the surface, list those blocks, sample
+    /// the field in them, count their triangles, emit. Nothing is read back. <see cref="SurfaceDrawing"/> draws the
+    /// triangles, <see cref="FilledMesh"/> copies them into a mesh.
     /// </summary>
     sealed class SurfacePasses : IDisposable
     {
