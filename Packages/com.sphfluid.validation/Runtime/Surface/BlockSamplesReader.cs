@@ -14,9 +14,9 @@ namespace SphFluid.Validation
             for (int i = 0; i < values.Length; i++)
                 values[i] = float.NaN;
             var slots = new uint[blocks.BlockCount];
-            blocks.Table.GetData(slots, 0, 0, slots.Length);
+            blocks.Table.GetData(slots);
             var samples = new float[blocks.Capacity * SurfaceBlocks.SamplesPerBlock];
-            blocks.Samples.GetData(samples, 0, 0, samples.Length);
+            blocks.Samples.GetData(samples);
             for (int block = 0; block < slots.Length; block++)
             {
                 // Marked blocks that were not listed hold nothing.

@@ -6,14 +6,14 @@ namespace SphFluid.Validation
     sealed class DualVariant : SurfaceVariant
     {
         readonly FluidSurfaceQuality quality;
-        readonly BlockField field;
+        readonly SurfacePasses passes;
         readonly SurfaceBlocks blocks = new SurfaceBlocks();
 
         public DualVariant(FluidShaderSet shaders, FluidSurfaceQuality quality, float cell)
             : base(cell)
         {
             this.quality = quality;
-            field = new BlockField(shaders);
+            passes = new SurfacePasses(shaders);
         }
 
         /// <inheritdoc/>
@@ -27,14 +27,14 @@ namespace SphFluid.Validation
             SurfaceGrid grid = SurfaceGrid.OverDomain(liquid.DomainSize, settings.CellSize);
             Vector3Int counts = SurfaceBlocks.CountsOver(grid.Cells);
             blocks.Reserve(grid.Cells, counts.x * counts.y * counts.z);
-            GpuWork.Submit("Surface Variant", cmd => field.Record(cmd, solver, settings, grid, true, blocks));
+            GpuWork.Submit("Surface Variant", cmd => passes.RecordField(cmd, new SurfaceInput(solver, settings, grid, SurfaceWalls.Closed, blocks)));
             return DualMarchingCubes.Polygonise(grid, BlockSamplesReader.Read(blocks, grid), settings.IsoValue, true);
         }
 
         /// <inheritdoc/>
         public override void Dispose()
         {
-            field.Dispose();
+            passes.Dispose();
             blocks.Dispose();
         }
     }

@@ -5,8 +5,9 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Draws the surface of a simulation's liquid as the thesis does: a grid of density factors, then marching cubes in a geometry shader, lit per
-    /// pixel. Where the device has no geometry shaders, says so once and draws the sparse surface instead, as an opaque body.
+    /// Draws the surface of a simulation's liquid as the thesis does: a grid of density factors, then marching cubes in
+    /// a geometry shader, lit per pixel. Where the device has no geometry shaders, says so once and draws the sparse
+    /// surface instead, as an opaque body.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Geometry Surface Renderer")]
     [DefaultExecutionOrder(100)]
@@ -40,10 +41,13 @@ namespace SphFluid
         LiquidDrawing fallback;
         FluidShaderSet shaderSet;
 
-        /// <summary>Asks what the device lacks; tests put their own answer here.</summary>
+        /// <summary>Says what the device does not have; tests put their own answer here.</summary>
         internal Func<string> MissingSupport { get; set; } = GeometrySurface.MissingSupport;
 
-        /// <summary>What is drawn, if no material is given: the surface, or the edges of the grid's cubes with a vertex inside it.</summary>
+        /// <summary>
+        /// What is drawn, if no material is given: the surface, or the edges of the grid's cubes with a vertex inside
+        /// it.
+        /// </summary>
         public FluidSurfaceStyle Style { get => style; set => style = value; }
 
         /// <summary>Cells a side of the grid over the domain.</summary>
@@ -52,10 +56,14 @@ namespace SphFluid
         /// <summary>Density of the surface as a part of the rest density, between 0 and 1.</summary>
         public float IsoValue { get => isoValue; set => isoValue = value; }
 
-        /// <summary>Whether the density at the domain's walls is completed; see <see cref="SurfaceField.WallCompletion"/>.</summary>
+        /// <summary>
+        /// Whether the density at the domain's walls is completed; see <see cref="SurfaceField.WallCompletion"/>.
+        /// </summary>
         public bool WallCompletion { get => wallCompletion; set => wallCompletion = value; }
 
-        /// <summary>Material of the surface, or null for one made from <see cref="Colour"/> and <see cref="Smoothness"/>.</summary>
+        /// <summary>
+        /// Material of the surface, or null for one made from <see cref="Colour"/> and <see cref="Smoothness"/>.
+        /// </summary>
         public Material Material { get => material; set => material = value; }
 
         /// <summary>Colour of the liquid, if no material is given.</summary>
@@ -64,7 +72,9 @@ namespace SphFluid
         /// <summary>Smoothness of the surface, if no material is given, 0 to 1.</summary>
         public float Smoothness { get => smoothness; set => smoothness = value; }
 
-        /// <summary>Bytes of GPU memory of the grid, or of the sparse surface in its place; 0 while nothing is drawn.</summary>
+        /// <summary>
+        /// Bytes of GPU memory of the grid, or of the sparse surface in its place; 0 while nothing is drawn.
+        /// </summary>
         public long GpuBytes => fallback?.Surface.GpuBytes ?? field?.GpuBytes ?? 0;
 
         /// <summary>Whether the sparse surface is drawn instead, because the device has no geometry shaders.</summary>
@@ -74,10 +84,11 @@ namespace SphFluid
         protected override void CreateResources(FluidShaderSet shaders)
         {
             shaderSet = shaders;
-            string lack = MissingSupport();
-            if (lack != null)
+            string missing = MissingSupport();
+            if (missing != null)
             {
-                Debug.LogWarning($"{FluidMessage.Prefix} '{name}': {lack} The sparse surface is drawn instead.", this);
+                Debug.LogWarning($"{FluidMessage.Prefix} '{name}': {missing} The sparse surface is drawn instead.",
+                    this);
                 fallback = new LiquidDrawing(shaders);
                 return;
             }
@@ -102,7 +113,8 @@ namespace SphFluid
         protected override void Draw(FluidSimulation drawn)
         {
             if (fallback != null)
-                fallback.DrawOpaque(drawn.Solver, fallbackOptions, colour, smoothness, null, Placement(drawn, 0f), this);
+                fallback.DrawOpaque(drawn.Solver, fallbackOptions, colour, smoothness, null, Placement(drawn, 0f),
+                    this);
             else
                 DrawSurface(drawn);
         }

@@ -4,12 +4,14 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Hands the surface of a simulation's liquid on as an ordinary mesh, for materials and effects of your own: fills the mesh of the Mesh Filter
-    /// on this GameObject each frame, on the GPU. A Mesh Renderer with any material draws it, with shadows, in every render pipeline.
+    /// Hands the surface of a simulation's liquid on as an ordinary mesh, for materials and effects of your own: fills
+    /// the mesh of the Mesh Filter on this GameObject each frame, on the GPU. A Mesh Renderer with any material draws
+    /// it, with shadows, in every render pipeline.
     /// </summary>
     /// <remarks>
-    /// The mesh's vertices lie in this object's space, whatever its transform; positions and normals only. Its bounds are the domain's. The
-    /// content is on the GPU alone: for triangles on the CPU, e.g. to save them, use <see cref="FluidSurfaceMesher"/>.
+    /// The mesh's vertices lie in this object's space, whatever its transform; positions and normals only. Its bounds
+    /// are the domain's. The content is on the GPU alone: for triangles on the CPU, e.g. to save them, use
+    /// <see cref="FluidSurfaceMesher"/>.
     /// </remarks>
     [AddComponentMenu("SPH Fluid/Fluid Surface Mesh")]
     [RequireComponent(typeof(MeshFilter))]
@@ -21,7 +23,7 @@ namespace SphFluid
         FluidSurfaceOptions surface = new FluidSurfaceOptions();
 
         SurfaceSource source;
-        GpuSurfaceMesh target;
+        FilledMesh target;
         CommandBuffer cmd;
         bool unseenReported;
         bool flatReported;
@@ -29,18 +31,25 @@ namespace SphFluid
         /// <summary>How the surface is made.</summary>
         public FluidSurfaceOptions Surface => surface;
 
-        /// <summary>The mesh that the GPU fills; null while no simulation runs. It has room for more triangles than the surface has: those left have no area.</summary>
+        /// <summary>
+        /// The mesh that the GPU fills; null while no simulation runs. It holds more triangles than the surface has:
+        /// those left have no area.
+        /// </summary>
         public Mesh Mesh => target?.Mesh;
 
         /// <summary>Bytes of GPU memory of the surface and its mesh; 0 while no simulation runs.</summary>
         public long GpuBytes => target == null ? 0 : source.Surface.GpuBytes + target.GpuBytes;
 
-        /// <summary>What became of the last surface that the GPU reported, a few frames late; all zero while no simulation runs.</summary>
+        /// <summary>
+        /// What became of the last surface that the GPU reported, a few frames late; all zero while no simulation runs.
+        /// </summary>
         public SurfaceStatus Status => source?.Surface.Status ?? default;
 
         internal SparseSurface Sparse => source?.Surface;
 
-        /// <summary>Why the mesh is not seen, and the cure, as sentences; null where a renderer with a material draws it.</summary>
+        /// <summary>
+        /// Why nobody sees the mesh, and the cure, as sentences; null where a renderer with a material draws it.
+        /// </summary>
         internal string WhyUnseen()
         {
             if (!TryGetComponent(out MeshRenderer seen))
@@ -60,7 +69,7 @@ namespace SphFluid
         protected override void CreateResources(FluidShaderSet shaders)
         {
             source = new SurfaceSource(shaders);
-            target = new GpuSurfaceMesh(shaders, name + " Surface");
+            target = new FilledMesh(shaders, name + " Surface");
             cmd = new CommandBuffer { name = "Fluid Surface Mesh" };
         }
 

@@ -3,8 +3,8 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Draws the surface of a simulation's liquid: marching cubes in compute shaders, only where the surface is, as clear water or as an opaque
-    /// body. Works on every graphics API that runs the simulation; no geometry shader.
+    /// Draws the surface of a simulation's liquid: marching cubes in compute shaders, only where the surface is, as
+    /// clear water or as an opaque body. Works on every graphics API that runs the simulation; no geometry shader.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Surface Renderer")]
     [DefaultExecutionOrder(100)]

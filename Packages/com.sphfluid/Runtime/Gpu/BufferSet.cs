@@ -7,6 +7,9 @@ namespace SphFluid
     /// <summary>Buffers that are made and released together, each declared once: name, number of elements, bytes of an element.</summary>
     internal abstract class BufferSet : IDisposable
     {
+        /// <summary>What buffers of indirect arguments are for; see <see cref="GpuBuffers.CreateArguments"/>.</summary>
+        protected const GraphicsBuffer.Target Arguments = GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw;
+
         readonly List<FluidBuffer> buffers = new List<FluidBuffer>();
 
         /// <summary>Bytes of all buffers.</summary>
@@ -42,6 +45,21 @@ namespace SphFluid
                 Dispose();
                 throw;
             }
+        }
+
+        /// <summary>Makes a buffer, or makes it anew where it is too small; what it held is lost then.</summary>
+        /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size; the others stay.</exception>
+        protected void Reserve(ref FluidBuffer buffer, string name, long count, int stride, GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured)
+        {
+            if (buffer != null && buffer.Count >= count) return;
+            if (buffer != null)
+            {
+                buffers.Remove(buffer);
+                buffer.Dispose();
+                buffer = null;
+            }
+            buffer = new FluidBuffer(name, count, stride, target);
+            buffers.Add(buffer);
         }
     }
 }

@@ -15,9 +15,10 @@ namespace SphFluid
             "EmitBlocks", "WriteSurfaceMesh");
 
         /// <summary>The thesis's surface on a dense grid, by a geometry shader or its compute twin.</summary>
-        public static readonly ShaderGroup GeometrySurface = new ShaderGroup("the thesis's surface", "Shaders/Surface",
+        public static readonly ShaderGroup GeometrySurface = new ShaderGroup("the thesis's surface", "Shaders/Surface/Thesis",
             groupThreads: 256, buffers: 4, writableBuffers: 2, groupMemory: 0, vertexBuffers: 0,
-            "SurfaceField", "SurfaceMesh", "SPH Fluid/Surface (Geometry Shader)");
+            "ResetMCGrid", "SetMCGridDensityFactors", "CountSurfaceVertices", "EmitSurfaceVertices",
+            "SPH Fluid/Surface (Geometry Shader)");
 
         /// <summary>What draws particles and the sparse surface.</summary>
         public static readonly ShaderGroup Drawing = new ShaderGroup("the drawing", "Shaders/Rendering",

@@ -52,7 +52,7 @@ namespace SphFluid
         public void Fill(in SurfaceBuffers surface, in SurfaceGrid grid, SurfaceWalls walls, in DrawPlacement placement)
         {
             Block.Clear();
-            Block.SetBuffer(SurfaceShaderIds.SurfaceVertices, surface.Vertices);
+            Block.SetBuffer(SurfaceBuffers.VerticesId, surface.Vertices);
             Block.SetGrid(grid, walls);
             Block.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
             lighting.Apply(Block);

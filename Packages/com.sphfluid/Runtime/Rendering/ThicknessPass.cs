@@ -49,7 +49,7 @@ namespace SphFluid
             Layer = placement.Layer;
             divisor = halfResolution ? 2 : 1;
             DrawPipeline.Prepare(material, placement.Pipeline);
-            block.SetBuffer(SurfaceShaderIds.SurfaceVertices, surface.Vertices);
+            block.SetBuffer(SurfaceBuffers.VerticesId, surface.Vertices);
             block.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
             Fit(ViewSize(largestView));
         }

@@ -3,20 +3,22 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>How the surface of a liquid is made: what the components that draw it and those that hand it on as a mesh ask alike.</summary>
+    /// <summary>
+    /// How the surface of a liquid is made: the settings that components for drawing and for meshes share.
+    /// </summary>
     [Serializable]
     public sealed class FluidSurfaceOptions
     {
         [SerializeField, Tooltip("How much work the surface may take: Cheap for weak devices, High for finer cells.")]
         FluidSurfaceQuality quality = FluidSurfaceQuality.Default;
 
-        [SerializeField, Min(0f), Tooltip("Edge of a cell in particle spacings. 0: what the quality says. Smaller: finer and dearer.")]
+        [SerializeField, Min(0f), Tooltip("Edge of a cell in particle spacings. 0: what the quality says. Smaller cells are finer and cost more.")]
         float cellSize;
 
         [SerializeField, Tooltip("Whether the surface is closed where the liquid touches the domain's walls. Off: only the open surface, e.g. behind glass of your own.")]
         bool closedAtWalls = true;
 
-        [SerializeField, Min(0), Tooltip("Most triangles of the surface. 0: as many as the device holds. A surface that wants more is not drawn anew, and this is said.")]
+        [SerializeField, Min(0), Tooltip("Most triangles of the surface. 0: as many as the device holds. A surface with more is not updated, and a warning says so.")]
         int triangleBudget;
 
         /// <summary>How much work the surface may take.</summary>
@@ -35,8 +37,11 @@ namespace SphFluid
         internal SurfaceWalls Walls => closedAtWalls ? SurfaceWalls.Closed : SurfaceWalls.Open;
 
         /// <summary>The field for a liquid.</summary>
-        /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a positive number.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a
+        /// positive number.</exception>
         internal SurfaceFieldSettings Field(in FluidSolverSettings settings) =>
-            cellSize == 0f ? SurfaceFieldSettings.For(quality, settings) : SurfaceFieldSettings.For(quality, settings, cellSize);
+            cellSize == 0f
+                ? SurfaceFieldSettings.For(quality, settings)
+                : SurfaceFieldSettings.For(quality, settings, cellSize);
     }
 }

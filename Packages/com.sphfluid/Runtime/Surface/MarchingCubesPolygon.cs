@@ -4,12 +4,14 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Cuts a closed loop of cut cube edges into triangles. No diagonal lies in a face of the cube, where the neighbouring cube could draw the
-    /// same one: each edge of the mesh then belongs to exactly two triangles. Of the cuts that are left the one with the shortest diagonals is taken.
+    /// Cuts a closed loop of cut cube edges into triangles. No diagonal lies in a face of the cube, where the
+    /// neighbouring cube could draw the same one: each edge of the mesh then belongs to exactly two triangles. Of the
+    /// cuts that are left the one with the shortest diagonals is taken.
     /// </summary>
     sealed class MarchingCubesPolygon
     {
-        // Twice the midpoints of the cube's edges: two edges lie in a common face when a coordinate is 0 in both or 2 in both.
+        // Twice the midpoints of the cube's edges: two edges lie in a common face when a coordinate is 0 in both or 2
+        // in both.
         readonly Vector3Int[] midpoints;
         readonly List<int> best = new List<int>();
         int bestCost;
@@ -18,7 +20,10 @@ namespace SphFluid
         {
             midpoints = new Vector3Int[edgeCorners.Length / 2];
             for (int edge = 0; edge < midpoints.Length; edge++)
-                midpoints[edge] = SurfaceGrid.CornerOffset(edgeCorners[2 * edge]) + SurfaceGrid.CornerOffset(edgeCorners[2 * edge + 1]);
+            {
+                midpoints[edge] =
+                    SurfaceGrid.CornerOffset(edgeCorners[2 * edge]) + SurfaceGrid.CornerOffset(edgeCorners[2 * edge + 1]);
+            }
         }
 
         /// <summary>Triangles of the loop, three edge numbers each, in the loop's direction.</summary>

@@ -4,28 +4,31 @@ using System.Collections.Generic;
 namespace SphFluid
 {
     /// <summary>
-    /// The lookup tables of marching cubes in Bourke's form: which edges the surface cuts in each of the 256 cases, and the triangles between
-    /// them. Corners and edges are numbered after P. Bourke, "Polygonising a scalar field" (1994); bit c of a case is set when corner c lies
-    /// outside the liquid (value below the iso value).
+    /// The lookup tables of marching cubes in Bourke's form: which edges the surface cuts in each of the 256 cases, and
+    /// the triangles between them. Corners and edges are numbered after P. Bourke, "Polygonising a scalar field"
+    /// (1994); bit c of a case is set when corner c lies outside the liquid (value below the iso value).
     /// </summary>
     /// <remarks>
-    /// The triangles are traced, not listed: on each face of the cube the surface joins cut edges, the joints form closed loops, the loops are
-    /// cut into triangles. A face with two diagonal inside corners is ambiguous; its inside corners are always joined, as Bourke's table does.
-    /// Both cubes at a face see the same four signs, so they agree and the mesh has no cracks (the complement rule of Lorensen and Cline's 15
-    /// cases cracks there).
+    /// The triangles are traced, not listed: on each face of the cube the surface joins cut edges, the joints form
+    /// closed loops, the loops are cut into triangles. A face with two diagonal inside corners is ambiguous; its inside
+    /// corners are always joined, as Bourke's table does. Both cubes at a face see the same four signs, so they agree
+    /// and the mesh has no cracks (the complement rule of Lorensen and Cline's 15 cases cracks there).
     /// </remarks>
     public static class MarchingCubesTables
     {
         /// <summary>Number of cases: one for each choice of outside corners.</summary>
         public const int CaseCount = 256;
 
-        /// <summary>Length of a row of <see cref="TriangleTable"/>: at most 15 edges (5 triangles) and a closing -1.</summary>
+        /// <summary>
+        /// Length of a row of <see cref="TriangleTable"/>: at most 15 edges (5 triangles) and a closing -1.
+        /// </summary>
         public const int RowLength = 16;
 
         const int CornerCount = 8;
         const int EdgeCount = 12;
 
-        // The lower corner of an edge comes first, so that all cubes around an edge interpolate along it in the same direction.
+        // The lower corner of an edge comes first, so that all cubes around an edge interpolate along it in the same
+        // direction.
         static readonly int[] Corners =
         {
             0, 1, 1, 2, 3, 2, 0, 3,
@@ -33,7 +36,8 @@ namespace SphFluid
             0, 4, 1, 5, 2, 6, 3, 7,
         };
 
-        // Corners of the six faces, going round anticlockwise for a viewer outside who sees x to the right, y up and z towards himself.
+        // Corners of the six faces, going round anticlockwise for a viewer outside who sees x to the right, y up and z
+        // towards himself.
         static readonly int[][] Faces =
         {
             new[] { 0, 3, 2, 1 }, new[] { 4, 5, 6, 7 },
@@ -59,18 +63,19 @@ namespace SphFluid
         public static IReadOnlyList<int> EdgeTable => Flags;
 
         /// <summary>
-        /// 256 rows of 16: the edges that hold the vertices of the case's triangles, three a triangle, then -1. Seen from outside the liquid
-        /// the three run clockwise in Unity's left-handed space: cross(b - a, c - a) points out of the liquid.
+        /// 256 rows of 16: the edges that hold the vertices of the case's triangles, three a triangle, then -1. Seen
+        /// from outside the liquid the three run clockwise in Unity's left-handed space: cross(b - a, c - a) points out
+        /// of the liquid.
         /// </summary>
         public static IReadOnlyList<int> TriangleTable => Rows;
 
         /// <summary>12 pairs: the two corners of each edge, the one nearer to the cube's origin first.</summary>
         public static IReadOnlyList<int> EdgeCorners => Corners;
 
-        /// <summary>256 numbers: edges in each row of <see cref="TriangleTable"/>, three a triangle.</summary>
-        public static IReadOnlyList<int> VertexCounts => Lengths;
-
-        /// <summary>All four tables one behind the other, as Shaders/Surface/MarchingCubes.hlsl reads them.</summary>
+        /// <summary>
+        /// The three tables and the length of each row one behind the other, as
+        /// Shaders/Surface/MarchingCubesTables.hlsl reads them.
+        /// </summary>
         /// <returns>A new array of 256 + 4096 + 24 + 256 numbers.</returns>
         public static int[] Pack()
         {
@@ -79,6 +84,15 @@ namespace SphFluid
             packed.AddRange(Corners);
             packed.AddRange(Lengths);
             return packed.ToArray();
+        }
+
+        /// <summary>The tables as kernels and shaders read them; the caller disposes the buffer.</summary>
+        internal static FluidBuffer CreateBuffer()
+        {
+            int[] packed = Pack();
+            var buffer = new FluidBuffer("MCTables", packed.Length, sizeof(int));
+            buffer.SetData(packed);
+            return buffer;
         }
 
         static bool IsOutside(int index, int corner) => (index >> corner & 1) != 0;
@@ -102,9 +116,12 @@ namespace SphFluid
             return triangles;
         }
 
-        /// <summary>The closed outlines that the surface draws on the faces of a cube: their cut edges in order.</summary>
+        /// <summary>
+        /// The closed outlines that the surface draws on the faces of a cube: their cut edges in order.
+        /// </summary>
         /// <param name="index">The case.</param>
-        /// <param name="separated">Faces, a bit each in the order of <see cref="CubeFaces"/>, on which diagonal inside corners are kept apart, not joined.</param>
+        /// <param name="separated">Faces, a bit each in the order of <see cref="CubeFaces"/>, on which diagonal inside
+        /// corners are kept apart, not joined.</param>
         internal static List<List<int>> Loops(int index, int separated = 0)
         {
             var loops = new List<List<int>>();
@@ -128,9 +145,10 @@ namespace SphFluid
         /// <summary>Corners of the six faces: lower z, upper z, lower y, upper y, lower x, upper x.</summary>
         internal static IReadOnlyList<int[]> CubeFaces => Faces;
 
-        // next[e] is the edge that the surface's outline runs to from edge e, or -1. Going round a face, an edge leaves the liquid and the next
-        // cut edge enters it again: the outline cuts off the outside corners between them, and runs from the entering to the leaving edge. On
-        // separated faces it cuts off the inside corners, and comes from the edge before them.
+        // next[e] is the edge that the surface's outline runs to from edge e, or -1. Going round a face, an edge leaves
+        // the liquid and the next cut edge enters it again: the outline cuts off the outside corners between them, and
+        // runs from the entering to the leaving edge. On separated faces it cuts off the inside corners, and comes from
+        // the edge before them.
         static int[] JoinCutEdges(int index, int separated)
         {
             var next = new int[EdgeCount];

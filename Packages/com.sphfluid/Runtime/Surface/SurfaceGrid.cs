@@ -4,8 +4,8 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// The marching-cubes grid: a box in simulation space cut into cells. Its vertices, one more than cells along each axis, are numbered x first,
-    /// then y, then z; the outermost ones lie on the walls of the domain.
+    /// The marching-cubes grid: a box in simulation space cut into cells. Its vertices, one more than cells along each
+    /// axis, are numbered x first, then y, then z; the outermost ones lie on the walls of the domain.
     /// </summary>
     public readonly struct SurfaceGrid : IEquatable<SurfaceGrid>
     {
@@ -19,25 +19,31 @@ namespace SphFluid
         /// <param name="minimum">Lowest corner of the box [m], simulation space.</param>
         /// <param name="size">Edges of the box [m], each greater than zero.</param>
         /// <param name="cells">Cells a side, 1 to <see cref="MaximumCells"/>.</param>
-        /// <exception cref="ArgumentOutOfRangeException">An edge is not a positive number, or the number of cells is out of range.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">An edge is not a positive number, or the number of cells is
+        /// out of range.</exception>
         public SurfaceGrid(Vector3 minimum, Vector3 size, int cells)
             : this(minimum, size, Vector3Int.one * cells)
         {
             if (cells > MaximumCells)
-                throw new ArgumentOutOfRangeException(nameof(cells), $"A surface grid has 1 to {MaximumCells} cells a side, not {cells}.");
+                throw new ArgumentOutOfRangeException(nameof(cells),
+                    $"A surface grid has 1 to {MaximumCells} cells a side, not {cells}.");
         }
 
         /// <summary>A grid over a box.</summary>
         /// <param name="minimum">Lowest corner of the box [m], simulation space.</param>
         /// <param name="size">Edges of the box [m], each greater than zero.</param>
-        /// <param name="cells">Cells along each axis, one or more; 3 times the product of (cells + 3) fits into 32 bits.</param>
-        /// <exception cref="ArgumentOutOfRangeException">An edge is not a positive number, or a number of cells is out of range.</exception>
+        /// <param name="cells">Cells along each axis, one or more; 3 times the product of (cells + 3) fits into 32
+        /// bits.</param>
+        /// <exception cref="ArgumentOutOfRangeException">An edge is not a positive number, or a number of cells is out
+        /// of range.</exception>
         public SurfaceGrid(Vector3 minimum, Vector3 size, Vector3Int cells)
         {
             if (!IsBox(size) || !IsFinite(minimum))
-                throw new ArgumentOutOfRangeException(nameof(size), $"A surface grid needs a box with edges greater than zero; this one is {size} m at {minimum}.");
+                throw new ArgumentOutOfRangeException(nameof(size),
+                    $"A surface grid needs a box with edges greater than zero; this one is {size} m at {minimum}.");
             if (cells.x < 1 || cells.y < 1 || cells.z < 1)
-                throw new ArgumentOutOfRangeException(nameof(cells), $"A surface grid has one cell or more along each axis, not {cells}.");
+                throw new ArgumentOutOfRangeException(nameof(cells),
+                    $"A surface grid has one cell or more along each axis, not {cells}.");
             if (!Fits(cells))
                 throw TooMany(nameof(cells), cells);
             Minimum = minimum;
@@ -63,29 +69,39 @@ namespace SphFluid
         /// <summary>Number of grid vertices.</summary>
         public int VertexCount => Product(Vertices);
 
-        /// <summary>Cubes of marching cubes along each axis: the cells, and a thin ring around them that closes the mesh at the walls.</summary>
+        /// <summary>
+        /// Cubes of marching cubes along each axis: the cells, and a thin ring around them that closes the mesh at the
+        /// walls.
+        /// </summary>
         public Vector3Int Cubes => Cells + 2 * Vector3Int.one;
 
         /// <summary>Number of cubes of marching cubes.</summary>
         public int CubeCount => Product(Cubes);
 
-        /// <summary>The grid over the domain of a simulation, which is centred on the origin of simulation space, as the thesis cuts it.</summary>
+        /// <summary>
+        /// The grid over the domain of a simulation, which is centred on the origin of simulation space, as the thesis
+        /// cuts it.
+        /// </summary>
         /// <param name="domainSize">Edges of the domain [m].</param>
         /// <param name="size">Cells a side.</param>
         /// <returns>A grid whose outermost vertices lie on the domain's walls.</returns>
-        public static SurfaceGrid OverDomain(Vector3 domainSize, SurfaceGridSize size) => new SurfaceGrid(domainSize * -0.5f, domainSize, size.Cells());
+        public static SurfaceGrid OverDomain(Vector3 domainSize, SurfaceGridSize size) =>
+            new SurfaceGrid(domainSize * -0.5f, domainSize, size.Cells());
 
         /// <summary>The grid over the domain of a simulation, in cells that are nearly cubes.</summary>
         /// <param name="domainSize">Edges of the domain [m].</param>
         /// <param name="cellEdge">Longest edge of a cell [m]; 0.3 cuts an edge of 1 m into 4 cells of 0.25 m.</param>
         /// <returns>A grid whose outermost vertices lie on the domain's walls.</returns>
-        /// <exception cref="ArgumentOutOfRangeException">The edge is not a positive number, or so short that the cells are too many.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The edge is not a positive number, or so short that the cells
+        /// are too many.</exception>
         public static SurfaceGrid OverDomain(Vector3 domainSize, float cellEdge)
         {
             if (!(cellEdge > 0f) || float.IsInfinity(cellEdge))
-                throw new ArgumentOutOfRangeException(nameof(cellEdge), $"The cells of a surface grid need an edge greater than zero, not {cellEdge} m.");
+                throw new ArgumentOutOfRangeException(nameof(cellEdge),
+                    $"The cells of a surface grid need an edge greater than zero, not {cellEdge} m.");
             if (!IsBox(domainSize))
-                throw new ArgumentOutOfRangeException(nameof(domainSize), $"A surface grid needs a domain with edges greater than zero, not {domainSize} m.");
+                throw new ArgumentOutOfRangeException(nameof(domainSize),
+                    $"A surface grid needs a domain with edges greater than zero, not {domainSize} m.");
             Vector3 cells = domainSize / cellEdge;
             cells = new Vector3(Mathf.Ceil(cells.x), Mathf.Ceil(cells.y), Mathf.Ceil(cells.z));
             if (!Fits(cells))
@@ -117,13 +133,16 @@ namespace SphFluid
         public override int GetHashCode() => HashCode.Combine(Minimum, Size, Cells);
 
         /// <summary>Where a corner of a cube lies, after Bourke's numbering; e.g. corner 2 at (1, 1, 0).</summary>
-        internal static Vector3Int CornerOffset(int corner) => new Vector3Int((corner + 1) >> 1 & 1, corner >> 1 & 1, corner >> 2);
+        internal static Vector3Int CornerOffset(int corner) =>
+            new Vector3Int((corner + 1) >> 1 & 1, corner >> 1 & 1, corner >> 2);
 
         static int Product(Vector3Int counts) => counts.x * counts.y * counts.z;
 
-        static bool Fits(Vector3 cells) => ((double)cells.x + 3.0) * (cells.y + 3.0) * (cells.z + 3.0) <= MostNamedVertices;
+        static bool Fits(Vector3 cells) =>
+            ((double)cells.x + 3.0) * (cells.y + 3.0) * (cells.z + 3.0) <= MostNamedVertices;
 
-        static ArgumentOutOfRangeException TooMany(string parameter, Vector3 cells) => new ArgumentOutOfRangeException(parameter,
+        static ArgumentOutOfRangeException TooMany(string parameter, Vector3 cells) =>
+            new ArgumentOutOfRangeException(parameter,
             $"A surface grid of {cells.x:F0} x {cells.y:F0} x {cells.z:F0} cells has more edges than 32 bits can name. Choose larger cells or a smaller domain.");
 
         static bool IsBox(Vector3 size) => size.x > 0f && size.y > 0f && size.z > 0f && IsFinite(size);

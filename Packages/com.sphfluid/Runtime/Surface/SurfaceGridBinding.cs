@@ -16,7 +16,8 @@ namespace SphFluid
         static readonly int IsoValueId = Shader.PropertyToID("_MCIsoValue");
 
         /// <summary>Records the grid for the kernel's next dispatch.</summary>
-        public static void SetGrid(this ComputeKernel kernel, CommandBuffer cmd, in SurfaceGrid grid, SurfaceWalls walls = SurfaceWalls.Closed)
+        public static void SetGrid(this ComputeKernel kernel, CommandBuffer cmd, in SurfaceGrid grid,
+            SurfaceWalls walls = SurfaceWalls.Closed)
         {
             kernel.SetVector(cmd, MinimumId, grid.Minimum);
             kernel.SetVector(cmd, CellSizeId, grid.CellSize);
@@ -25,10 +26,12 @@ namespace SphFluid
         }
 
         /// <summary>Records the field value that is the surface.</summary>
-        public static void SetIsoValue(this ComputeKernel kernel, CommandBuffer cmd, float isoValue) => kernel.SetFloat(cmd, IsoValueId, isoValue);
+        public static void SetIsoValue(this ComputeKernel kernel, CommandBuffer cmd, float isoValue) =>
+            kernel.SetFloat(cmd, IsoValueId, isoValue);
 
         /// <summary>Sets grid and iso value for a draw.</summary>
-        public static void SetGrid(this MaterialPropertyBlock properties, in SurfaceGrid grid, float isoValue, SurfaceWalls walls = SurfaceWalls.Closed)
+        public static void SetGrid(this MaterialPropertyBlock properties, in SurfaceGrid grid, float isoValue,
+            SurfaceWalls walls = SurfaceWalls.Closed)
         {
             properties.SetGrid(grid, walls);
             properties.SetFloat(IsoValueId, isoValue);

@@ -1,13 +1,12 @@
 using System;
-using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
     /// <summary>
-    /// A triangle mesh of the liquid's surface: closed, each vertex shared by the triangles around it, triangles clockwise for a viewer outside
-    /// the liquid as Unity expects.
+    /// A triangle mesh of the liquid's surface: closed, each vertex shared by the triangles around it, triangles
+    /// clockwise for a viewer outside the liquid as Unity expects.
     /// </summary>
     public sealed class SurfaceMesh
     {
@@ -24,7 +23,8 @@ namespace SphFluid
             if (normals.Length != positions.Length)
                 throw new ArgumentException($"A mesh needs a normal for each vertex: {positions.Length} positions, {normals.Length} normals.", nameof(normals));
             if (indices.Length % 3 != 0)
-                throw new ArgumentException($"A mesh needs three indices a triangle, not {indices.Length} in all.", nameof(indices));
+                throw new ArgumentException($"A mesh needs three indices a triangle, not {indices.Length} in all.",
+                    nameof(indices));
         }
 
         /// <summary>Positions of the vertices [m].</summary>
@@ -88,52 +88,6 @@ namespace SphFluid
             mesh.SetIndices(Indices, MeshTopology.Triangles, 0);
             mesh.RecalculateBounds();
             return mesh;
-        }
-
-        /// <summary>
-        /// Joins the vertices that lie on the same edge of the grid. The input may come in any order of cubes; the result does not depend on it.
-        /// </summary>
-        internal static SurfaceMesh Weld(EmittedVertex[] emitted, int count)
-        {
-            int[] firsts = FirstVertexOfEachCube(emitted, count);
-            var numbers = new Dictionary<uint, int>(count / 4 + 1);
-            var positions = new List<Vector3>(count / 4 + 1);
-            var normals = new List<Vector3>(count / 4 + 1);
-            var indices = new int[count];
-            int written = 0;
-            foreach (int first in firsts)
-            {
-                uint cube = emitted[first].Cube;
-                for (int i = first; i < count && emitted[i].Cube == cube; i++)
-                {
-                    if (!numbers.TryGetValue(emitted[i].Edge, out int number))
-                    {
-                        number = positions.Count;
-                        numbers.Add(emitted[i].Edge, number);
-                        positions.Add(emitted[i].Position);
-                        normals.Add(emitted[i].Normal);
-                    }
-                    indices[written++] = number;
-                }
-            }
-            return new SurfaceMesh(positions.ToArray(), normals.ToArray(), indices);
-        }
-
-        // Each cube's vertices stand together in the order of its triangles; only the order of the cubes is left to chance on the GPU.
-        static int[] FirstVertexOfEachCube(EmittedVertex[] emitted, int count)
-        {
-            var cubes = new List<uint>();
-            var firsts = new List<int>();
-            for (int i = 0; i < count; i++)
-            {
-                if (i > 0 && emitted[i].Cube == emitted[i - 1].Cube)
-                    continue;
-                cubes.Add(emitted[i].Cube);
-                firsts.Add(i);
-            }
-            int[] sorted = firsts.ToArray();
-            Array.Sort(cubes.ToArray(), sorted);
-            return sorted;
         }
 
         Vector3 Corner(int index) => Positions[Indices[index]];

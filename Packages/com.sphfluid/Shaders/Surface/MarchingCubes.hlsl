@@ -1,7 +1,9 @@
-// Marching cubes (Lorensen & Cline 1987) over the grid of density factors. Included by the geometry shader, by its compute twin and by the sparse
-// surface, so that all make the same triangles. Whoever includes it declares before where field values come from, e.g. by DenseField.hlsl:
+// Marching cubes (Lorensen & Cline 1987) over the grid of density factors. Included by the geometry shader, by its
+// compute twin and by the sparse surface, so that all make the same triangles. The including file declares before where
+// field values come from, e.g. by Thesis/DenseField.hlsl:
 //     float MCFieldValue(int3 v)  0 outside the grid
-//     int3 MCKnownAbove(int3 v)   along each axis the next higher vertex of the grid, or the own one where its value is not known: for gradients
+//     int3 MCKnownAbove(int3 v)   along each axis the next higher vertex of the grid, or the own one where its value is
+// not known: for gradients
 //     int3 MCKnownBelow(int3 v)   the same for the next lower one
 //     float MCKnownValue(int3 v)  the value of such a vertex
 #ifndef SPHFLUID_MARCHING_CUBES_INCLUDED
@@ -14,7 +16,8 @@
 // A vertex never lies closer than this part of an edge to the edge's ends: no zero-area triangles.
 #define MC_EDGE_MARGIN 0.01
 
-// Central differences, (22)-(24) of the thesis with the step of two cells that they lack; one-sided on the walls.
+// Central differences, (22)-(24) of the thesis, divided by the step of two cells, which it leaves out; one-sided on the
+// walls.
 float3 MCGradient(int3 v)
 {
     int3 upper = MCKnownAbove(v);
@@ -89,7 +92,8 @@ uint MCEdgeName(int3 origin, uint edge)
     return MCEdgeNameAt(MCEdgeCorner(origin, edge, 0), MCEdgeAxis(edge));
 }
 
-// Fills the vertex of every edge that the surface cuts (6.4.4, lines 15-20); MCTriangleEdge then names the edges of each triangle.
+// Fills the vertex of every edge that the surface cuts (6.4.4, lines 15-20); MCTriangleEdge then names the edges of
+// each triangle.
 void Polygonise(int3 origin, uint cubeIndex, out SurfaceVertex vertexList[MC_EDGES])
 {
     [unroll]

@@ -1,9 +1,10 @@
-// The tables of marching cubes. Numbering of corners and edges after Bourke, "Polygonising a scalar field" (1994): corner c lies at
-// ((c+1)/2 mod 2, c/2 mod 2, c/4), e.g. corner 2 at (1, 1, 0).
+// The tables of marching cubes. Numbering of corners and edges after Bourke, "Polygonising a scalar field" (1994):
+// corner c lies at ((c+1)/2 mod 2, c/2 mod 2, c/4), e.g. corner 2 at (1, 1, 0).
 #ifndef SPHFLUID_MARCHING_CUBES_TABLES_INCLUDED
 #define SPHFLUID_MARCHING_CUBES_TABLES_INCLUDED
 
-// 256 edge flags, 256 rows of 16 edge numbers ending in -1, 12 pairs of corners, 256 row lengths (MarchingCubesTables.cs).
+// 256 edge flags, 256 rows of 16 edge numbers ending in -1, 12 pairs of corners, 256 row lengths
+// (MarchingCubesTables.cs).
 StructuredBuffer<int> _MCTables;
 
 #define MC_EDGES 12
@@ -30,7 +31,8 @@ int MCTriangleEdge(uint cubeIndex, uint slot)
     return _MCTables[MC_TRIANGLES + cubeIndex * 16 + slot];
 }
 
-// Corners of an edge, the lower one (nearer to the grid's origin) first: neighbouring cubes interpolate a shared edge alike, bit for bit.
+// Corners of an edge, the lower one (nearer to the grid's origin) first: neighbouring cubes interpolate a shared edge
+// alike, bit for bit.
 int3 MCEdgeCorner(int3 origin, uint edge, uint end)
 {
     return origin + MCCornerOffset((uint)_MCTables[MC_EDGE_CORNERS + edge * 2 + end]);

@@ -1,4 +1,4 @@
-// A point of the liquid's surface on its way to the pixel, and its normal there.
+// A point of the liquid's surface as the pixel shader gets it, and its normal there.
 #ifndef SPHFLUID_SURFACE_FRAGMENT_INCLUDED
 #define SPHFLUID_SURFACE_FRAGMENT_INCLUDED
 
@@ -26,7 +26,8 @@ SurfaceFragment ProjectSurfaceVertex(SurfaceVertex surface)
     return fragment;
 }
 
-// Vertices at the water's edge belong to the open surface and to the face at the wall; on that face, which lies in the ring, the wall decides.
+// Vertices at the water's edge belong to the open surface and to the face at the wall; on that face, which lies in the
+// ring, the wall decides.
 float3 SurfaceNormal(SurfaceFragment input)
 {
     float3 fromLower = (FluidLocalPosition(input.world) - _MCMinimum) / _MCCellSize;

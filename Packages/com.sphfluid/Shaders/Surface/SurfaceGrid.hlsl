@@ -1,5 +1,5 @@
-// The marching-cubes grid (SurfaceGrid.cs). Grid vertices run from 0 to cells along an axis; the ring adds -1 and cells + 1, which lie in empty
-// space. Cubes are named by their lowest vertex: -1 to cells.
+// The marching-cubes grid (SurfaceGrid.cs). Grid vertices run from 0 to cells along an axis; the ring adds -1 and cells
+// + 1, which lie in empty space. Cubes are named by their lowest vertex: -1 to cells.
 #ifndef SPHFLUID_SURFACE_GRID_INCLUDED
 #define SPHFLUID_SURFACE_GRID_INCLUDED
 
@@ -48,7 +48,8 @@ bool MCInGrid(int3 v)
     return all((uint3)v <= (uint3)MCCells());
 }
 
-// The ring is squeezed against the wall from inside: liquid that touches a wall ends there, with a sharp edge. Of 64 cells the vertices
+// The ring is squeezed against the wall from inside: liquid that touches a wall ends there, with a sharp edge. Of 64
+// cells the vertices
 // -1, 0, 1 ... 63, 64, 65 lie at 0, 0.02, 1 ... 63, 63.98, 64.
 float3 MCGridPosition(int3 v)
 {
@@ -63,7 +64,8 @@ float3 MCPosition(float3 gridPosition)
     return _MCMinimum + _MCCellSize * gridPosition;
 }
 
-// A name of the grid edge that starts at a vertex, the ring's included, and runs along an axis: 3 x number of the vertex + axis.
+// A name of the grid edge that starts at a vertex, the ring's included, and runs along an axis: 3 x number of the
+// vertex + axis.
 uint MCEdgeNameAt(int3 lower, uint axis)
 {
     uint3 v = (uint3)(lower + 1);

@@ -1,4 +1,5 @@
-// Per-pixel lighting of the liquid's surface (6.4.4.3): a coloured body under a mirror of the sky that grows towards grazing angles.
+// Per-pixel lighting of the liquid's surface (6.4.4.3): a coloured body under a mirror of the sky that grows towards
+// grazing angles.
 #ifndef SPHFLUID_SURFACE_SHADING_INCLUDED
 #define SPHFLUID_SURFACE_SHADING_INCLUDED
 

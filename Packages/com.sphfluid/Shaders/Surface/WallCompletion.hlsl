@@ -3,10 +3,12 @@
 
 #include "../Solver/PeriodicAxes.hlsl"
 
-// No particle stands behind a wall: sums over kernels fall to a half there, in corners to an eighth. Divided by the kernel's part inside the
-// domain (exact at one wall, a product of the axes near an edge), they let the surface meet the wall level.
+// No particle stands behind a wall: sums over kernels fall to a half there, in corners to an eighth. Divided by the
+// kernel's part inside the domain (exact at one wall, a product of the axes near an edge), they let the surface meet
+// the wall level.
 
-// Part of a poly6 kernel that lies on the inner side of a plane at distance s R from its centre, 0 <= s: the integral of
+// Part of a poly6 kernel that lies on the inner side of a plane at distance s R from its centre, 0 <= s: the integral
+// of
 // 315/256 (1 - x^2)^4 from -1 to s. A half at the plane, 1 from s = 1 on.
 float3 InnerPart(float3 s)
 {

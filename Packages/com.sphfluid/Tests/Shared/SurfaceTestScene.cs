@@ -32,17 +32,22 @@ namespace SphFluid.Tests
             return field;
         }
 
-        /// <summary>World space as seen from a point towards the origin: Unity's view matrix, which looks down -z.</summary>
+        /// <summary>
+        /// World space as seen from a point towards the origin: Unity's view matrix, which looks down -z.
+        /// </summary>
         public static Matrix4x4 LookAtOrigin(Vector3 eye)
         {
             Quaternion rotation = Quaternion.LookRotation(-eye, Vector3.up);
             return Matrix4x4.Scale(new Vector3(1f, 1f, -1f)) * Matrix4x4.TRS(eye, rotation, Vector3.one).inverse;
         }
 
-        /// <summary>Draws into a square picture of floats, cleared to zero, and reads it back; row 0 is the lowest.</summary>
+        /// <summary>
+        /// Draws into a square picture of floats, cleared to zero, and reads it back; row 0 is the lowest.
+        /// </summary>
         public static Color[] Render(int size, Matrix4x4 view, Matrix4x4 projection, Action<CommandBuffer> draw)
         {
-            var target = new RenderTexture(size, size, 24, RenderTextureFormat.ARGBFloat, RenderTextureReadWrite.Linear);
+            var target = new RenderTexture(size, size, 24, RenderTextureFormat.ARGBFloat,
+                RenderTextureReadWrite.Linear);
             var picture = new Texture2D(size, size, TextureFormat.RGBAFloat, false, true);
             RenderTexture before = RenderTexture.active;
             try

@@ -5,7 +5,7 @@ Shader "Hidden/SPH Fluid/Benchmark/Surface"
     {
         Tags { "RenderType" = "Opaque" "Queue" = "Geometry" }
 
-        // Corners of triangles as SurfaceMesh.compute emits them.
+        // Corners of triangles as EmitSurfaceVertices.compute emits them.
         Pass
         {
             Name "TriangleCorners"
@@ -19,7 +19,7 @@ Shader "Hidden/SPH Fluid/Benchmark/Surface"
             #pragma fragment ShadeSurface
 
             #include "Packages/com.sphfluid/Shaders/Surface/SurfaceShading.hlsl"
-            #include "Packages/com.sphfluid/Shaders/Surface/EmittedVertex.hlsl"
+            #include "Packages/com.sphfluid/Shaders/Surface/Thesis/EmittedVertex.hlsl"
 
             StructuredBuffer<EmittedVertex> _SurfaceVertices;
 

@@ -1,4 +1,3 @@
-using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -12,13 +11,12 @@ namespace SphFluid.Validation
     {
         // Corners of triangles, instances, first corner, first instance.
         static readonly uint[] EmptyArguments = { 0, 1, 0, 0 };
-        static readonly ProfilerMarker EmitMarker = ComputeKernel.CreateMarker("EmitSurfaceVertices");
 
         readonly int cells;
         readonly SurfaceField field;
-        readonly ComputeKernel emitVertices;
+        readonly EmitSurfaceVerticesPass emitVertices;
         readonly BenchMeshMaterial material;
-        GraphicsBuffer tables;
+        readonly FluidBuffer tables;
         GraphicsBuffer arguments;
         GraphicsBuffer vertices;
         long corners;
@@ -27,9 +25,9 @@ namespace SphFluid.Validation
         {
             this.cells = cells;
             field = new SurfaceField(shaders, BenchLiquid.SurfaceGrid(cells));
-            emitVertices = shaders.Kernel("SurfaceMesh", "EmitSurfaceVertices");
+            emitVertices = new EmitSurfaceVerticesPass(shaders);
             material = new BenchMeshMaterial(BenchMeshMaterial.TriangleCornersPass);
-            tables = SurfacePolygoniser.CreateTables();
+            tables = MarchingCubesTables.CreateBuffer();
             arguments = GpuBuffers.CreateArguments("BenchSurfaceArguments", EmptyArguments.Length);
             vertices = GpuBuffers.Create("SurfaceVertices", 0, EmittedVertex.Stride);
         }
@@ -59,7 +57,7 @@ namespace SphFluid.Validation
             RecordMesh(cmd, vertices.count);
             drawing.BeginSurface(cmd);
             MaterialPropertyBlock properties = material.Properties(field.Grid, drawing.Placement);
-            properties.SetBuffer(SurfaceShaderIds.SurfaceVertices, vertices);
+            properties.SetBuffer(SurfaceBuffers.VerticesId, vertices);
             cmd.DrawProceduralIndirect(Matrix4x4.identity, material.Material, material.Pass, MeshTopology.Triangles, arguments, 0, properties);
             drawing.EndSurface(cmd);
         }
@@ -68,25 +66,15 @@ namespace SphFluid.Validation
         {
             field.Dispose();
             material.Dispose();
-            GpuBuffers.Dispose(ref tables);
+            tables.Dispose();
             GpuBuffers.Dispose(ref arguments);
             GpuBuffers.Dispose(ref vertices);
         }
 
         void RecordMesh(CommandBuffer cmd, int capacity)
         {
-            cmd.BeginSample(EmitMarker);
             cmd.SetBufferData(arguments, EmptyArguments);
-            emitVertices.SetBuffer(cmd, SurfaceShaderIds.MCGrid, field.Values);
-            emitVertices.SetBuffer(cmd, SurfaceShaderIds.MCTables, tables);
-            emitVertices.SetBuffer(cmd, SurfaceShaderIds.SurfaceVertexCount, arguments);
-            emitVertices.SetBuffer(cmd, SurfaceShaderIds.SurfaceVertices, vertices);
-            emitVertices.SetInt(cmd, SurfaceShaderIds.SurfaceVertexCapacity, capacity);
-            emitVertices.SetGrid(cmd, field.Grid);
-            emitVertices.SetIsoValue(cmd, BenchDrawing.IsoValue);
-            Vector3Int cubes = field.Grid.Cubes;
-            emitVertices.DispatchThreads(cmd, cubes.x, cubes.y, cubes.z);
-            cmd.EndSample(EmitMarker);
+            emitVertices.Record(cmd, field, BenchDrawing.IsoValue, tables, arguments, vertices, capacity);
         }
     }
 }

@@ -49,7 +49,7 @@ namespace SphFluid.Validation
             surface.Record(cmd, solver, field, grid, SurfaceWalls.Closed);
             drawing.BeginSurface(cmd);
             MaterialPropertyBlock properties = material.Properties(grid, drawing.Placement);
-            properties.SetBuffer(SurfaceShaderIds.SurfaceVertices, surface.Vertices);
+            properties.SetBuffer(SurfaceBuffers.VerticesId, surface.Vertices);
             cmd.DrawProceduralIndirect(surface.Indices, Matrix4x4.identity, material.Material, material.Pass, MeshTopology.Triangles, surface.DrawArguments, 0, properties);
             drawing.EndSurface(cmd);
         }

@@ -1,30 +1,28 @@
 using System;
-using Unity.Profiling;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
     /// <summary>No block is active, nothing is counted (Shaders/Surface/Sparse/ClearSurfaceBlocks.compute).</summary>
-    sealed class ClearSurfaceBlocksPass
+    sealed class ClearSurfaceBlocksPass : ComputePass
     {
-        const string Name = "ClearSurfaceBlocks";
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker(Name);
-
         readonly ComputeKernel kernel;
 
         public ClearSurfaceBlocksPass(FluidShaderSet shaders)
+            : base(shaders, "ClearSurfaceBlocks")
         {
-            kernel = shaders.Kernel("ClearSurfaceBlocks", Name);
+            kernel = Kernel();
         }
 
         public void Record(CommandBuffer cmd, SurfaceBlocks blocks)
         {
-            cmd.BeginSample(Marker);
-            blocks.SetGlobals(cmd, kernel);
-            kernel.SetBuffer(cmd, SparseShaderIds.BlockTable, blocks.Table);
-            kernel.SetBuffer(cmd, SparseShaderIds.SurfaceCounters, blocks.Counters);
-            kernel.DispatchThreads(cmd, Math.Max(blocks.BlockCount, SurfaceCounters.Slots));
-            cmd.EndSample(Marker);
+            using (Sample(cmd))
+            {
+                blocks.SetGlobals(cmd, kernel);
+                kernel.Set(cmd, blocks.Table);
+                kernel.Set(cmd, blocks.Counters);
+                kernel.DispatchThreads(cmd, Math.Max(blocks.BlockCount, SurfaceCounters.Slots));
+            }
         }
     }
 }

@@ -1,30 +1,28 @@
-using Unity.Profiling;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
     /// <summary>
-    /// Vertices and indices of the present round's blocks, a group each, and their place in the buffers; lists blocks that the surface was found to
-    /// reach besides (Shaders/Surface/Sparse/CountBlocks.compute).
+    /// Vertices and indices of the present round's blocks, a group each, and their place in the buffers. Lists blocks
+    /// that the surface reaches though no particle marked them (Shaders/Surface/Sparse/CountBlocks.compute).
     /// </summary>
-    sealed class CountBlocksPass
+    sealed class CountBlocksPass : ComputePass
     {
-        const string Name = "CountBlocks";
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker(Name);
-
         readonly ComputeKernel kernel;
 
         public CountBlocksPass(FluidShaderSet shaders)
+            : base(shaders, "CountBlocks")
         {
-            kernel = shaders.Kernel("CountBlocks", Name);
+            kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, in BlockPolygons input)
+        public void Record(CommandBuffer cmd, in SurfaceInput input, FluidBuffer tables)
         {
-            cmd.BeginSample(Marker);
-            input.SetGlobals(cmd, kernel);
-            kernel.DispatchIndirect(cmd, input.Blocks.RoundArguments);
-            cmd.EndSample(Marker);
+            using (Sample(cmd))
+            {
+                input.SetPolygons(cmd, kernel, tables);
+                kernel.DispatchIndirect(cmd, input.Blocks.RoundArguments);
+            }
         }
     }
 }

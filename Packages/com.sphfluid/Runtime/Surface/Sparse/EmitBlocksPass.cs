@@ -1,29 +1,29 @@
-using Unity.Profiling;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Vertices and triangles of all blocks, a group each (Shaders/Surface/Sparse/EmitBlocks.compute).</summary>
-    sealed class EmitBlocksPass
+    /// <summary>
+    /// Vertices and triangles of all blocks, a group each (Shaders/Surface/Sparse/EmitBlocks.compute).
+    /// </summary>
+    sealed class EmitBlocksPass : ComputePass
     {
-        const string Name = "EmitBlocks";
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker(Name);
-
         readonly ComputeKernel kernel;
 
         public EmitBlocksPass(FluidShaderSet shaders)
+            : base(shaders, "EmitBlocks")
         {
-            kernel = shaders.Kernel("EmitBlocks", Name);
+            kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, in BlockPolygons input, BlockMesh mesh)
+        public void Record(CommandBuffer cmd, in SurfaceInput input, FluidBuffer tables, SurfaceTriangles triangles)
         {
-            cmd.BeginSample(Marker);
-            input.SetGlobals(cmd, kernel);
-            kernel.SetBuffer(cmd, SurfaceShaderIds.SurfaceVertices, mesh.Vertices);
-            kernel.SetBuffer(cmd, SurfaceShaderIds.SurfaceIndices, mesh.Indices);
-            kernel.DispatchIndirect(cmd, mesh.EmitArguments);
-            cmd.EndSample(Marker);
+            using (Sample(cmd))
+            {
+                input.SetPolygons(cmd, kernel, tables);
+                kernel.Set(cmd, triangles.Vertices);
+                kernel.Set(cmd, triangles.Indices);
+                kernel.DispatchIndirect(cmd, triangles.EmitArguments);
+            }
         }
     }
 }

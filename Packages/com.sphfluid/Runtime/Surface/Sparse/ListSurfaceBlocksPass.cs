@@ -1,30 +1,51 @@
-using Unity.Profiling;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Gives marked blocks slots, one atomic operation a group of 256 blocks (Shaders/Surface/Sparse/ListSurfaceBlocks.compute).</summary>
-    sealed class ListSurfaceBlocksPass
+    /// <summary>
+    /// Gives marked blocks slots, one atomic operation a group of 256 blocks, and says which slots the next dispatches
+    /// work on (Shaders/Surface/Sparse/ListSurfaceBlocks.compute).
+    /// </summary>
+    sealed class ListSurfaceBlocksPass : ComputePass
     {
-        const string Name = "ListSurfaceBlocks";
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker(Name);
+        static readonly int LateRound = Id("_LateRound");
 
-        readonly ComputeKernel kernel;
+        readonly ComputeKernel list;
+        readonly ComputeKernel beginRound;
 
         public ListSurfaceBlocksPass(FluidShaderSet shaders)
+            : base(shaders, "ListSurfaceBlocks")
         {
-            kernel = shaders.Kernel("ListSurfaceBlocks", Name);
+            list = Kernel();
+            beginRound = Kernel("BeginSurfaceRound");
         }
 
         public void Record(CommandBuffer cmd, SurfaceBlocks blocks)
         {
-            cmd.BeginSample(Marker);
-            blocks.SetGlobals(cmd, kernel);
-            kernel.SetBuffer(cmd, SparseShaderIds.BlockTable, blocks.Table);
-            kernel.SetBuffer(cmd, SparseShaderIds.BlockList, blocks.List);
-            kernel.SetBuffer(cmd, SparseShaderIds.SurfaceCounters, blocks.Counters);
-            kernel.DispatchThreads(cmd, blocks.BlockCount);
-            cmd.EndSample(Marker);
+            using (Sample(cmd))
+            {
+                blocks.SetGlobals(cmd, list);
+                list.Set(cmd, blocks.Table);
+                list.Set(cmd, blocks.List);
+                list.Set(cmd, blocks.Counters);
+                list.DispatchThreads(cmd, blocks.BlockCount);
+            }
+        }
+
+        /// <summary>
+        /// First slot and number of slots of a round. The first round has the blocks that particles marked, the late
+        /// one those that were listed since.
+        /// </summary>
+        public void RecordRound(CommandBuffer cmd, SurfaceBlocks blocks, bool late)
+        {
+            using (Sample(cmd))
+            {
+                blocks.SetGlobals(cmd, beginRound);
+                beginRound.SetBool(cmd, LateRound, late);
+                beginRound.Set(cmd, blocks.Counters);
+                beginRound.Set(cmd, blocks.RoundArguments);
+                beginRound.DispatchThreads(cmd, 1);
+            }
         }
     }
 }

@@ -1,100 +1,128 @@
 using System;
-using Unity.Profiling;
-using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
     /// <summary>
-    /// What the field takes of each particle, and which blocks lie near the surface (Shaders/Surface/Sparse/PrepareSurfaceParticles.compute). The
-    /// smooth field sums over neighbours; the thesis's marks by the density that the solver has.
+    /// The particles of a sparse surface as its field reads them (Shaders/Surface/Sparse/SurfaceParticles.hlsl).
     /// </summary>
-    sealed class PrepareSurfaceParticlesPass
+    sealed class SurfaceParticles : BufferSet
     {
-        const string Name = "PrepareSurfaceParticles";
-        const string ThesisName = "PrepareThesisParticles";
+        FluidBuffer kernels, shapes;
 
-        // Blocks within this distance of a flagged particle are active, in spacings: no iso value in use lies farther out.
+        /// <summary>float4 a particle: centre and weight of its kernel.</summary>
+        public FluidBuffer Kernels => kernels;
+
+        /// <summary>KernelShape a particle; null while all kernels are round.</summary>
+        public FluidBuffer Shapes => shapes;
+
+        /// <summary>Makes the buffers large enough; what they held may be lost.</summary>
+        /// <exception cref="FluidDeviceException">The device has too little memory.</exception>
+        public void Reserve(int particles, bool stretched)
+        {
+            Reserve(ref kernels, "SurfaceParticles", particles, 4 * sizeof(float));
+            if (stretched)
+                Reserve(ref shapes, "SurfaceShapes", particles, 6 * sizeof(float));
+        }
+    }
+
+    /// <summary>
+    /// Each particle's kernel in the surface's field, and the blocks near the surface
+    /// (Shaders/Surface/Sparse/PrepareSurfaceParticles.compute). The smooth field sums over neighbours; the thesis's
+    /// field marks by the density that the solver has.
+    /// </summary>
+    sealed class PrepareSurfaceParticlesPass : ComputePass
+    {
+        // Blocks within this distance of a flagged particle are active, in spacings: no iso value in use lies farther
+        // out.
         const float MarkReach = 1.25f;
 
-        // Near the surface are particles with fewer neighbours than 24 of the 32.5 that R = 2 dx gives in a lattice, with their mean
-        // more than a quarter of a spacing away, or crowded as no liquid is (coincident particles are a drop of their own).
+        // Near the surface are particles with fewer neighbours than 24 of the 32.5 that R = 2 dx gives in a lattice,
+        // with their mean more than a quarter of a spacing away, or crowded as no liquid is (coincident particles are a
+        // drop of their own).
         const double FewNeighbours = 24.0 / 32.5;
         const float FarMean = 0.25f;
         const float HighDensity = 1.5f;
 
-        // The topmost layer of a lattice has 0.81 of the rest density, the one below 1; liquid in motion varies by some per cent.
+        // The topmost layer of a lattice has 0.81 of the rest density, the one below 1; liquid in motion varies by some
+        // per cent.
         const float LowDensity = 0.9f;
 
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker(Name);
-        static readonly int ParticlesOut = Shader.PropertyToID("_SurfaceParticlesOut");
-        static readonly int ShapesOut = Shader.PropertyToID("_SurfaceShapesOut");
-        static readonly int FieldWeight = Shader.PropertyToID("_FieldWeight");
-        static readonly int Smoothing = Shader.PropertyToID("_Smoothing");
-        static readonly int LongestShift = Shader.PropertyToID("_LongestShift");
-        static readonly int WallsClosed = Shader.PropertyToID("_WallsClosed");
-        static readonly int MarkReachId = Shader.PropertyToID("_MarkReach");
-        static readonly int FewNeighboursId = Shader.PropertyToID("_FewNeighbours");
-        static readonly int FarMeanId = Shader.PropertyToID("_FarMean");
-        static readonly int HighDensityId = Shader.PropertyToID("_HighDensity");
-        static readonly int LowDensityId = Shader.PropertyToID("_LowDensity");
-        static readonly int DensityScale = Shader.PropertyToID("_DensityScale");
-        static readonly int DensityOffset = Shader.PropertyToID("_DensityOffset");
+        static readonly int FieldWeight = Id("_FieldWeight");
+        static readonly int Smoothing = Id("_Smoothing");
+        static readonly int LongestShift = Id("_LongestShift");
+        static readonly int WallsClosed = Id("_WallsClosed");
+        static readonly int MarkReachId = Id("_MarkReach");
+        static readonly int FewNeighboursId = Id("_FewNeighbours");
+        static readonly int FarMeanId = Id("_FarMean");
+        static readonly int HighDensityId = Id("_HighDensity");
+        static readonly int LowDensityId = Id("_LowDensity");
+        static readonly int DensityScale = Id("_DensityScale");
+        static readonly int DensityOffset = Id("_DensityOffset");
 
         readonly ComputeKernel smooth;
         readonly ComputeKernel thesis;
 
         public PrepareSurfaceParticlesPass(FluidShaderSet shaders)
+            : base(shaders, "PrepareSurfaceParticles")
         {
-            smooth = shaders.Kernel("PrepareSurfaceParticles", Name);
-            thesis = shaders.Kernel("PrepareSurfaceParticles", ThesisName);
+            smooth = Kernel();
+            thesis = Kernel("PrepareThesisParticles");
         }
 
-        public void Record(CommandBuffer cmd, in BlockFieldInput input)
+        public void Record(CommandBuffer cmd, in SurfaceInput input, SurfaceParticles particles)
         {
             ComputeKernel kernel = input.Field.IsThesis ? thesis : smooth;
-            FluidSolver solver = input.Solver;
-            float dx = input.Field.Spacing;
-            cmd.BeginSample(Marker);
-            solver.BindNeighbours(cmd, kernel);
-            input.SetGlobals(cmd, kernel);
-            kernel.SetInt(cmd, FluidShaderIds.ParticleCount, solver.ParticleCount);
-            kernel.SetFloat(cmd, FieldWeight, (float)KernelAtZero(input));
-            kernel.SetBool(cmd, WallsClosed, input.WallsClosed);
-            kernel.SetFloat(cmd, MarkReachId, MarkReach * dx);
-            kernel.SetFloat(cmd, HighDensityId, HighDensity);
-            kernel.SetBuffer(cmd, ParticlesOut, input.Particles);
-            input.SetShapes(cmd, kernel, ShapesOut);
-            kernel.SetBuffer(cmd, SparseShaderIds.BlockTable, input.Blocks.Table);
-            kernel.SetBuffer(cmd, SparseShaderIds.SurfaceCounters, input.Blocks.Counters);
-            if (input.Field.IsThesis)
+            using (Sample(cmd))
             {
-                FluidSolverSettings settings = solver.Settings;
-                bool ownMissing = FluidMethods.Of(settings.Method).OmitsOwnDensity(settings);
-                kernel.SetFloat(cmd, LowDensityId, LowDensity);
-                kernel.SetFloat(cmd, DensityScale, 1f / settings.RestDensity);
-                kernel.SetFloat(cmd, DensityOffset, ownMissing ? (float)KernelAtZero(input) : 0f);
-                kernel.SetBuffer(cmd, FluidShaderIds.Density, solver.Density);
+                input.Solver.BindNeighbours(cmd, kernel);
+                input.SetField(cmd, kernel);
+                kernel.SetInt(cmd, FluidShaderIds.ParticleCount, input.Solver.ParticleCount);
+                kernel.SetFloat(cmd, FieldWeight, (float)KernelAtZero(input));
+                kernel.SetBool(cmd, WallsClosed, input.Walls == SurfaceWalls.Closed);
+                kernel.SetFloat(cmd, MarkReachId, MarkReach * input.Field.Spacing);
+                kernel.SetFloat(cmd, HighDensityId, HighDensity);
+                kernel.SetOut(cmd, particles.Kernels);
+                if (input.Field.IsAnisotropic)
+                    kernel.SetOut(cmd, particles.Shapes);
+                kernel.Set(cmd, input.Blocks.Table);
+                kernel.Set(cmd, input.Blocks.Counters);
+                if (input.Field.IsThesis)
+                    SetThesis(cmd, input);
+                else
+                    SetSmooth(cmd, input.Field);
+                kernel.DispatchThreads(cmd, input.Solver.ParticleCount);
             }
-            else
-            {
-                double ratio = input.Field.SupportRadius / (double)dx;
-                kernel.SetFloat(cmd, Smoothing, input.Field.Smoothing);
-                kernel.SetFloat(cmd, LongestShift, input.Field.LongestShift);
-                kernel.SetFloat(cmd, FewNeighboursId, (float)(FewNeighbours * (4.0 / 3.0 * Math.PI * ratio * ratio * ratio - 1.0)));
-                kernel.SetFloat(cmd, FarMeanId, FarMean * dx);
-            }
+        }
 
-            kernel.DispatchThreads(cmd, solver.ParticleCount);
-            cmd.EndSample(Marker);
+        void SetThesis(CommandBuffer cmd, in SurfaceInput input)
+        {
+            FluidSolverSettings settings = input.Solver.Settings;
+            thesis.SetFloat(cmd, LowDensityId, LowDensity);
+            thesis.SetFloat(cmd, DensityScale, 1f / settings.RestDensity);
+            bool ownMissing = FluidMethods.Of(settings.Method).OmitsOwnDensity(settings);
+            thesis.SetFloat(cmd, DensityOffset, ownMissing ? (float)KernelAtZero(input) : 0f);
+            thesis.SetBuffer(cmd, FluidShaderIds.Density, input.Solver.Density);
+        }
+
+        void SetSmooth(CommandBuffer cmd, in SurfaceFieldSettings field)
+        {
+            double ratio = field.SupportRadius / (double)field.Spacing;
+            smooth.SetFloat(cmd, Smoothing, field.Smoothing);
+            smooth.SetFloat(cmd, LongestShift, field.LongestShift);
+            smooth.SetFloat(cmd, FewNeighboursId,
+                (float)(FewNeighbours * (4.0 / 3.0 * Math.PI * ratio * ratio * ratio - 1.0)));
+            smooth.SetFloat(cmd, FarMeanId, FarMean * field.Spacing);
         }
 
         // What a particle gives to the field at its own place: W(0) dx³ of poly6, or W(0) m/ρ0.
-        static double KernelAtZero(in BlockFieldInput input)
+        static double KernelAtZero(in SurfaceInput input)
         {
             FluidSolverSettings settings = input.Solver.Settings;
             double radius = input.Field.SupportRadius;
-            double volume = input.Field.IsThesis ? settings.ParticleMass / (double)settings.RestDensity : Math.Pow(input.Field.Spacing, 3.0);
+            double volume = input.Field.IsThesis
+                ? settings.ParticleMass / (double)settings.RestDensity
+                : Math.Pow(input.Field.Spacing, 3.0);
             return volume * 315.0 / (64.0 * Math.PI * radius * radius * radius);
         }
     }

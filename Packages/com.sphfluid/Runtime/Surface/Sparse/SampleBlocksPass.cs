@@ -1,49 +1,51 @@
-using Unity.Profiling;
-using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>The field at the samples of the present round's blocks, a group each (Shaders/Surface/Sparse/SampleBlocks.compute).</summary>
-    sealed class SampleBlocksPass
+    /// <summary>
+    /// The field at the samples of the present round's blocks, a group each
+    /// (Shaders/Surface/Sparse/SampleBlocks.compute).
+    /// </summary>
+    sealed class SampleBlocksPass : ComputePass
     {
-        const string Name = "SampleBlocks";
         const string FilterOnce = "SURFACE_FILTER_ONCE";
         const string FilterTwice = "SURFACE_FILTER_TWICE";
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker(Name);
-        static readonly int Shapes = Shader.PropertyToID("_SurfaceShapes");
-        static readonly int FieldReach = Shader.PropertyToID("_FieldReach");
-        static readonly int UnionOffset = Shader.PropertyToID("_UnionOffset");
-        static readonly int PeriodSteps = Shader.PropertyToID("_PeriodSteps");
+
+        static readonly int FieldReach = Id("_FieldReach");
+        static readonly int UnionOffset = Id("_UnionOffset");
+        static readonly int PeriodSteps = Id("_PeriodSteps");
 
         readonly ComputeKernel kernel;
 
         public SampleBlocksPass(FluidShaderSet shaders)
+            : base(shaders, "SampleBlocks")
         {
-            kernel = shaders.Kernel("SampleBlocks", Name);
+            kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, in BlockFieldInput input)
+        public void Record(CommandBuffer cmd, in SurfaceInput input, SurfaceParticles particles)
         {
             FluidSolver solver = input.Solver;
-            FluidSolverSettings settings = solver.Settings;
-            cmd.BeginSample(Marker);
-            input.SetGlobals(cmd, kernel);
-            GridNeighbours.SetGrid(cmd, kernel, solver.Grid);
-            DomainBindings.SetPeriodic(cmd, kernel, settings);
-            kernel.SetKeyword(cmd, FilterOnce, input.Field.FilterPasses == 1);
-            kernel.SetKeyword(cmd, FilterTwice, input.Field.FilterPasses == 2);
-            kernel.SetVector(cmd, PeriodSteps, settings.PeriodLength / input.Field.SupportRadius);
-            kernel.SetFloat(cmd, FieldReach, input.Field.KernelReach);
-            kernel.SetFloat(cmd, UnionOffset, input.Field.UnionOffset);
-            kernel.SetBuffer(cmd, FluidShaderIds.GridIndices, solver.GridIndices);
-            kernel.SetBuffer(cmd, SparseShaderIds.SurfaceParticles, input.Particles);
-            input.SetShapes(cmd, kernel, Shapes);
-            kernel.SetBuffer(cmd, SparseShaderIds.BlockList, input.Blocks.List);
-            kernel.SetBuffer(cmd, SparseShaderIds.SurfaceCounters, input.Blocks.Counters);
-            kernel.SetBuffer(cmd, SparseShaderIds.BlockSamples, input.Blocks.Samples);
-            kernel.DispatchIndirect(cmd, input.Blocks.RoundArguments);
-            cmd.EndSample(Marker);
+            SurfaceFieldSettings field = input.Field;
+            using (Sample(cmd))
+            {
+                input.SetField(cmd, kernel);
+                GridNeighbours.SetGrid(cmd, kernel, solver.Grid);
+                DomainBindings.SetPeriodic(cmd, kernel, solver.Settings);
+                kernel.SetKeyword(cmd, FilterOnce, field.FilterPasses == 1);
+                kernel.SetKeyword(cmd, FilterTwice, field.FilterPasses == 2);
+                kernel.SetVector(cmd, PeriodSteps, solver.Settings.PeriodLength / field.SupportRadius);
+                kernel.SetFloat(cmd, FieldReach, field.KernelReach);
+                kernel.SetFloat(cmd, UnionOffset, field.UnionOffset);
+                kernel.SetBuffer(cmd, FluidShaderIds.GridIndices, solver.GridIndices);
+                kernel.Set(cmd, particles.Kernels);
+                if (field.IsAnisotropic)
+                    kernel.Set(cmd, particles.Shapes);
+                kernel.Set(cmd, input.Blocks.List);
+                kernel.Set(cmd, input.Blocks.Counters);
+                kernel.Set(cmd, input.Blocks.Samples);
+                kernel.DispatchIndirect(cmd, input.Blocks.RoundArguments);
+            }
         }
     }
 }

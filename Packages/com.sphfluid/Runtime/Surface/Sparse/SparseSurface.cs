@@ -5,20 +5,21 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// The surface of a liquid as triangles on the GPU, made only where it is: a scalar field in blocks of 8^3 cells near the surface, marching cubes
-    /// in those. Nothing waits for the GPU; the buffers grow by what was wanted a few frames ago. A surface that does not fit as a whole
-    /// is not emitted: the last complete one stays, and it is said.
+    /// The surface of a liquid as triangles on the GPU, made only where it is: a scalar field in blocks of 8^3 cells
+    /// near the surface, marching cubes in those. Nothing waits for the GPU; the buffers grow by what the surface
+    /// needed a few frames ago. A surface that does not fit as a whole is not emitted: the last complete one stays, and
+    /// a warning says so.
     /// </summary>
     public sealed class SparseSurface : IDisposable
     {
-        readonly BlockField field;
-        readonly BlockPolygoniser polygoniser;
+        readonly SurfacePasses passes;
         readonly SurfaceBlocks blocks = new SurfaceBlocks();
+        readonly SurfaceTriangles triangles;
+        readonly SurfaceCapacity capacity;
         readonly NumberReadback readback;
         readonly SurfaceWarnings warnings = new SurfaceWarnings();
-        readonly SurfaceCapacity room;
 
-        /// <summary>A surface; buffers are made when it is first recorded.</summary>
+        /// <summary>A surface; most buffers are made when it is first recorded.</summary>
         /// <param name="shaders">Shader set with the kernels of the sparse surface.</param>
         /// <exception cref="FluidDeviceException">The device cannot run a kernel.</exception>
         public SparseSurface(FluidShaderSet shaders)
@@ -28,33 +29,45 @@ namespace SphFluid
 
         internal SparseSurface(FluidShaderSet shaders, int firstBlocks, int firstTriangles)
         {
-            field = new BlockField(shaders);
-            polygoniser = new BlockPolygoniser(shaders);
+            if (shaders == null)
+                throw new ArgumentNullException(nameof(shaders),
+                    "A sparse surface needs a shader set: assign one in the fluid profile.");
+            passes = new SurfacePasses(shaders);
+            triangles = new SurfaceTriangles();
+            capacity = new SurfaceCapacity(firstBlocks, firstTriangles);
             readback = new NumberReadback(SurfaceCounters.Slots, Take);
-            room = new SurfaceCapacity(firstBlocks, firstTriangles);
         }
 
-        /// <summary>Vertices, 16 bytes each: Shaders/Surface/Sparse/SurfaceVertices.hlsl. Ask again after each recording: it may have grown.</summary>
-        public GraphicsBuffer Vertices => polygoniser.Mesh.Vertices;
+        /// <summary>
+        /// Vertices, 16 bytes each: Shaders/Surface/Sparse/SurfaceVertices.hlsl. Ask again after each recording: it may
+        /// have grown.
+        /// </summary>
+        public GraphicsBuffer Vertices => triangles.Vertices;
 
-        /// <summary>32-bit indices, three a triangle, clockwise seen from outside the liquid. Ask again after each recording.</summary>
-        public GraphicsBuffer Indices => polygoniser.Mesh.Indices;
+        /// <summary>
+        /// 32-bit indices, three a triangle, clockwise seen from outside the liquid. Ask again after each recording.
+        /// </summary>
+        public GraphicsBuffer Indices => triangles.Indices;
 
         /// <summary>One <see cref="GraphicsBuffer.IndirectDrawIndexedArgs"/>: all triangles, one instance.</summary>
-        public GraphicsBuffer DrawArguments => polygoniser.Mesh.DrawArguments;
+        public GraphicsBuffer DrawArguments => triangles.DrawArguments;
 
         /// <summary>Most triangles; 0: as many as the device holds.</summary>
-        public int TriangleBudget { get => room.TriangleBudget; set => room.TriangleBudget = Math.Max(value, 0); }
+        public int TriangleBudget
+        {
+            get => capacity.TriangleBudget;
+            set => capacity.TriangleBudget = Math.Max(value, 0);
+        }
 
         /// <summary>What became of the last surface that was read back.</summary>
         public SurfaceStatus Status { get; private set; }
 
         /// <summary>Bytes of GPU memory.</summary>
-        public long GpuBytes => field.GpuBytes + blocks.GpuBytes + polygoniser.GpuBytes;
+        public long GpuBytes => passes.Bytes + blocks.Bytes + triangles.Bytes;
 
         internal SurfaceBlocks Blocks => blocks;
 
-        internal BlockMesh Mesh => polygoniser.Mesh;
+        internal SurfaceTriangles Triangles => triangles;
 
         /// <summary>Records everything from the particles' present positions to the arguments of the draw.</summary>
         /// <param name="cmd">Command buffer to record into.</param>
@@ -62,35 +75,30 @@ namespace SphFluid
         /// <param name="settings">The field.</param>
         /// <param name="grid">The grid, over the solver's domain.</param>
         /// <param name="walls">What becomes of the surface at the domain's walls.</param>
-        /// <exception cref="FluidDeviceException">The device has no room for the first buffers.</exception>
-        public void Record(CommandBuffer cmd, FluidSolver solver, in SurfaceFieldSettings settings, SurfaceGrid grid, SurfaceWalls walls)
+        /// <exception cref="FluidDeviceException">The device cannot hold the first buffers.</exception>
+        public void Record(CommandBuffer cmd, FluidSolver solver, in SurfaceFieldSettings settings, SurfaceGrid grid,
+            SurfaceWalls walls)
         {
             if (cmd == null)
                 throw new ArgumentNullException(nameof(cmd));
-            if (solver == null)
-                throw new ArgumentNullException(nameof(solver), "A surface needs a running solver.");
-            if (grid.Cells.x < 1)
-                throw new ArgumentException("A sparse surface needs a grid that was made with a size.", nameof(grid));
-            if (!settings.IsSet)
-                throw new ArgumentException("A sparse surface needs a field made by SurfaceFieldSettings.For or Thesis.", nameof(settings));
+            Check(solver, settings, grid);
             if (!SystemInfo.supportsAsyncGPUReadback && blocks.Counters != null)
                 readback.ReadNow(blocks.Counters);
-            room.Reserve(blocks, polygoniser.Mesh, grid, settings, solver.ParticleCount, Status);
-
-            bool closed = walls == SurfaceWalls.Closed;
-            field.Record(cmd, solver, settings, grid, closed, blocks);
-            polygoniser.RecordCount(cmd, blocks, grid, walls, settings.IsoValue);
-            field.RecordLate(cmd, solver, settings, grid, closed, blocks);
-            polygoniser.RecordCount(cmd, blocks, grid, walls, settings.IsoValue);
-            polygoniser.RecordEmit(cmd, blocks, grid, walls, settings.IsoValue);
+            capacity.Reserve(blocks, triangles, grid, settings, solver.ParticleCount, Status);
+            passes.Record(cmd, new SurfaceInput(solver, settings, grid, walls, blocks), triangles);
             readback.RecordRequest(cmd, blocks.Counters);
         }
 
-        /// <summary>Something that the user must know, e.g. that the surface does not fit its budget; each kind of trouble is told once.</summary>
+        /// <summary>
+        /// Something that the user must know, e.g. that the surface exceeds its budget; each kind of problem is
+        /// reported once.
+        /// </summary>
         /// <returns>A sentence with the cure, or null.</returns>
         public string TakeWarning() => warnings.Take();
 
-        /// <summary>Waits for the GPU and reads what became of the surface that was recorded and executed last.</summary>
+        /// <summary>
+        /// Waits for the GPU and reads what became of the surface that was recorded and executed last.
+        /// </summary>
         internal SurfaceStatus ReadStatus()
         {
             readback.ReadNow(blocks.Counters);
@@ -98,28 +106,41 @@ namespace SphFluid
         }
 
         /// <summary>Waits for the GPU and reads what was recorded and executed last.</summary>
-        /// <returns>A mesh in simulation space [m] in which all triangles around a vertex share it. The same liquid gives the same mesh.</returns>
-        /// <exception cref="InvalidOperationException">Nothing was recorded, or the surface did not fit the buffers as they were.</exception>
-        /// <exception cref="FluidDeviceException">The surface is larger than the budget or the device allows.</exception>
+        /// <returns>A mesh in simulation space [m] in which all triangles around a vertex share it. The same liquid
+        /// gives the same mesh.</returns>
+        /// <exception cref="InvalidOperationException">Nothing was recorded, or the surface did not fit the buffers as
+        /// they were.</exception>
+        /// <exception cref="FluidDeviceException">The surface is larger than the budget or the device
+        /// allows.</exception>
         public SurfaceMesh ReadMesh()
         {
             if (blocks.Counters == null)
-                throw new InvalidOperationException("No surface was recorded: call Record and execute the command buffer first.");
-            readback.ReadNow(blocks.Counters);
+            {
+                throw new InvalidOperationException(
+                    "No surface was recorded: call Record and execute the command buffer first.");
+            }
+            ReadStatus();
             ThrowIfObstructed();
             if (!Status.IsComplete)
-                throw new InvalidOperationException("The surface did not fit its buffers. Record and execute it again: the buffers have grown by then.");
-            return BlockMeshReader.Read(blocks, polygoniser.Mesh, Status);
+            {
+                throw new InvalidOperationException(
+                    "The surface did not fit its buffers. Record and execute it again: the buffers have grown by then.");
+            }
+            return triangles.Read(blocks, Status);
         }
 
-        /// <summary>Makes the surface now and reads it: records, executes, and repeats with more room until all of it fits.</summary>
+        /// <summary>
+        /// Makes the surface now and reads it: records, executes, and repeats with larger buffers until all of it fits.
+        /// </summary>
         /// <param name="solver">The particles; they are sorted into cells first.</param>
         /// <param name="settings">The field.</param>
         /// <param name="grid">The grid, over the solver's domain.</param>
         /// <param name="walls">What becomes of the surface at the domain's walls.</param>
         /// <returns>See <see cref="ReadMesh"/>.</returns>
-        /// <exception cref="FluidDeviceException">The surface is larger than the budget or the device allows.</exception>
-        public SurfaceMesh Extract(FluidSolver solver, in SurfaceFieldSettings settings, SurfaceGrid grid, SurfaceWalls walls)
+        /// <exception cref="FluidDeviceException">The surface is larger than the budget or the device
+        /// allows.</exception>
+        public SurfaceMesh Extract(FluidSolver solver, in SurfaceFieldSettings settings, SurfaceGrid grid,
+            SurfaceWalls walls)
         {
             do
             {
@@ -128,25 +149,44 @@ namespace SphFluid
                     Record(cmd, solver, settings, grid, walls);
                     Graphics.ExecuteCommandBuffer(cmd);
                 }
-                readback.ReadNow(blocks.Counters);
+                ReadStatus();
                 ThrowIfObstructed();
             }
             while (!Status.IsComplete);
-            return BlockMeshReader.Read(blocks, polygoniser.Mesh, Status);
+            return triangles.Read(blocks, Status);
         }
 
         /// <summary>Releases the buffers.</summary>
         public void Dispose()
         {
             readback.Dispose();
-            field.Dispose();
-            polygoniser.Dispose();
+            passes.Dispose();
             blocks.Dispose();
+            triangles.Dispose();
+        }
+
+        static void Check(FluidSolver solver, in SurfaceFieldSettings settings, in SurfaceGrid grid)
+        {
+            if (solver == null)
+                throw new ArgumentNullException(nameof(solver), "A surface needs a running solver.");
+            if (grid.Cells.x < 1)
+                throw new ArgumentException("A sparse surface needs a grid that was made with a size.", nameof(grid));
+            if (!settings.IsSet)
+            {
+                throw new ArgumentException(
+                    "A sparse surface needs a field made by SurfaceFieldSettings.For or Thesis.", nameof(settings));
+            }
+            if (settings.SupportRadius > solver.Settings.SupportRadius)
+            {
+                throw new ArgumentException(
+                    $"The surface field's radius is {settings.SupportRadius} m, but the solver's cells serve " +
+                    $"{solver.Settings.SupportRadius} m: make the field's settings from the solver's.", nameof(settings));
+            }
         }
 
         void ThrowIfObstructed()
         {
-            string obstacle = Status.IsComplete ? null : room.Obstacle(Status);
+            string obstacle = Status.IsComplete ? null : capacity.Obstacle(Status);
             if (obstacle != null)
                 throw new FluidDeviceException(obstacle);
         }
@@ -154,7 +194,7 @@ namespace SphFluid
         void Take(uint[] counters)
         {
             Status = new SurfaceStatus(counters);
-            warnings.Check(Status, room.Obstacle(Status));
+            warnings.Check(Status, capacity.Obstacle(Status));
         }
     }
 }

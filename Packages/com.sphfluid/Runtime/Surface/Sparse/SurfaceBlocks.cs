@@ -5,10 +5,51 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Blocks of 8³ cubes over a surface grid, of which only those near the surface hold samples: a table over all blocks, and slots
-    /// (Shaders/Surface/Sparse/SurfaceBlocks.hlsl). Cubes and samples count the ring that closes the surface at the walls.
+    /// Slots of the sparse surface's counters on the GPU: Shaders/Surface/Sparse/SurfaceCounters.hlsl.
     /// </summary>
-    public sealed class SurfaceBlocks : IDisposable
+    static class SurfaceCounters
+    {
+        public const int Slots = 16;
+
+        /// <summary>Blocks that need a slot, those of the late round included.</summary>
+        public const int BlocksRequested = 0;
+
+        /// <summary>Blocks of the first round; 0 where not all fit.</summary>
+        public const int BlocksListed = 1;
+
+        /// <summary>Blocks of the late round.</summary>
+        public const int BlocksLate = 2;
+
+        /// <summary>First slot of the present round.</summary>
+        public const int RoundFirst = 3;
+
+        /// <summary>Slots of the present round.</summary>
+        public const int RoundCount = 4;
+
+        /// <summary>Vertices of all listed blocks.</summary>
+        public const int VerticesRequested = 5;
+
+        /// <summary>Indices of all listed blocks.</summary>
+        public const int IndicesRequested = 6;
+
+        /// <summary>
+        /// Faces of blocks that the surface crosses towards a block without a slot, after the late round.
+        /// </summary>
+        public const int OpenFaces = 7;
+
+        /// <summary>Particles that are skipped: their position is not a number.</summary>
+        public const int NonFinite = 8;
+
+        /// <summary>1 where the surface fitted the buffers and was emitted.</summary>
+        public const int Complete = 9;
+    }
+
+    /// <summary>
+    /// Blocks of 8³ cubes over a surface grid, of which only those near the surface hold samples: a table over all
+    /// blocks, and slots (Shaders/Surface/Sparse/SurfaceBlocks.hlsl). Cubes and samples count the ring that closes the
+    /// surface at the walls.
+    /// </summary>
+    sealed class SurfaceBlocks : BufferSet
     {
         /// <summary>Cubes of a block along an axis.</summary>
         public const int CubesPerSide = 8;
@@ -28,7 +69,7 @@ namespace SphFluid
         // Copied when recorded, so one array serves; command buffers are recorded on the main thread.
         static readonly int[] CountsValue = new int[3];
 
-        GraphicsBuffer table, list, samples, ranges, counters, roundArguments;
+        FluidBuffer table, list, samples, ranges, counters, roundArguments;
 
         /// <summary>Blocks along each axis; zero before <see cref="Reserve"/>.</summary>
         public Vector3Int Counts { get; private set; }
@@ -40,25 +81,25 @@ namespace SphFluid
         public int Capacity { get; private set; }
 
         /// <summary>uint a block of the grid: 0, <c>BLOCK_MARKED</c>, or slot + 1.</summary>
-        public GraphicsBuffer Table => table;
+        public FluidBuffer Table => table;
 
         /// <summary>uint a slot: number of its block, x fastest.</summary>
-        public GraphicsBuffer List => list;
+        public FluidBuffer List => list;
 
-        /// <summary>Field values, float, <see cref="SamplesPerBlock"/> a slot, x fastest; the surface is where they equal the iso value.</summary>
-        public GraphicsBuffer Samples => samples;
+        /// <summary>
+        /// Field values, float, <see cref="SamplesPerBlock"/> a slot, x fastest; the surface is where they equal the
+        /// iso value.
+        /// </summary>
+        public FluidBuffer Samples => samples;
 
         /// <summary>uint4 a slot: first vertex, vertices, first index, indices.</summary>
-        public GraphicsBuffer Ranges => ranges;
+        public FluidBuffer Ranges => ranges;
 
         /// <summary>uint each, see <see cref="SurfaceCounters"/>.</summary>
-        public GraphicsBuffer Counters => counters;
+        public FluidBuffer Counters => counters;
 
         /// <summary>Groups along x, y and z of a dispatch with a group a slot of the present round.</summary>
-        public GraphicsBuffer RoundArguments => roundArguments;
-
-        /// <summary>Bytes of GPU memory.</summary>
-        public long GpuBytes => table == null ? 0 : GpuBuffers.Size(table, list, samples, ranges, counters, roundArguments);
+        public FluidBuffer RoundArguments => roundArguments;
 
         /// <summary>Most slots that buffers of this device, and 32-bit sample numbers, allow.</summary>
         public static int DeviceCapacity =>
@@ -66,51 +107,42 @@ namespace SphFluid
 
         /// <summary>Blocks that a grid has along each axis.</summary>
         /// <param name="cells">Cells of the grid along each axis.</param>
-        public static Vector3Int CountsOver(Vector3Int cells) => new Vector3Int(CountOver(cells.x), CountOver(cells.y), CountOver(cells.z));
+        public static Vector3Int CountsOver(Vector3Int cells) =>
+            new Vector3Int(CountOver(cells.x), CountOver(cells.y), CountOver(cells.z));
 
-        /// <summary>Makes the buffers as large as they must be; what they held may be lost.</summary>
+        /// <summary>Makes the buffers large enough; what they held may be lost.</summary>
         /// <param name="cells">Cells of the surface grid along each axis, one or more.</param>
         /// <param name="capacity">Least number of slots, one or more.</param>
         /// <exception cref="ArgumentOutOfRangeException">A number is too small.</exception>
-        /// <exception cref="FluidDeviceException">The device has no room.</exception>
+        /// <exception cref="FluidDeviceException">The device cannot hold them.</exception>
         public void Reserve(Vector3Int cells, int capacity)
         {
             if (cells.x < 1 || cells.y < 1 || cells.z < 1)
-                throw new ArgumentOutOfRangeException(nameof(cells), cells, "A surface grid has one cell or more along each axis.");
+                throw new ArgumentOutOfRangeException(nameof(cells), cells,
+                    "A surface grid has one cell or more along each axis.");
             if (capacity < 1)
-                throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "A sparse surface needs room for one block or more.");
+                throw new ArgumentOutOfRangeException(nameof(capacity), capacity,
+                    "A sparse surface has one slot or more.");
             if (capacity > DeviceCapacity)
             {
-                throw new FluidDeviceException($"A sparse surface of {capacity} blocks does not fit: a buffer of {SystemInfo.graphicsDeviceName} holds " +
-                    $"{DeviceCapacity}. Choose a coarser surface.");
+                throw new FluidDeviceException(
+                    $"A sparse surface of {capacity} blocks does not fit: a buffer of {SystemInfo.graphicsDeviceName} " +
+                    $"holds {DeviceCapacity}. Choose a coarser surface.");
             }
 
             Vector3Int counts = CountsOver(cells);
-            GpuBuffers.Reserve(ref table, "BlockTable", (long)counts.x * counts.y * counts.z, sizeof(uint));
-            GpuBuffers.Reserve(ref list, "BlockList", capacity, sizeof(uint));
-            GpuBuffers.Reserve(ref samples, "BlockSamples", (long)capacity * SamplesPerBlock, sizeof(float));
-            GpuBuffers.Reserve(ref ranges, "BlockRanges", capacity, RangeStride);
-            GpuBuffers.Reserve(ref counters, "SurfaceCounters", SurfaceCounters.Slots, sizeof(uint));
-            roundArguments ??= GpuBuffers.CreateArguments("SurfaceRoundArguments", 3);
+            Reserve(ref table, "BlockTable", (long)counts.x * counts.y * counts.z, sizeof(uint));
+            Reserve(ref list, "BlockList", capacity, sizeof(uint));
+            Reserve(ref samples, "BlockSamples", (long)capacity * SamplesPerBlock, sizeof(float));
+            Reserve(ref ranges, "BlockRanges", capacity, RangeStride);
+            Reserve(ref counters, "SurfaceCounters", SurfaceCounters.Slots, sizeof(uint));
+            Reserve(ref roundArguments, "RoundArguments", 3, sizeof(uint), Arguments);
             Counts = counts;
-            Capacity = list.count;
+            Capacity = list.Count;
         }
 
-        /// <summary>Releases the buffers.</summary>
-        public void Dispose()
-        {
-            GpuBuffers.Dispose(ref table);
-            GpuBuffers.Dispose(ref list);
-            GpuBuffers.Dispose(ref samples);
-            GpuBuffers.Dispose(ref ranges);
-            GpuBuffers.Dispose(ref counters);
-            GpuBuffers.Dispose(ref roundArguments);
-            Counts = Vector3Int.zero;
-            Capacity = 0;
-        }
-
-        /// <summary>Records the globals of SurfaceBlocks.hlsl; buffers are the pass's own matter.</summary>
-        internal void SetGlobals(CommandBuffer cmd, ComputeKernel kernel)
+        /// <summary>Sets the globals of SurfaceBlocks.hlsl; each pass sets its own buffers.</summary>
+        public void SetGlobals(CommandBuffer cmd, ComputeKernel kernel)
         {
             CountsValue[0] = Counts.x;
             CountsValue[1] = Counts.y;

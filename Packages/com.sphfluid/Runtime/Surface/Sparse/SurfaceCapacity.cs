@@ -3,10 +3,14 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>How much room a sparse surface gets: by the number of particles at first, then half as much again as it was found to want when three quarters are full, up to a limit.</summary>
+    /// <summary>
+    /// How large the buffers of a sparse surface are. At first by the number of particles; once they are three quarters
+    /// full, half as much again as the surface was found to need, up to a limit.
+    /// </summary>
     sealed class SurfaceCapacity
     {
-        // Splashes have 2 to 9 triangles a particle at 1 to 0.5 spacings a cell, large pools less than one (surface-quality.md of com.sphfluid.validation): with the square of spacings a cell.
+        // Splashes have 2 to 9 triangles a particle at 1 to 0.5 spacings a cell, large pools less than one: they grow
+        // with the square of spacings a cell (surface-quality.md of com.sphfluid.validation).
         const int SpareTriangles = 65536;
         const int SplashParticles = 131072;
         const float SplashTriangles = 2.25f;
@@ -35,47 +39,66 @@ namespace SphFluid
 
         int TriangleLimit => TriangleBudget > 0 ? Math.Min(TriangleBudget, DeviceTriangleLimit) : DeviceTriangleLimit;
 
-        int VertexLimit => (int)Math.Min(BlockMesh.DeviceVertexLimit, 3L * TriangleLimit);
+        int VertexLimit => (int)Math.Min(SurfaceTriangles.DeviceVertexLimit, 3L * TriangleLimit);
 
-        static int DeviceTriangleLimit => BlockMesh.DeviceIndexLimit / 3;
+        static int DeviceTriangleLimit => SurfaceTriangles.DeviceIndexLimit / 3;
 
-        /// <summary>Makes the buffers fit.</summary>
-        public void Reserve(SurfaceBlocks blocks, BlockMesh mesh, in SurfaceGrid grid, in SurfaceFieldSettings field, int particles, in SurfaceStatus last)
+        /// <summary>Grows the buffers by what the last surface needed.</summary>
+        public void Reserve(SurfaceBlocks blocks, SurfaceTriangles triangles, in SurfaceGrid grid,
+            in SurfaceFieldSettings field, int particles, in SurfaceStatus last)
         {
             float perSpacing = field.Spacing / field.CellSize;
             Vector3Int counts = SurfaceBlocks.CountsOver(grid.Cells);
             int blockLimit = Math.Min(counts.x * counts.y * counts.z, SurfaceBlocks.DeviceCapacity);
-            long startBlocks = firstBlocks > 0 ? firstBlocks : SpareBlocks + (long)(BlocksPerParticle * perSpacing * perSpacing * particles);
+            long startBlocks = firstBlocks > 0 ? firstBlocks : StartBlocks(particles, perSpacing);
             blocks.Reserve(grid.Cells, Grown(blocks.Capacity, startBlocks, last.Blocks, blockLimit));
 
             long start = firstTriangles > 0 ? firstTriangles : StartTriangles(particles, perSpacing);
-            int indices = Grown(mesh.IndexCapacity, 3 * start, 3 * last.Triangles, 3 * TriangleLimit);
-            int vertices = Grown(mesh.VertexCapacity, (long)Math.Ceiling(VerticesPerTriangle * start), last.Vertices, VertexLimit);
-            mesh.Reserve(vertices, indices);
+            long startVertices = (long)Math.Ceiling(VerticesPerTriangle * start);
+            int indices = Grown(triangles.IndexCapacity, 3 * start, 3 * last.Triangles, 3 * TriangleLimit);
+            int vertices = Grown(triangles.VertexCapacity, startVertices, last.Vertices, VertexLimit);
+            triangles.Reserve(vertices, indices);
         }
 
-        /// <summary>Why a surface that was not complete will not become so by growing, and the cure; null if it will.</summary>
+        /// <summary>
+        /// Why a surface that was not complete will not become so by growing, and the cure; null if it will.
+        /// </summary>
         public string Obstacle(in SurfaceStatus status)
         {
             if (status.Blocks > SurfaceBlocks.DeviceCapacity)
-                return $"The surface lies in {status.Blocks} blocks; a buffer of {SystemInfo.graphicsDeviceName} holds {SurfaceBlocks.DeviceCapacity}. Choose a lower quality or larger cells.";
+            {
+                return $"The surface lies in {status.Blocks} blocks; a buffer of {SystemInfo.graphicsDeviceName} holds " +
+                    $"{SurfaceBlocks.DeviceCapacity}. Choose a lower quality or larger cells.";
+            }
             if (TriangleBudget > 0 && status.Triangles > TriangleBudget)
-                return $"The surface has {status.Triangles} triangles; its budget is {TriangleBudget}. Raise the triangle budget (0: as many as the device holds), or choose a lower quality or larger cells.";
+            {
+                return $"The surface has {status.Triangles} triangles; its budget is {TriangleBudget}. " +
+                    "Raise the triangle budget (0: as many as the device holds), or choose a lower quality or larger " +
+                    "cells.";
+            }
             if (status.Triangles > TriangleLimit || status.Vertices > VertexLimit)
-                return $"The surface has {status.Triangles} triangles; {SystemInfo.graphicsDeviceName} holds {TriangleLimit} in a buffer. Choose a lower quality or larger cells.";
+            {
+                return $"The surface has {status.Triangles} triangles; {SystemInfo.graphicsDeviceName} holds " +
+                    $"{TriangleLimit} in a buffer. Choose a lower quality or larger cells.";
+            }
             return null;
         }
+
+        static long StartBlocks(int particles, float cellsPerSpacing) =>
+            SpareBlocks + (long)(BlocksPerParticle * cellsPerSpacing * cellsPerSpacing * particles);
 
         static long StartTriangles(int particles, float cellsPerSpacing)
         {
             int splash = Math.Min(particles, SplashParticles);
-            return SpareTriangles + (long)(cellsPerSpacing * cellsPerSpacing * (SplashTriangles * splash + PoolTriangles * (particles - splash)));
+            float perCell = SplashTriangles * splash + PoolTriangles * (particles - splash);
+            return SpareTriangles + (long)(cellsPerSpacing * cellsPerSpacing * perCell);
         }
 
-        // Before it is full, as a splash grows while the count of an earlier frame is read back. E.g. 80 of 100 make room for 120.
-        static int Grown(int capacity, long start, long wanted, int limit)
+        // Before the buffer is full, as a splash grows while the count of an earlier frame is read back. E.g. 80 of 100
+        // become 120.
+        static int Grown(int capacity, long start, long used, int limit)
         {
-            long grown = 4 * wanted > 3L * capacity ? wanted + wanted / 2 : capacity;
+            long grown = 4 * used > 3L * capacity ? used + used / 2 : capacity;
             return (int)Math.Min(Math.Max(grown, start), limit);
         }
     }

@@ -1,40 +1,42 @@
-using Unity.Profiling;
-using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
     /// <summary>
-    /// Decides on the GPU whether the surface fits the buffers, and so how much is emitted and drawn; what does not fit leaves the last complete
-    /// surface alone (Shaders/Surface/Sparse/SurfaceDrawArguments.compute).
+    /// Decides on the GPU whether the surface fits the buffers, and so how much is emitted and drawn; what does not fit
+    /// leaves the last complete surface alone (Shaders/Surface/Sparse/SurfaceDrawArguments.compute).
     /// </summary>
-    sealed class SurfaceDrawArgumentsPass
+    sealed class SurfaceDrawArgumentsPass : ComputePass
     {
-        const string Name = "SurfaceDrawArguments";
-        static readonly ProfilerMarker Marker = ComputeKernel.CreateMarker(Name);
-        static readonly int DrawArguments = Shader.PropertyToID("_DrawArguments");
-        static readonly int EmitArguments = Shader.PropertyToID("_EmitArguments");
-        static readonly int VertexCapacity = Shader.PropertyToID("_VertexCapacity");
-        static readonly int IndexCapacity = Shader.PropertyToID("_IndexCapacity");
+        static readonly int BlockCapacity = Id("_BlockCapacity");
+        static readonly int VertexCapacity = Id("_VertexCapacity");
+        static readonly int IndexCapacity = Id("_IndexCapacity");
 
         readonly ComputeKernel kernel;
 
         public SurfaceDrawArgumentsPass(FluidShaderSet shaders)
+            : base(shaders, "SurfaceDrawArguments")
         {
-            kernel = shaders.Kernel("SurfaceDrawArguments", Name);
+            kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, SurfaceBlocks blocks, BlockMesh mesh)
+        public void Record(CommandBuffer cmd, SurfaceBlocks blocks, SurfaceTriangles triangles) =>
+            Record(cmd, blocks.Counters, blocks.Capacity, triangles.VertexCapacity, triangles.IndexCapacity, triangles);
+
+        /// <summary>For capacities other than the buffers'.</summary>
+        internal void Record(CommandBuffer cmd, FluidBuffer counters, int blockCapacity, int vertexCapacity,
+            int indexCapacity, SurfaceTriangles triangles)
         {
-            cmd.BeginSample(Marker);
-            blocks.SetGlobals(cmd, kernel);
-            kernel.SetInt(cmd, VertexCapacity, mesh.VertexCapacity);
-            kernel.SetInt(cmd, IndexCapacity, mesh.IndexCapacity);
-            kernel.SetBuffer(cmd, SparseShaderIds.SurfaceCounters, blocks.Counters);
-            kernel.SetBuffer(cmd, DrawArguments, mesh.DrawArguments);
-            kernel.SetBuffer(cmd, EmitArguments, mesh.EmitArguments);
-            kernel.DispatchThreads(cmd, 1);
-            cmd.EndSample(Marker);
+            using (Sample(cmd))
+            {
+                kernel.SetInt(cmd, BlockCapacity, blockCapacity);
+                kernel.SetInt(cmd, VertexCapacity, vertexCapacity);
+                kernel.SetInt(cmd, IndexCapacity, indexCapacity);
+                kernel.Set(cmd, counters);
+                kernel.Set(cmd, triangles.DrawArguments);
+                kernel.Set(cmd, triangles.EmitArguments);
+                kernel.DispatchThreads(cmd, 1);
+            }
         }
     }
 }

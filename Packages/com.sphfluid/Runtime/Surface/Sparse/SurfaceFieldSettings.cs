@@ -4,9 +4,10 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// The scalar field whose iso surface is the liquid's surface. Smooth: each particle's volume 1/D (D its poly6 density on the lattice's scale) over
-    /// a poly6 kernel at a position that is moved towards the mean of its neighbours (Yu and Turk 2010), a binomial filter, and the union with
-    /// the unfiltered field less an offset, which keeps drops and films. Thesis: m/ρ0 over the solver's kernel, 6.4.3.
+    /// The scalar field whose iso surface is the liquid's surface. Smooth: each particle's volume 1/D (D its poly6
+    /// density on the lattice's scale) over a poly6 kernel at a position that is moved towards the mean of its
+    /// neighbours (Yu and Turk 2010), a binomial filter, and the union with the unfiltered field less an offset, which
+    /// keeps drops and films. Thesis: m/ρ0 over the solver's kernel, 6.4.3.
     /// </summary>
     public readonly struct SurfaceFieldSettings
     {
@@ -21,7 +22,8 @@ namespace SphFluid
 
         readonly FieldKind kind;
 
-        SurfaceFieldSettings(float spacing, float cellSize, float supportRadius, in Preset preset, float isoValue, FieldKind kind, bool wallCompletion)
+        SurfaceFieldSettings(float spacing, float cellSize, float supportRadius, in Preset preset, float isoValue,
+            FieldKind kind, bool wallCompletion)
         {
             Spacing = spacing;
             CellSize = cellSize;
@@ -37,13 +39,18 @@ namespace SphFluid
         /// <summary>Particle spacing dx [m].</summary>
         public float Spacing { get; }
 
-        /// <summary>Edge of a cell of the surface grid that the field is made for [m]; the grid's own may be a little smaller, to divide the domain.</summary>
+        /// <summary>
+        /// Edge of a cell of the surface grid that the field is made for [m]; the grid's own may be a little smaller,
+        /// to divide the domain.
+        /// </summary>
         public float CellSize { get; }
 
         /// <summary>Radius of the field's kernel [m], the solver's R at most.</summary>
         public float SupportRadius { get; }
 
-        /// <summary>λ: part of the way to the mean of its neighbours by which a particle's kernel moves, 0 to 1.</summary>
+        /// <summary>
+        /// λ: how far a particle's kernel moves towards the mean of its neighbours, 0 to 1 of the distance.
+        /// </summary>
         public float Smoothing { get; }
 
         /// <summary>Passes of the filter 1 2 1 along each axis of the grid, 0 to 2.</summary>
@@ -61,13 +68,16 @@ namespace SphFluid
         /// <summary>Whether kernels are stretched along the surface.</summary>
         public bool IsAnisotropic => kind == FieldKind.Anisotropic;
 
-        /// <summary>Whether walls of the domain count as liquid, so that the surface meets them level.</summary>
+        /// <summary>Whether walls of the domain count as liquid, so that the surface is level at them.</summary>
         public bool WallCompletion { get; }
 
         /// <summary>Farthest that a particle's kernel reaches from the particle [m].</summary>
         internal float KernelReach => LongestShift + (IsAnisotropic ? LongestAxis : 1f) * SupportRadius;
 
-        /// <summary>Farthest that the centre of a kernel lies from its particle [m]: the mean of the neighbours counts up to one spacing away.</summary>
+        /// <summary>
+        /// Farthest that the centre of a kernel lies from its particle [m]: the mean of the neighbours counts up to one
+        /// spacing away.
+        /// </summary>
         internal float LongestShift => Smoothing * Spacing;
 
         /// <summary>Whether this was made by one of the methods below.</summary>
@@ -83,47 +93,57 @@ namespace SphFluid
         /// <param name="quality">Smoothing and filter.</param>
         /// <param name="settings">The liquid: spacing and support radius.</param>
         /// <param name="cellSizeInSpacings">Edge of a cell in particle spacings.</param>
-        /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a positive number.</exception>
-        public static SurfaceFieldSettings For(FluidSurfaceQuality quality, in FluidSolverSettings settings, float cellSizeInSpacings) =>
+        /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a
+        /// positive number.</exception>
+        public static SurfaceFieldSettings For(FluidSurfaceQuality quality, in FluidSolverSettings settings,
+            float cellSizeInSpacings) =>
             Smooth(settings, Preset.Of(quality), cellSizeInSpacings, FieldKind.Smooth);
 
         /// <summary>
-        /// A field whose kernels are stretched along the surface (Yu and Turk 2010), λ = 0.9, no filter: flatter pools for more work. Made to be
-        /// compared with; lone drops are small balls.
+        /// A field whose kernels are stretched along the surface (Yu and Turk 2010), λ = 0.9, no filter: flatter pools
+        /// for more work. Made to be compared with; lone drops are small balls.
         /// </summary>
         /// <param name="settings">The liquid: spacing and support radius.</param>
         /// <param name="cellSizeInSpacings">Edge of a cell in particle spacings.</param>
-        /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a positive number.</exception>
-        public static SurfaceFieldSettings Anisotropic(in FluidSolverSettings settings, float cellSizeInSpacings = 0.5f) =>
+        /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a
+        /// positive number.</exception>
+        public static SurfaceFieldSettings Anisotropic(in FluidSolverSettings settings,
+            float cellSizeInSpacings = 0.5f) =>
             Smooth(settings, Preset.OfAnisotropic, cellSizeInSpacings, FieldKind.Anisotropic);
 
-        /// <summary>The thesis's field: the solver's kernel over each particle's mass, as <see cref="SurfaceField"/> has it.</summary>
+        /// <summary>
+        /// The thesis's field: the solver's kernel over each particle's mass, as <see cref="SurfaceField"/> has it.
+        /// </summary>
         /// <param name="settings">The liquid.</param>
         /// <param name="grid">The grid it is sampled on.</param>
         /// <param name="isoValue">Density over rest density on the surface, greater than 0.</param>
         /// <param name="wallCompletion">Whether walls count as liquid.</param>
         /// <exception cref="ArgumentOutOfRangeException">The iso value is not a positive number.</exception>
-        public static SurfaceFieldSettings Thesis(in FluidSolverSettings settings, SurfaceGrid grid, float isoValue = 0.5f, bool wallCompletion = true)
+        public static SurfaceFieldSettings Thesis(in FluidSolverSettings settings, SurfaceGrid grid,
+            float isoValue = 0.5f, bool wallCompletion = true)
         {
             if (!(isoValue > 0f) || float.IsInfinity(isoValue))
-                throw new ArgumentOutOfRangeException(nameof(isoValue), $"The iso value is a density factor greater than 0, not {isoValue}.");
+                throw new ArgumentOutOfRangeException(nameof(isoValue),
+                    $"The iso value is a density factor greater than 0, not {isoValue}.");
             Vector3 cell = grid.CellSize;
             float edge = Mathf.Max(cell.x, Mathf.Max(cell.y, cell.z));
-            return new SurfaceFieldSettings(settings.Spacing, edge, settings.SupportRadius, default, isoValue, FieldKind.Thesis, wallCompletion);
+            return new SurfaceFieldSettings(settings.Spacing, edge, settings.SupportRadius, default, isoValue,
+                FieldKind.Thesis, wallCompletion);
         }
 
-        static SurfaceFieldSettings Smooth(in FluidSolverSettings settings, in Preset preset, float cellSizeInSpacings, FieldKind kind)
+        static SurfaceFieldSettings Smooth(in FluidSolverSettings settings, in Preset preset, float cellSizeInSpacings,
+            FieldKind kind)
         {
             float dx = settings.Spacing;
             float radius = Mathf.Min(SmoothRatio * dx, settings.SupportRadius);
             if (!(cellSizeInSpacings > 0f) || cellSizeInSpacings * dx > LargestCellRatio * radius)
             {
                 throw new ArgumentOutOfRangeException(nameof(cellSizeInSpacings),
-                    $"Cells of the surface have an edge above 0 and up to {LargestCellRatio * radius / dx:G3} particle spacings, the radius of the field's " +
-                    $"kernel, not {cellSizeInSpacings}.");
+                    $"Cells of the surface have an edge above 0 and up to {LargestCellRatio * radius / dx:G3} particle " +
+                    $"spacings, the radius of the field's kernel, not {cellSizeInSpacings}.");
             }
-            float iso = SurfaceIsoCalibration.IsoValue(radius / dx, cellSizeInSpacings, preset.Smoothing, preset.FilterPasses, preset.UnionOffset,
-                kind == FieldKind.Anisotropic);
+            float iso = SurfaceIsoCalibration.IsoValue(radius / dx, cellSizeInSpacings, preset.Smoothing,
+                preset.FilterPasses, preset.UnionOffset, kind == FieldKind.Anisotropic);
             return new SurfaceFieldSettings(dx, cellSizeInSpacings * dx, radius, preset, iso, kind, true);
         }
 
@@ -134,7 +154,8 @@ namespace SphFluid
             Anisotropic,
         }
 
-        // Chosen by surface-quality.md of com.sphfluid.validation: the filter flattens, smoothing lets coarse cells keep thin parts.
+        // Chosen by surface-quality.md of com.sphfluid.validation: the filter flattens, smoothing lets coarse cells
+        // keep thin parts.
         readonly struct Preset
         {
             Preset(float cellRatio, float smoothing, int filterPasses, float unionOffset)
@@ -166,7 +187,8 @@ namespace SphFluid
                     case FluidSurfaceQuality.High:
                         return new Preset(0.5f, 0.5f, 2, 0.15f);
                     default:
-                        throw new ArgumentOutOfRangeException(nameof(quality), quality, "There is no such quality of a surface.");
+                        throw new ArgumentOutOfRangeException(nameof(quality), quality,
+                            "There is no such quality of a surface.");
                 }
             }
         }

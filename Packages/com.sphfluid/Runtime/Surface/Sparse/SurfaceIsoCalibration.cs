@@ -4,30 +4,33 @@ using System.Collections.Generic;
 namespace SphFluid
 {
     /// <summary>
-    /// The iso value at which the surface of a perfect lattice pool lies half a spacing above its last layer, on average over sub-cell positions
-    /// of the grid: volumes then come out right. Lengths are in particle spacings. Values are computed once and kept.
+    /// The iso value at which the surface of a perfect lattice pool lies half a spacing above its last layer, on
+    /// average over sub-cell positions of the grid: volumes then come out right. Lengths are in particle spacings.
+    /// Values are computed once and kept.
     /// </summary>
     public static class SurfaceIsoCalibration
     {
-        // Positions of the pool against the grid: along z they divide a cell evenly; across, any incommensurate ones serve.
+        // Positions of the pool against the grid: along z they divide a cell evenly; across, any incommensurate ones
+        // serve.
         const int Phases = 6;
         const double PhaseX = 0.137 * 1.3, PhaseY = 0.731;
 
-        // Columns of samples whose heights are averaged: a square of 8 spacings, or as many columns as take the time of a blink.
+        // Columns of samples whose heights are averaged: a square of 8 spacings, but no more columns than is quick.
         const double ColumnsFrom = 6.0, ColumnsTo = 14.0;
         const int MostColumns = 24;
 
-        // Layers of the pool, deep enough for the lowest ones not to be felt, and halvings of the interval from 0 to 1.
+        // Layers of the pool, deep enough that the lowest do not matter, and halvings of the interval from 0 to 1.
         const int Layers = 10;
         const int Halvings = 26;
 
-        // Depth below the last layer in which the surface is looked for.
+        // Depth below the last layer down to which the surface is searched.
         const double DeepestTop = 1.5;
 
         // Keys are rounded so that sizes that differ in the last bits share a value.
         const double KeySteps = 4096.0;
 
-        static readonly Dictionary<(long, long, long, int, long, bool), float> Known = new Dictionary<(long, long, long, int, long, bool), float>();
+        static readonly Dictionary<(long, long, long, int, long, bool), float> Known =
+            new Dictionary<(long, long, long, int, long, bool), float>();
 
         /// <summary>The iso value of a smooth field.</summary>
         /// <param name="supportRatio">R/dx of the field's kernel, above 1.</param>
@@ -37,13 +40,19 @@ namespace SphFluid
         /// <param name="unionOffset">δ.</param>
         /// <param name="anisotropic">Whether kernels are stretched along the surface.</param>
         /// <returns>The value.</returns>
-        public static float IsoValue(double supportRatio, double cellRatio, double smoothing, int filterPasses, double unionOffset, bool anisotropic = false)
+        public static float IsoValue(double supportRatio, double cellRatio, double smoothing, int filterPasses,
+            double unionOffset, bool anisotropic = false)
         {
-            var key = (Round(supportRatio), Round(cellRatio), Round(smoothing), filterPasses, Round(unionOffset), anisotropic);
+            var key = (Round(supportRatio), Round(cellRatio), Round(smoothing), filterPasses, Round(unionOffset),
+                anisotropic);
             lock (Known)
             {
                 if (!Known.TryGetValue(key, out float iso))
-                    Known.Add(key, iso = (float)Compute(new LatticePool(supportRatio, smoothing, Layers, anisotropic), cellRatio, filterPasses, unionOffset));
+                {
+                    var pool = new LatticePool(supportRatio, smoothing, Layers, anisotropic);
+                    iso = (float)Compute(pool, cellRatio, filterPasses, unionOffset);
+                    Known.Add(key, iso);
+                }
                 return iso;
             }
         }
@@ -56,7 +65,8 @@ namespace SphFluid
             var bottoms = new List<double>();
             for (int phase = 0; phase < Phases; phase++)
             {
-                double x = 0.5 + PhaseX * phase * cell, y = 0.5 + PhaseY * phase * cell, z = 0.5 + cell * (phase + 0.5) / Phases;
+                double x = 0.5 + PhaseX * phase * cell, y = 0.5 + PhaseY * phase * cell;
+                double z = 0.5 + cell * (phase + 0.5) / Phases;
                 AddColumns(pool, cell, filterPasses, unionOffset, x, y, z, columns, bottoms);
             }
 
@@ -71,21 +81,24 @@ namespace SphFluid
             return 0.5 * (low + high);
         }
 
-        // Field values of columns of samples from below the surface upwards; bottoms: height of each column's first sample above the last layer.
-        static void AddColumns(LatticePool pool, double cell, int passes, double unionOffset, double shiftX, double shiftY, double shiftZ,
-            List<double[]> columns, List<double> bottoms)
+        // Field values of columns of samples from below the surface upwards; bottoms: height of each column's first
+        // sample above the last layer.
+        static void AddColumns(LatticePool pool, double cell, int passes, double unionOffset, double shiftX,
+            double shiftY, double shiftZ, List<double[]> columns, List<double> bottoms)
         {
             int firstX = (int)Math.Ceiling(ColumnsFrom / cell), firstY = firstX;
             int count = Math.Min((int)Math.Floor(ColumnsTo / cell) - firstX + 1, MostColumns);
             int firstZ = (int)Math.Ceiling((shiftZ - DeepestTop) / cell) - passes;
-            int nx = count + 2 * passes, ny = nx, nz = (int)Math.Ceiling((shiftZ + pool.Radius) / cell) + 1 + passes - firstZ;
+            int nx = count + 2 * passes, ny = nx;
+            int nz = (int)Math.Ceiling((shiftZ + pool.Radius) / cell) + 1 + passes - firstZ;
             var raw = new double[nx, ny, nz];
             for (int x = 0; x < nx; x++)
             {
                 for (int y = 0; y < ny; y++)
                 {
                     for (int z = 0; z < nz; z++)
-                        raw[x, y, z] = pool.At((firstX - passes + x) * cell - shiftX, (firstY - passes + y) * cell - shiftY, (firstZ + z) * cell - shiftZ);
+                        raw[x, y, z] = pool.At((firstX - passes + x) * cell - shiftX,
+                            (firstY - passes + y) * cell - shiftY, (firstZ + z) * cell - shiftZ);
                 }
             }
 
@@ -105,7 +118,7 @@ namespace SphFluid
             }
         }
 
-        // 1 2 1 along each axis; the outermost values stay, nobody asks for them.
+        // 1 2 1 along each axis; the outermost values stay and are not used.
         static double[,,] Filter(double[,,] source)
         {
             double[,,] result = (double[,,])source.Clone();
@@ -118,7 +131,10 @@ namespace SphFluid
                     for (int y = dy; y < from.GetLength(1) - dy; y++)
                     {
                         for (int z = dz; z < from.GetLength(2) - dz; z++)
-                            result[x, y, z] = 0.25 * (from[x - dx, y - dy, z - dz] + 2.0 * from[x, y, z] + from[x + dx, y + dy, z + dz]);
+                        {
+                            double before = from[x - dx, y - dy, z - dz], after = from[x + dx, y + dy, z + dz];
+                            result[x, y, z] = 0.25 * (before + 2.0 * from[x, y, z] + after);
+                        }
                     }
                 }
             }
@@ -139,6 +155,98 @@ namespace SphFluid
             }
 
             return sum / columns.Count;
+        }
+    }
+
+    /// <summary>
+    /// The raw field of a pool of lattice layers at z = 0, −1, −2 …, endless across, its particles weighted, moved and
+    /// stretched as Shaders/Surface/Sparse/PrepareSurfaceParticles.compute has it. Lengths in spacings.
+    /// </summary>
+    sealed class LatticePool
+    {
+        // SHAPE_RATIO in Shaders/Surface/Sparse/KernelShapes.hlsl.
+        const double ShapeRatio = 4.0;
+
+        readonly Layer[] layers;
+
+        public LatticePool(double radius, double smoothing, int layerCount, bool anisotropic)
+        {
+            Radius = radius;
+            layers = new Layer[layerCount];
+            for (int i = 0; i < layerCount; i++)
+                layers[i] = new Layer(radius, i, smoothing, anisotropic);
+        }
+
+        /// <summary>R of the kernel.</summary>
+        public double Radius { get; }
+
+        /// <summary>The field's value.</summary>
+        public double At(double x, double y, double z)
+        {
+            double sum = 0.0;
+            foreach (Layer layer in layers)
+                sum += layer.At(x, y, z);
+            return sum;
+        }
+
+        readonly struct Layer
+        {
+            readonly double weight, height, across, along; // across the surface, along it: radii of the kernel
+
+            public Layer(double radius, int depth, double smoothing, bool anisotropic)
+            {
+                int reach = (int)Math.Ceiling(radius);
+                double kernels = 0.0, sum = 0.0, moment = 0.0, squareX = 0.0, squareZ = 0.0;
+                for (int z = -reach; z <= Math.Min(reach, depth); z++) // the layers above the last are missing
+                {
+                    for (int y = -reach; y <= reach; y++)
+                    {
+                        for (int x = -reach; x <= reach; x++)
+                        {
+                            double q2 = (x * x + y * y + z * z) / (radius * radius);
+                            if (q2 >= 1.0) continue;
+                            double w = 1.0 - q2 * Math.Sqrt(q2);
+                            kernels += Math.Pow(1.0 - q2, 3.0);
+                            sum += w;
+                            moment += w * z;
+                            squareX += w * x * x;
+                            squareZ += w * z * z;
+                        }
+                    }
+                }
+
+                double mean = moment / sum;
+                height = -depth + smoothing * Math.Max(-1.0, Math.Min(1.0, mean));
+                weight = anisotropic ? WeightAtRest(radius) : 1.0 / kernels;
+                across = along = radius;
+                if (!anisotropic) return;
+                double varianceX = squareX / sum, varianceZ = squareZ / sum - mean * mean;
+                double least = Math.Max(varianceX, varianceZ) / ShapeRatio;
+                varianceX = Math.Max(varianceX, least);
+                varianceZ = Math.Max(varianceZ, least);
+                double scale = radius * Math.Pow(varianceX * varianceX * varianceZ, -1.0 / 3.0);
+                along = scale * varianceX;
+                across = scale * varianceZ;
+            }
+
+            public double At(double x, double y, double z)
+            {
+                double dz = (z - height) / across, left = 1.0 - dz * dz, sum = 0.0;
+                if (left <= 0.0) return 0.0;
+                for (int j = (int)Math.Ceiling(y - along); j <= y + along; j++)
+                {
+                    for (int i = (int)Math.Ceiling(x - along); i <= x + along; i++)
+                    {
+                        double t = left - ((x - i) * (x - i) + (y - j) * (y - j)) / (along * along);
+                        if (t > 0.0) sum += t * t * t;
+                    }
+                }
+
+                return weight * sum;
+            }
+
+            // W(0) dx³ of poly6.
+            static double WeightAtRest(double radius) => 315.0 / (64.0 * Math.PI * radius * radius * radius);
         }
     }
 }

@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+
 namespace SphFluid
 {
     /// <summary>What became of a sparse surface, as the GPU counted it; a few frames old.</summary>
@@ -14,7 +16,7 @@ namespace SphFluid
             IsComplete = counters[SurfaceCounters.Complete] != 0;
         }
 
-        /// <summary>Blocks near the surface, all of which want room.</summary>
+        /// <summary>Blocks near the surface, whether they fitted or not.</summary>
         public int Blocks { get; }
 
         /// <summary>Blocks among them that only their neighbours' surface led to; none is expected.</summary>
@@ -29,10 +31,50 @@ namespace SphFluid
         /// <summary>Faces of blocks where the surface ends; none is expected.</summary>
         public int OpenFaces { get; }
 
-        /// <summary>Particles that were passed over because their position is not a number.</summary>
+        /// <summary>Particles that were skipped because their position is not a number.</summary>
         public int NonFiniteParticles { get; }
 
         /// <summary>Whether all of it fitted the buffers. If not, the last complete surface is still drawn.</summary>
         public bool IsComplete { get; }
+    }
+
+    /// <summary>What a user must know about a sparse surface: each kind of problem is reported once.</summary>
+    sealed class SurfaceWarnings
+    {
+        readonly Queue<string> pending = new Queue<string>();
+        bool obstacleReported;
+        bool gapsReported;
+        bool nonFiniteReported;
+
+        /// <summary>The next sentence that nobody took; null when there is none.</summary>
+        public string Take() => pending.Count > 0 ? pending.Dequeue() : null;
+
+        /// <param name="status">A surface that was read back.</param>
+        /// <param name="obstacle">Why it will not fit, or null.</param>
+        public void Check(in SurfaceStatus status, string obstacle)
+        {
+            if (!status.IsComplete && obstacle != null)
+                Report(ref obstacleReported, obstacle + " Until then the last complete surface stays.");
+            if (status.OpenFaces > 0)
+            {
+                Report(ref gapsReported,
+                    $"The surface has gaps at {status.OpenFaces} faces between its blocks: no particle was found near them. " +
+                    "Choose smaller cells, and please report the scene, as this should not happen.");
+            }
+            if (status.NonFiniteParticles > 0)
+            {
+                Report(ref nonFiniteReported,
+                    $"The surface skips {status.NonFiniteParticles} particles whose position is not a number. " +
+                    "Add a Fluid Diagnostics component to find out why, or choose a smaller time step.");
+            }
+        }
+
+        void Report(ref bool reported, string sentence)
+        {
+            if (reported)
+                return;
+            reported = true;
+            pending.Enqueue(sentence);
+        }
     }
 }

@@ -1,6 +1,7 @@
-// Which edges and cubes of a block the surface cuts, in 9 x 9 columns along z with a bit a sample. An edge and a cube belong to the column, and
-// have the height, of their lowest sample.
-// Worked example: samples 0 to 3 of a column inside the liquid, 4 to 8 outside: bits 000001111; the edge from 3 to 4 is cut.
+// Which edges and cubes of a block the surface cuts, in 9 x 9 columns along z with a bit a sample. An edge and a cube
+// belong to the column, and have the height, of their lowest sample.
+// Worked example: samples 0 to 3 of a column inside the liquid, 4 to 8 outside: bits 000001111; the edge from 3 to 4 is
+// cut.
 #ifndef SPHFLUID_BLOCK_COLUMNS_INCLUDED
 #define SPHFLUID_BLOCK_COLUMNS_INCLUDED
 
@@ -12,7 +13,8 @@
 
 groupshared uint inside[BLOCK_COLUMNS]; // bit z: the sample lies inside the liquid
 
-// The cubes of a block that are polygonised: from first to before end along each axis; none where end is not above first on every axis.
+// The cubes of a block that are polygonised: from first to before end along each axis; none where end is not above
+// first on every axis.
 struct BlockCubes
 {
     int3 first;

@@ -1,4 +1,5 @@
-// The field of marching cubes in a block and one sample around it, read into groupshared memory: what gradients at the block's vertices need.
+// The field of marching cubes in a block and one sample around it, read into groupshared memory: what gradients at the
+// block's vertices need.
 #ifndef SPHFLUID_BLOCK_FIELD_INCLUDED
 #define SPHFLUID_BLOCK_FIELD_INCLUDED
 
@@ -15,7 +16,8 @@ StructuredBuffer<float> _BlockSamples;
 #define NO_SOURCE 0xffffffffu
 
 groupshared float fieldValues[FIELD_SIDE * FIELD_SIDE * FIELD_SIDE];
-// Where _BlockSamples holds the samples of a place, less their index in the block. Places along an axis: samples -1; 0; 1 to 7; 8; 9 of the block.
+// Where _BlockSamples holds the samples of a place, less their index in the block. Places along an axis: samples -1; 0;
+// 1 to 7; 8; 9 of the block.
 groupshared uint fieldSources[FIELD_PLACES];
 static int3 fieldOrigin; // sample that the field begins at, one before the block's
 
@@ -30,8 +32,8 @@ uint BlockEntry(int3 block)
     return exists ? _BlockTable[exists ? BlockNumber(block) : 0u] : BLOCK_NONE; // both sides of a ?: are evaluated
 }
 
-// Samples 0 and 8 lie in the next block too: whichever blocks are active, all that need a sample find it or none does, so that they make the same
-// normals of it. A barrier must follow.
+// Samples 0 and 8 lie in the next block too: whichever blocks are active, all that need a sample find it or none does,
+// so that they make the same normals of it. A barrier must follow.
 void FindFieldSource(int3 block, uint index)
 {
     const int3 place = int3(index % 5u, index / 5u % 5u, index / 25u);

@@ -1,8 +1,8 @@
 #ifndef SPHFLUID_FIELD_ROWS
 #define SPHFLUID_FIELD_ROWS
 
-// Sums over the particles at a row of ROW_SAMPLES samples along x, in registers: a particle is read once a row, and no thread writes where another does.
-// A kernel that includes this file defines FLUID_PERIODIC.
+// Sums over the particles at a row of ROW_SAMPLES samples along x, in registers: a particle is read once a row, and no
+// thread writes where another does. A kernel that includes this file defines FLUID_PERIODIC.
 #include "../../Solver/FluidGrid.hlsl"
 #include "../../Solver/PeriodicAxes.hlsl"
 #include "../SurfaceGrid.hlsl"
@@ -16,7 +16,8 @@ StructuredBuffer<uint2> _GridIndices; // [first, end) of each cell of the fluid 
 float _FieldReach;                    // m: how far from a sample the particles that it feels may lie
 float3 _PeriodSteps;                  // length of the domain in R along periodic axes
 
-// Fluid cells that particles in reach of the samples from first to last may be in. Particles beyond a wall are in the outermost cells.
+// Fluid cells that particles in reach of the samples from first to last may be in. Particles beyond a wall are in the
+// outermost cells.
 int2 CellsInReach(float first, float last, float origin, float cell, int count, float reach, float period)
 {
     const int2 cells = int2(floor((first - reach - origin) / cell), floor((last + reach - origin) / cell));
@@ -82,15 +83,15 @@ uint2 RunOf(int first, int last, int y, int z)
     return run;
 }
 
-// How often a cell of an endless row has gone round a periodic axis: of 5 cells, -1 has -1, 4 has 0, 5 has 1. From the middle of the cell, so that
-// no rounding matters.
+// How often a cell of an endless row has gone round a periodic axis: of 5 cells, -1 has -1, 4 has 0, 5 has 1. From the
+// middle of the cell, so that no rounding matters.
 int Turn(int cell, int count)
 {
     return int(floor((float(cell) + 0.5) / float(count)));
 }
 
-// Sums of a row of samples that begins at first. The order of the particles, and so the last bit of a sum, depends on the place of the sample
-// alone: blocks that share a sample may meet more particles, but those add exact zeros.
+// Sums of a row of samples that begins at first. The order of the particles, and so the last bit of a sum, depends on
+// the place of the sample alone: blocks that share a sample may meet more particles, but those add exact zeros.
 void SumRow(int3 first, inout float row[ROW_SAMPLES])
 {
     const float3 from = _MCMinimum + _MCCellSize * float3(first);
@@ -100,7 +101,8 @@ void SumRow(int3 first, inout float row[ROW_SAMPLES])
     const int2 zs = CellsInReach(from.z, from.z, _GridOrigin.z, _CellSize.z, _GridCounts.z, _FieldReach, _PeriodLength.z);
     const int firstTurn = Turn(xs.x, _GridCounts.x);
     const int lastTurn = Turn(xs.y, _GridCounts.x);
-    // In one loop over turns along x and rows of cells along y and z: three in each other take FXC a third of a second more.
+    // In one loop over turns along x and rows of cells along y and z: three in each other take FXC a third of a second
+    // more.
     int3 at = int3(firstTurn, ys.x, zs.x);
     while (at.z <= zs.y)
     {

@@ -1,11 +1,11 @@
 #ifndef SPHFLUID_KERNEL_SHAPES
 #define SPHFLUID_KERNEL_SHAPES
 
-// Kernels stretched along the surface (Yu and Turk 2010): M = sum over axes of q q^T / a^2, with the axes q and the lengths a of the covariance of
-// a particle's neighbourhood, scaled to the volume of a ball.
+// Kernels stretched along the surface (Yu and Turk 2010): M = sum over axes of q q^T / a^2, with the axes q and the
+// lengths a of the covariance of a particle's neighbourhood, scaled to the volume of a ball.
 #include "SurfaceParticles.hlsl"
 
-// Longest over shortest axis, and the fewest neighbours that tell a direction; particles with fewer get a small ball.
+// Longest over shortest axis, and how many neighbours a direction needs; particles with no more get a small ball.
 #define SHAPE_RATIO 4.0
 #define SHAPE_NEIGHBOURS 6.0
 #define SHAPE_LONE 0.5
@@ -38,7 +38,8 @@ void AddAxis(inout KernelShape shape, float3 axis, float axisLength)
     shape.Mixed += rate * axis.xxy * axis.yzz;
 }
 
-// Whether the particles around one are spread out at all, and so have axes: coincident ones have none. Variances in R^2.
+// Whether the particles around one are spread out at all, and so have axes: coincident ones have none. Variances in
+// R^2.
 bool HasAxes(float3 variances)
 {
     return dot(variances, 1.0) > 1e-6;

@@ -31,7 +31,8 @@ void MarkAround(float3 position)
     const int3 upper = int3(floor((position + _MarkReach - _MCMinimum) / _MCCellSize));
     MarkCubes(lower, upper);
 #if defined(FLUID_PERIODIC)
-    // What reaches over a periodic face comes in at the other: the field there has it too. Over two faces at once, at three other places.
+    // What reaches over a periodic face comes in at the other: the field there has it too. Over two faces at once, at
+    // three other places.
     const int3 below = (_PeriodLength > 0.0 && lower < 0) ? MCCells() : int3(0, 0, 0);
     const int3 above = (_PeriodLength > 0.0 && upper >= MCCells()) ? -MCCells() : int3(0, 0, 0);
     const int3 shift = below + above;

@@ -3,15 +3,16 @@
 
 #include "../SurfaceVertex.hlsl"
 
-// A vertex of the sparse surface; mirrored by PackedSurfaceVertex.cs, 16 bytes.
+// A vertex of the sparse surface; mirrored by PackedSurfaceVertex in SurfaceTriangles.cs, 16 bytes.
 struct PackedSurfaceVertex
 {
     float3 position; // simulation space [m]
     uint normal;     // octahedral, 16 bits x (low) and 16 bits y
 };
 
-// The unit sphere on an octahedron, the octahedron unfolded into a square of -32767 to 32767 (Meyer et al. 2010, "On floating-point normal vectors").
-// Off by 0.004 degrees at most. Worked example: (0, 0, 1) lies at (0, 0), (0, 0, -1) in the square's corners.
+// The unit sphere on an octahedron, the octahedron unfolded into a square of -32767 to 32767 (Meyer et al. 2010, "On
+// floating-point normal vectors"). Off by 0.004 degrees at most. Worked example: (0, 0, 1) lies at (0, 0), (0, 0, -1)
+// in the square's corners.
 uint PackSurfaceNormal(float3 normal)
 {
     float2 p = normal.xy / (abs(normal.x) + abs(normal.y) + abs(normal.z));

@@ -1,9 +1,11 @@
 #ifndef SPHFLUID_SURFACE_BLOCKS
 #define SPHFLUID_SURFACE_BLOCKS
 
-// Blocks of 8^3 cubes and 9^3 samples over a surface grid. Samples (grid vertices) s run from -1 to cells + 1 along an axis, cubes o from -1 to
-// cells; a block b holds the samples 8b - 1 to 8b + 7 and the cubes 8b - 1 to 8b + 6. Neighbours share a layer of samples: each stores its own.
-// Worked example on an axis of 64 cells: 66 cubes, 9 blocks; block 0 has the samples -1 to 7, block 1 those from 7 to 15.
+// Blocks of 8^3 cubes and 9^3 samples over a surface grid. Samples (grid vertices) s run from -1 to cells + 1 along an
+// axis, cubes o from -1 to cells; a block b holds the samples 8b - 1 to 8b + 7 and the cubes 8b - 1 to 8b + 6.
+// Neighbours share a layer of samples: each stores its own.
+// Worked example on an axis of 64 cells: 66 cubes, 9 blocks; block 0 has the samples -1 to 7, block 1 those from 7 to
+// 15.
 #define BLOCK_CUBES 8
 #define BLOCK_SIDE 9
 #define BLOCK_SAMPLES 729u

@@ -1,7 +1,8 @@
 #ifndef SPHFLUID_SURFACE_PARTICLES
 #define SPHFLUID_SURFACE_PARTICLES
 
-// Particles as the surface's field takes them, in the order of the neighbour cells. Lengths in the field's radius R, from the grid's minimum.
+// Particles as the surface's field takes them, in the order of the neighbour cells. Lengths in the field's radius R,
+// from the grid's minimum.
 // xyz: centre of the kernel; w: weight, V W(0). Weight 0: no liquid.
 // Field: sum of w (1 - |x - xyz|^2)^3 over particles nearer than 1. With shapes, |d|^2 stands for d . M d.
 

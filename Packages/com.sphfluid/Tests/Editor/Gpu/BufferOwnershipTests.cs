@@ -49,9 +49,9 @@ namespace SphFluid.Tests
         {
             using (var blocks = new SurfaceBlocks())
             {
-                Assert.AreEqual(0, blocks.GpuBytes, "nothing was reserved");
+                Assert.AreEqual(0, blocks.Bytes, "nothing was reserved");
                 blocks.Reserve(new Vector3Int(20, 30, 40), 64);
-                Assert.AreEqual(ReachableBuffers.Bytes(blocks), blocks.GpuBytes);
+                Assert.AreEqual(ReachableBuffers.Bytes(blocks), blocks.Bytes);
             }
         }
 

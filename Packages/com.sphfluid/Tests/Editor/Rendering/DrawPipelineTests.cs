@@ -20,13 +20,13 @@ namespace SphFluid.Tests
             "Rendering/FluidSurface.shader", "Rendering/FluidWater.shader", "Rendering/WaterThickness.shader", "Rendering/WaterDepth.shader",
             "Rendering/SurfaceDrawing.hlsl",
             "Rendering/WaterPath.hlsl", "Rendering/WaterShading.hlsl", "Rendering/WaterThickness.hlsl",
-            "Surface/FluidSurfaceGeometry.shader", "Surface/SurfaceFragment.hlsl", "Surface/SurfaceGeometry.hlsl", "Surface/SurfaceShading.hlsl",
+            "Surface/Thesis/FluidSurfaceGeometry.shader", "Surface/SurfaceFragment.hlsl", "Surface/Thesis/SurfaceGeometry.hlsl", "Surface/SurfaceShading.hlsl",
             "Surface/SurfaceGrid.hlsl", "Surface/MarchingCubes.hlsl", "Surface/Sparse/SurfaceVertices.hlsl",
         };
 
         [TestCase("Rendering/FluidParticles.shader")]
         [TestCase("Rendering/FluidSurface.shader")]
-        [TestCase("Surface/FluidSurfaceGeometry.shader")]
+        [TestCase("Surface/Thesis/FluidSurfaceGeometry.shader")]
         public void PassesServeBuiltInAndScriptablePipelines(string file) => CheckPasses(file, "ShadowCaster", "DepthOnly", "DepthNormalsOnly");
 
         // Of transparent things no pipeline wants the depth.

@@ -18,7 +18,8 @@ namespace SphFluid.Tests
                 for (int edge = 0; edge < Edges; edge++)
                 {
                     bool cut = Outside(index, edge, 0) != Outside(index, edge, 1);
-                    Assert.AreEqual(cut, (MarchingCubesTables.EdgeTable[index] >> edge & 1) != 0, $"case {index}, edge {edge}");
+                    Assert.AreEqual(cut, (MarchingCubesTables.EdgeTable[index] >> edge & 1) != 0,
+                        $"case {index}, edge {edge}");
                 }
             }
         }
@@ -42,11 +43,13 @@ namespace SphFluid.Tests
                 Assert.AreEqual(0, row.Count % 3, $"case {index}");
                 Assert.LessOrEqual(row.Count, 15, $"case {index}");
                 for (int slot = row.Count; slot < MarchingCubesTables.RowLength; slot++)
-                    Assert.AreEqual(-1, MarchingCubesTables.TriangleTable[index * MarchingCubesTables.RowLength + slot], $"case {index}, slot {slot}");
+                    Assert.AreEqual(-1, MarchingCubesTables.TriangleTable[index * MarchingCubesTables.RowLength + slot],
+                        $"case {index}, slot {slot}");
             }
         }
 
-        // Inside a cube every side of a triangle is met by another triangle in the opposite direction; the sides that are left lie in faces.
+        // Inside a cube every side of a triangle is met by another triangle in the opposite direction; the sides that
+        // are left lie in faces.
         [Test]
         public void OpenSidesOfTrianglesLieInFacesOfTheCube()
         {
@@ -57,7 +60,8 @@ namespace SphFluid.Tests
             }
         }
 
-        // The cube next door sees the face's four signs and nothing else: over all cases with these signs the joints must be the same.
+        // The cube next door sees the face's four signs and nothing else: over all cases with these signs the joints
+        // must be the same.
         [Test]
         public void FacesAreJoinedByTheirOwnFourSignsAlone()
         {
@@ -80,7 +84,8 @@ namespace SphFluid.Tests
                 int onlyCornerInside = 255 & ~(1 << corner);
                 List<int> row = Row(onlyCornerInside);
                 Assert.AreEqual(3, row.Count);
-                Vector3 normal = Vector3.Cross(Midpoint(row[1]) - Midpoint(row[0]), Midpoint(row[2]) - Midpoint(row[0]));
+                Vector3 normal = Vector3.Cross(Midpoint(row[1]) - Midpoint(row[0]),
+                    Midpoint(row[2]) - Midpoint(row[0]));
                 Vector3 outwards = Midpoint(row[0]) - SurfaceGrid.CornerOffset(corner);
                 Assert.Greater(Vector3.Dot(normal, outwards), 0f, $"corner {corner}");
             }
@@ -123,7 +128,9 @@ namespace SphFluid.Tests
             {
                 if (Doubled(from)[axis] != 2 * side || Doubled(to)[axis] != 2 * side)
                     continue;
-                found.Add(direction > 0 ? Flat(from, axis) + ">" + Flat(to, axis) : Flat(to, axis) + ">" + Flat(from, axis));
+                found.Add(direction > 0
+                    ? Flat(from, axis) + ">" + Flat(to, axis)
+                    : Flat(to, axis) + ">" + Flat(from, axis));
             }
             found.Sort(string.CompareOrdinal);
             string all = string.Join(" ", found);
@@ -149,7 +156,8 @@ namespace SphFluid.Tests
         static List<int> Row(int index) =>
             MarchingCubesTables.TriangleTable.Skip(index * MarchingCubesTables.RowLength).Take(MarchingCubesTables.RowLength).TakeWhile(edge => edge >= 0).ToList();
 
-        static Vector3Int Corner(int edge, int end) => SurfaceGrid.CornerOffset(MarchingCubesTables.EdgeCorners[2 * edge + end]);
+        static Vector3Int Corner(int edge, int end) =>
+            SurfaceGrid.CornerOffset(MarchingCubesTables.EdgeCorners[2 * edge + end]);
 
         static Vector3Int Doubled(int edge) => Corner(edge, 0) + Corner(edge, 1);
 
@@ -157,7 +165,8 @@ namespace SphFluid.Tests
 
         static string Flat(int edge, int axis) => $"{Doubled(edge)[(axis + 1) % 3]}{Doubled(edge)[(axis + 2) % 3]}";
 
-        static bool Outside(int index, int edge, int end) => (index >> MarchingCubesTables.EdgeCorners[2 * edge + end] & 1) != 0;
+        static bool Outside(int index, int edge, int end) =>
+            (index >> MarchingCubesTables.EdgeCorners[2 * edge + end] & 1) != 0;
 
         static bool InCommonFace(int a, int b)
         {

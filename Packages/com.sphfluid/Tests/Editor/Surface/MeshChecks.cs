@@ -7,13 +7,16 @@ namespace SphFluid.Tests
     /// <summary>What must hold for every surface mesh.</summary>
     static class MeshChecks
     {
-        /// <summary>Each side of a triangle belongs to exactly one other triangle, which runs along it the other way.</summary>
+        /// <summary>
+        /// Each side of a triangle belongs to exactly one other triangle, which runs along it the other way.
+        /// </summary>
         public static void AssertClosed(SurfaceMesh mesh)
         {
             foreach (KeyValuePair<(int low, int high), (int up, int down)> edge in Edges(mesh))
             {
                 (int up, int down) = edge.Value;
-                Assert.IsTrue(up == 1 && down == 1, $"{up + down} triangles at the edge {edge.Key}, {up} of them run along it upwards");
+                Assert.IsTrue(up == 1 && down == 1,
+                    $"{up + down} triangles at the edge {edge.Key}, {up} of them run along it upwards");
             }
         }
 
@@ -42,9 +45,11 @@ namespace SphFluid.Tests
         }
 
         /// <summary>Vertices less edges plus triangles: 2 a ball, 0 a torus.</summary>
-        public static int EulerCharacteristic(SurfaceMesh mesh) => new HashSet<int>(mesh.Indices).Count - Edges(mesh).Count + mesh.TriangleCount;
+        public static int EulerCharacteristic(SurfaceMesh mesh) =>
+            new HashSet<int>(mesh.Indices).Count - Edges(mesh).Count + mesh.TriangleCount;
 
-        // By its lower and its higher vertex: the triangles that run along the edge from the lower to the higher one, and those that run back.
+        // By its lower and its higher vertex: the triangles that run along the edge from the lower to the higher one,
+        // and those that run back.
         static Dictionary<(int low, int high), (int up, int down)> Edges(SurfaceMesh mesh)
         {
             var edges = new Dictionary<(int low, int high), (int up, int down)>();
@@ -73,7 +78,9 @@ namespace SphFluid.Tests
             return boundary;
         }
 
-        /// <summary>The same triangles in any order: each has one in the other mesh whose corners lie within the tolerance.</summary>
+        /// <summary>
+        /// The same triangles in any order: each has one in the other mesh whose corners lie within the tolerance.
+        /// </summary>
         public static void AssertSameTriangles(SurfaceMesh expected, SurfaceMesh found, float tolerance)
         {
             Assert.AreEqual(expected.TriangleCount, found.TriangleCount, "triangles");
@@ -84,8 +91,10 @@ namespace SphFluid.Tests
                 triangles.Add(LowestFirst(found.Indices[i], found.Indices[i + 1], found.Indices[i + 2]));
             for (int i = 0; i < expected.Indices.Length; i += 3)
             {
-                (int, int, int) twin = LowestFirst(twins[expected.Indices[i]], twins[expected.Indices[i + 1]], twins[expected.Indices[i + 2]]);
-                Assert.IsTrue(triangles.Contains(twin), $"triangle {i / 3} at {expected.Positions[expected.Indices[i]]} is missing");
+                (int, int, int) twin = LowestFirst(twins[expected.Indices[i]], twins[expected.Indices[i + 1]],
+                    twins[expected.Indices[i + 2]]);
+                Assert.IsTrue(triangles.Contains(twin),
+                    $"triangle {i / 3} at {expected.Positions[expected.Indices[i]]} is missing");
             }
         }
 
@@ -103,10 +112,12 @@ namespace SphFluid.Tests
                 for (int k = 0; k < 27; k++)
                 {
                     var neighbour = centre + new Vector3Int(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-                    if (cells.TryGetValue(neighbour, out int other) && (to.Positions[other] - from.Positions[i]).magnitude <= tolerance)
+                    if (cells.TryGetValue(neighbour, out int other) &&
+                        (to.Positions[other] - from.Positions[i]).magnitude <= tolerance)
                         nearest[i] = other;
                 }
-                Assert.GreaterOrEqual(nearest[i], 0, $"no vertex at {from.Positions[i]:F9}; the nearest lies {Nearest(to, from.Positions[i])} m away");
+                Assert.GreaterOrEqual(nearest[i], 0,
+                    $"no vertex at {from.Positions[i]:F9}; the nearest lies {Nearest(to, from.Positions[i])} m away");
             }
             return nearest;
         }

@@ -42,11 +42,13 @@ namespace SphFluid.Tests
         {
             // 3 x 1127^3 is just below 2^32, 3 x 1128^3 above.
             Assert.AreEqual(1124, new SurfaceGrid(Vector3.zero, Vector3.one, Vector3Int.one * 1124).Cells.x);
-            var thrown = Assert.Throws<ArgumentOutOfRangeException>(() => new SurfaceGrid(Vector3.zero, Vector3.one, Vector3Int.one * 1125));
+            var thrown = Assert.Throws<ArgumentOutOfRangeException>(() => new SurfaceGrid(Vector3.zero, Vector3.one,
+                Vector3Int.one * 1125));
             StringAssert.Contains("1125 x 1125 x 1125", thrown.Message);
             thrown = Assert.Throws<ArgumentOutOfRangeException>(() => SurfaceGrid.OverDomain(Vector3.one * 4f, 1e-3f));
             StringAssert.Contains("Choose larger cells or a smaller domain", thrown.Message);
-            Assert.AreEqual(40_000, SurfaceGrid.OverDomain(new Vector3(40f, 0.1f, 0.1f), 1e-3f).Cells.x, "a long domain is no trouble");
+            Assert.AreEqual(40_000, SurfaceGrid.OverDomain(new Vector3(40f, 0.1f, 0.1f), 1e-3f).Cells.x,
+                "a long domain is no trouble");
         }
 
         [TestCase(0f)]
@@ -57,12 +59,14 @@ namespace SphFluid.Tests
         {
             Assert.Throws<ArgumentOutOfRangeException>(() => SurfaceGrid.OverDomain(Vector3.one, length));
             Assert.Throws<ArgumentOutOfRangeException>(() => SurfaceGrid.OverDomain(new Vector3(1f, length, 1f), 0.1f));
-            Assert.Throws<ArgumentOutOfRangeException>(() => new SurfaceGrid(Vector3.zero, new Vector3(1f, 1f, length), 8));
+            Assert.Throws<ArgumentOutOfRangeException>(() => new SurfaceGrid(Vector3.zero, new Vector3(1f, 1f, length),
+                8));
         }
 
         [TestCase(0, 1, 1)]
         [TestCase(1, -1, 1)]
         public void EveryAxisHasACell(int x, int y, int z) =>
-            Assert.Throws<ArgumentOutOfRangeException>(() => new SurfaceGrid(Vector3.zero, Vector3.one, new Vector3Int(x, y, z)));
+            Assert.Throws<ArgumentOutOfRangeException>(() => new SurfaceGrid(Vector3.zero, Vector3.one,
+                new Vector3Int(x, y, z)));
     }
 }

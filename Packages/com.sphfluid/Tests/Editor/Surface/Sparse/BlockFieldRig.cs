@@ -17,27 +17,27 @@ namespace SphFluid.Tests
         {
             this.shaders = shaders;
             Solver = new FluidSolver(settings, shaders, particles);
-            Field = new BlockField(shaders);
+            Passes = new SurfacePasses(shaders);
             Blocks = new SurfaceBlocks();
         }
 
         public FluidSolver Solver { get; }
 
-        public BlockField Field { get; }
+        public SurfacePasses Passes { get; }
 
         public SurfaceBlocks Blocks { get; }
 
-        public void Record(in SurfaceFieldSettings settings, SurfaceGrid grid, int capacity = EnoughBlocks, bool wallsClosed = true)
+        public void Record(in SurfaceFieldSettings settings, SurfaceGrid grid, int capacity = EnoughBlocks,
+            bool wallsClosed = true)
         {
-            SurfaceFieldSettings copy = settings;
             Blocks.Reserve(grid.Cells, Math.Min(capacity, Volume(SurfaceBlocks.CountsOver(grid.Cells))));
-            GpuTest.Run(cmd => Field.Record(cmd, Solver, copy, grid, wallsClosed, Blocks));
+            SurfaceInput input = Input(settings, grid, wallsClosed);
+            GpuTest.Run(cmd => Passes.RecordField(cmd, input));
         }
 
         /// <summary>Samples every block of the grid, whatever the particles marked.</summary>
         public void RecordAll(in SurfaceFieldSettings settings, SurfaceGrid grid)
         {
-            SurfaceFieldSettings copy = settings;
             int all = Volume(SurfaceBlocks.CountsOver(grid.Cells));
             Blocks.Reserve(grid.Cells, all);
             Record(settings, grid, all);
@@ -45,10 +45,11 @@ namespace SphFluid.Tests
             Array.Fill(marks, uint.MaxValue);
             Blocks.Table.SetData(marks);
             Blocks.Counters.SetData(new uint[SurfaceCounters.Slots]);
+            SurfaceInput input = Input(settings, grid, true);
             GpuTest.Run(cmd =>
             {
                 new ListSurfaceBlocksPass(shaders).Record(cmd, Blocks);
-                Field.RecordListed(cmd, Solver, copy, grid, true, Blocks);
+                Passes.RecordSamples(cmd, input);
             });
         }
 
@@ -72,13 +73,16 @@ namespace SphFluid.Tests
         }
 
         public Vector3Int BlockAt(int number) =>
-            new Vector3Int(number % Blocks.Counts.x, number / Blocks.Counts.x % Blocks.Counts.y, number / (Blocks.Counts.x * Blocks.Counts.y));
+            new Vector3Int(number % Blocks.Counts.x, number / Blocks.Counts.x % Blocks.Counts.y,
+                number / (Blocks.Counts.x * Blocks.Counts.y));
 
         /// <summary>The grid vertex of a block's sample, by its index in the block.</summary>
         public static Vector3Int SampleAt(Vector3Int block, int index) =>
             block * SurfaceBlocks.CubesPerSide - Vector3Int.one + new Vector3Int(index % 9, index / 9 % 9, index / 81);
 
-        /// <summary>Whether a cube of the block, those of the ring included, has corners on both sides of the surface.</summary>
+        /// <summary>
+        /// Whether a cube of the block, those of the ring included, has corners on both sides of the surface.
+        /// </summary>
         public static bool IsCrossed(Vector3Int block, float[] samples, float iso, Vector3Int cells)
         {
             for (int cube = 0; cube < 512; cube++)
@@ -102,9 +106,12 @@ namespace SphFluid.Tests
         public void Dispose()
         {
             Solver.Dispose();
-            Field.Dispose();
+            Passes.Dispose();
             Blocks.Dispose();
         }
+
+        SurfaceInput Input(in SurfaceFieldSettings settings, SurfaceGrid grid, bool wallsClosed) =>
+            new SurfaceInput(Solver, settings, grid, wallsClosed ? SurfaceWalls.Closed : SurfaceWalls.Open, Blocks);
 
         static int Volume(Vector3Int counts) => counts.x * counts.y * counts.z;
     }

@@ -4,7 +4,10 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Normals at the rim of the active blocks, whichever these are: of all samples that an active block holds, and of no other.</summary>
+    /// <summary>
+    /// Normals at the rim of the active blocks, whichever these are: of all samples that an active block holds, and of
+    /// no other.
+    /// </summary>
     public sealed class BlockGradientTests
     {
         const float Iso = 0.5f;
@@ -34,13 +37,15 @@ namespace SphFluid.Tests
             {
                 uint[] table = GpuTest.Read<uint>(rig.Blocks.Table, rig.Blocks.BlockCount);
                 GpuTest.Run(rig.RecordCount);
-                // Where the surface leaves a block, the count has listed the next one for a late round, which is not run here.
+                // Where the surface leaves a block, the count has listed the next one for a late round, which is not
+                // run here.
                 rig.Blocks.Table.SetData(table);
                 uint[] counters = GpuTest.Read<uint>(rig.Blocks.Counters, SurfaceCounters.Slots);
                 counters[SurfaceCounters.BlocksRequested] = (uint)active.Count;
                 rig.Blocks.Counters.SetData(counters);
                 GpuTest.Run(rig.RecordEmit);
-                PackedSurfaceVertex[] vertices = GpuTest.Read<PackedSurfaceVertex>(rig.Mesh.Vertices, (int)rig.Status().Vertices);
+                PackedSurfaceVertex[] vertices = GpuTest.Read<PackedSurfaceVertex>(rig.Triangles.Vertices,
+                    (int)rig.Status().Vertices);
                 int compared = 0, atTheRim = 0;
                 foreach (PackedSurfaceVertex vertex in vertices)
                 {

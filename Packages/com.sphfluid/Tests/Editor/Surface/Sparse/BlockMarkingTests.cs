@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>PrepareSurfaceParticles marks every block that the surface crosses; the truth comes from sampling all blocks.</summary>
+    /// <summary>
+    /// PrepareSurfaceParticles marks every block that the surface crosses; the truth comes from sampling all blocks.
+    /// </summary>
     public sealed class BlockMarkingTests
     {
         const float Spacing = 0.05f;
@@ -52,18 +54,21 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = Settings();
             settings.Boundaries.Periodic = FluidAxes.X | FluidAxes.Z;
             SurfaceFieldSettings field = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, settings);
-            FluidParticle[] ball = Array.FindAll(State("full"), p => (p.Position - 0.5f * new Vector3(Domain.x, 0f, Domain.z)).magnitude < 4f * Spacing);
+            FluidParticle[] ball = Array.FindAll(State("full"),
+                p => (p.Position - 0.5f * new Vector3(Domain.x, 0f, Domain.z)).magnitude < 4f * Spacing);
             AssertCovered(ball, settings, field, SurfaceGrid.OverDomain(Domain, field.CellSize));
         }
 
-        // Amid a pool no block is active; without closed walls none along them either, but for some at the domain's edges.
+        // Amid a pool no block is active; without closed walls none along them either, but for some at the domain's
+        // edges.
         [Test]
         public void BlocksInsideTheLiquidAreNotMarked()
         {
             FluidSolverSettings settings = Settings();
             SurfaceFieldSettings field = SurfaceFieldSettings.For(FluidSurfaceQuality.High, settings);
             SurfaceGrid grid = SurfaceGrid.OverDomain(Domain, field.CellSize);
-            using (var rig = new BlockFieldRig(shaders, settings, ParticleSets.Lattice(Lattice, Spacing, 0.02f * Spacing, 3)))
+            using (var rig = new BlockFieldRig(shaders, settings,
+                ParticleSets.Lattice(Lattice, Spacing, 0.02f * Spacing, 3)))
             {
                 rig.Record(field, grid);
                 Assert.IsFalse(rig.Read().ContainsKey(BlockHolding(grid, Vector3.zero)));
@@ -76,7 +81,8 @@ namespace SphFluid.Tests
         static Vector3Int BlockHolding(SurfaceGrid grid, Vector3 position)
         {
             Vector3 cell = grid.CellSize, from = position - grid.Minimum;
-            return new Vector3Int(((int)(from.x / cell.x) + 1) / 8, ((int)(from.y / cell.y) + 1) / 8, ((int)(from.z / cell.z) + 1) / 8);
+            return new Vector3Int(((int)(from.x / cell.x) + 1) / 8, ((int)(from.y / cell.y) + 1) / 8,
+                ((int)(from.z / cell.z) + 1) / 8);
         }
 
         static FluidSolverSettings Settings()
@@ -86,7 +92,8 @@ namespace SphFluid.Tests
             return settings;
         }
 
-        void AssertCovered(FluidParticle[] particles, in FluidSolverSettings settings, in SurfaceFieldSettings field, SurfaceGrid grid)
+        void AssertCovered(FluidParticle[] particles, in FluidSolverSettings settings, in SurfaceFieldSettings field,
+            SurfaceGrid grid)
         {
             using (var rig = new BlockFieldRig(shaders, settings, particles))
             {
@@ -116,7 +123,8 @@ namespace SphFluid.Tests
                 case "splash":
                     return With(Pool(6, 0.15f), 250, _ => Vector3.Scale(ParticleSets.RandomVector(random), Domain));
                 case "film":
-                    return Array.FindAll(Jittered(0.2f), p => Mathf.Abs(p.Position.y - 0.5f * Spacing) < 0.45f * Spacing);
+                    return Array.FindAll(Jittered(0.2f),
+                        p => Mathf.Abs(p.Position.y - 0.5f * Spacing) < 0.45f * Spacing);
                 case "drops":
                     return ParticleSets.Random(40, Domain, 0f, 9);
                 case "coincident":
@@ -124,14 +132,16 @@ namespace SphFluid.Tests
                 case "full":
                     return Jittered(0.05f);
                 default: // bubbles of 1.6 spacings, one of them cut by blocks
-                    return Array.FindAll(Jittered(0.05f), p => (p.Position - new Vector3(0.1f, 0.1f, 0.1f)).magnitude > 1.6f * Spacing &&
+                    return Array.FindAll(Jittered(0.05f),
+                        p => (p.Position - new Vector3(0.1f, 0.1f, 0.1f)).magnitude > 1.6f * Spacing &&
                         (p.Position + new Vector3(0.3f, 0.2f, 0.1f)).magnitude > 1.6f * Spacing);
             }
         }
 
         static FluidParticle[] Jittered(float jitter) => ParticleSets.Lattice(Lattice, Spacing, jitter * Spacing, 3);
 
-        static FluidParticle[] Pool(int layers, float jitter) => Array.FindAll(Jittered(jitter), p => p.Position.y < -0.5f * Domain.y + layers * Spacing);
+        static FluidParticle[] Pool(int layers, float jitter) =>
+            Array.FindAll(Jittered(jitter), p => p.Position.y < -0.5f * Domain.y + layers * Spacing);
 
         static FluidParticle[] With(FluidParticle[] particles, int count, Func<int, Vector3> position)
         {

@@ -4,21 +4,29 @@ using UnityEngine.Rendering;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The polygoniser of the sparse surface on samples that are written by hand into every block of a grid.</summary>
+    /// <summary>
+    /// The polygoniser of the sparse surface on samples that are written by hand into every block of a grid.
+    /// </summary>
     sealed class BlockPolygonRig : IDisposable
     {
         const float Iso = 0.5f;
         const int Plenty = 1 << 20;
 
         readonly SurfaceGrid grid;
-        readonly BlockPolygoniser polygoniser;
+        readonly SurfaceWalls walls;
+        readonly SurfacePasses passes;
 
-        /// <summary>Fills the blocks that are active, all by default, from the field's values at grid vertices; the ring around the grid is empty.</summary>
-        public BlockPolygonRig(FluidShaderSet shaders, SurfaceGrid grid, Func<Vector3Int, float> value, Predicate<Vector3Int> isActive = null)
+        /// <summary>
+        /// Fills the blocks that are active, all by default, from the field's values at grid vertices; the ring around
+        /// the grid is empty.
+        /// </summary>
+        public BlockPolygonRig(FluidShaderSet shaders, SurfaceGrid grid, Func<Vector3Int, float> value,
+            Predicate<Vector3Int> isActive = null, SurfaceWalls walls = SurfaceWalls.Closed)
         {
             this.grid = grid;
-            polygoniser = new BlockPolygoniser(shaders);
-            polygoniser.Mesh.Reserve(Plenty, Plenty);
+            this.walls = walls;
+            passes = new SurfacePasses(shaders);
+            Triangles.Reserve(Plenty, Plenty);
             Blocks = new SurfaceBlocks();
             Vector3Int counts = SurfaceBlocks.CountsOver(grid.Cells);
             Blocks.Reserve(grid.Cells, counts.x * counts.y * counts.z);
@@ -27,13 +35,15 @@ namespace SphFluid.Tests
 
         public SurfaceBlocks Blocks { get; }
 
-        public BlockMesh Mesh => polygoniser.Mesh;
+        public SurfaceTriangles Triangles { get; } = new SurfaceTriangles();
 
-        public SurfaceWalls Walls { get; set; }
+        // Without particles: the samples are there.
+        SurfaceInput Input =>
+            new SurfaceInput(null, SurfaceFieldSettings.Thesis(default, grid, Iso), grid, walls, Blocks);
 
-        public void RecordCount(CommandBuffer cmd) => polygoniser.RecordCount(cmd, Blocks, grid, Walls, Iso);
+        public void RecordCount(CommandBuffer cmd) => passes.RecordCount(cmd, Input);
 
-        public void RecordEmit(CommandBuffer cmd) => polygoniser.RecordEmit(cmd, Blocks, grid, Walls, Iso);
+        public void RecordEmit(CommandBuffer cmd) => passes.RecordTriangles(cmd, Input, Triangles);
 
         public SurfaceStatus Status() => new SurfaceStatus(GpuTest.Read<uint>(Blocks.Counters, SurfaceCounters.Slots));
 
@@ -45,12 +55,13 @@ namespace SphFluid.Tests
                 RecordCount(cmd);
                 RecordEmit(cmd);
             });
-            return BlockMeshReader.Read(Blocks, Mesh, Status());
+            return Triangles.Read(Blocks, Status());
         }
 
         public void Dispose()
         {
-            polygoniser.Dispose();
+            passes.Dispose();
+            Triangles.Dispose();
             Blocks.Dispose();
         }
 
@@ -63,11 +74,13 @@ namespace SphFluid.Tests
             uint slots = 0;
             for (int number = 0; number < table.Length; number++)
             {
-                var block = new Vector3Int(number % counts.x, number / counts.x % counts.y, number / (counts.x * counts.y));
+                var block = new Vector3Int(number % counts.x, number / counts.x % counts.y,
+                    number / (counts.x * counts.y));
                 if (!isActive(block))
                     continue;
                 for (int i = 0; i < SurfaceBlocks.SamplesPerBlock; i++)
-                    samples[slots * SurfaceBlocks.SamplesPerBlock + i] = Sample(BlockFieldRig.SampleAt(block, i), value);
+                    samples[slots * SurfaceBlocks.SamplesPerBlock + i] = Sample(BlockFieldRig.SampleAt(block, i),
+                        value);
                 list[slots] = (uint)number;
                 table[number] = ++slots;
             }

@@ -2,7 +2,9 @@ using System;
 
 namespace SphFluid.Tests
 {
-    /// <summary>A covariance, or a quadratic form, of three axes in double precision, with what stretched kernels need.</summary>
+    /// <summary>
+    /// A covariance, or a quadratic form, of three axes in double precision, with what stretched kernels need.
+    /// </summary>
     sealed class Covariance
     {
         readonly double[,] m = new double[3, 3];
@@ -41,8 +43,9 @@ namespace SphFluid.Tests
         }
 
         /// <summary>
-        /// The quadratic form of the ellipsoid with the axes of this covariance, the longest at most a ratio longer than the others, of a unit ball's volume. Its
-        /// axes come from turning the matrix about its largest mixed entry until none is left.
+        /// The quadratic form of the ellipsoid with the axes of this covariance, the longest at most a ratio longer
+        /// than the others, of a unit ball's volume. Its axes come from turning the matrix about its largest mixed
+        /// entry until none is left.
         /// </summary>
         public Covariance Stretched(double ratio)
         {

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>ClearSurfaceBlocks, ListSurfaceBlocks and BeginSurfaceRound at awkward numbers of blocks.</summary>
+    /// <summary>ListSurfaceBlocks and BeginSurfaceRound at awkward numbers of blocks.</summary>
     public sealed class ListSurfaceBlocksTests
     {
         FluidShaderSet shaders;
@@ -33,7 +33,8 @@ namespace SphFluid.Tests
                 for (int slot = 0; slot < list.Length; slot++)
                     Assert.AreEqual(slot + 1, (int)table[list[slot]]);
                 Assert.AreEqual(blockCount - marked.Count, table.Count(entry => entry == 0u));
-                CollectionAssert.AreEqual(new[] { (uint)marked.Count, marked.Count > 0 ? 1u : 0u, 1u }, GpuTest.Read<uint>(blocks.RoundArguments, 3));
+                CollectionAssert.AreEqual(new[] { (uint)marked.Count, marked.Count > 0 ? 1u : 0u, 1u },
+                    GpuTest.Read<uint>(blocks.RoundArguments, 3));
             }
         }
 
@@ -52,6 +53,26 @@ namespace SphFluid.Tests
                 Assert.AreEqual(0u, GpuTest.Read<uint>(blocks.RoundArguments, 3)[0]);
                 BeginLate(blocks);
                 Assert.AreEqual(0u, GpuTest.Read<uint>(blocks.Counters, SurfaceCounters.Slots)[SurfaceCounters.BlocksLate]);
+            }
+        }
+
+        [TestCase(599)]
+        [TestCase(256)]
+        [TestCase(1)]
+        public void NoBlockGetsASlotBeyondTheLast(int capacity)
+        {
+            var cells = new Vector3Int(78, 78, 46); // 10 x 10 x 6 blocks
+            using (var blocks = new SurfaceBlocks())
+            {
+                blocks.Reserve(cells, capacity);
+                Assert.AreEqual(600, blocks.BlockCount);
+                Assert.AreEqual(capacity, blocks.Capacity);
+                blocks.Table.SetData(Enumerable.Repeat(uint.MaxValue, 600).ToArray());
+                blocks.Counters.SetData(new uint[SurfaceCounters.Slots]);
+                GpuTest.Run(cmd => new ListSurfaceBlocksPass(shaders).Record(cmd, blocks));
+                uint[] slots = GpuTest.Read<uint>(blocks.Table, 600)
+                    .Where(entry => entry != uint.MaxValue).OrderBy(entry => entry).ToArray();
+                CollectionAssert.AreEqual(Enumerable.Range(1, capacity).Select(i => (uint)i), slots);
             }
         }
 
@@ -84,30 +105,31 @@ namespace SphFluid.Tests
             using (var rig = new BlockFieldRig(shaders, settings, ParticleSets.Random(500, domain, 0f, 1)))
             {
                 rig.Record(field, grid);
-                uint wanted = rig.Counters()[SurfaceCounters.BlocksRequested];
+                uint requested = rig.Counters()[SurfaceCounters.BlocksRequested];
                 using (var small = new BlockFieldRig(shaders, settings, ParticleSets.Random(500, domain, 0f, 1)))
                 {
-                    small.Blocks.Reserve(grid.Cells, (int)wanted - 1);
-                    var untouched = Enumerable.Repeat(-7f, small.Blocks.Capacity * SurfaceBlocks.SamplesPerBlock).ToArray();
+                    small.Blocks.Reserve(grid.Cells, (int)requested - 1);
+                    var untouched = Enumerable.Repeat(-7f,
+                        small.Blocks.Capacity * SurfaceBlocks.SamplesPerBlock).ToArray();
                     small.Blocks.Samples.SetData(untouched);
-                    small.Record(field, grid, (int)wanted - 1);
-                    Assert.AreEqual(wanted, small.Counters()[SurfaceCounters.BlocksRequested]);
+                    small.Record(field, grid, (int)requested - 1);
+                    Assert.AreEqual(requested, small.Counters()[SurfaceCounters.BlocksRequested]);
                     CollectionAssert.AreEqual(untouched, GpuTest.Read<float>(small.Blocks.Samples, untouched.Length));
                 }
             }
         }
 
         [Test]
-        public void ReserveGrowsAndTellsItsBytes()
+        public void ReserveGrowsAndCountsItsBytes()
         {
             using (var blocks = new SurfaceBlocks())
             {
                 blocks.Reserve(new Vector3Int(64, 6, 7), 10);
                 Assert.AreEqual(new Vector3Int(9, 1, 2), blocks.Counts);
-                long before = blocks.GpuBytes;
+                long before = blocks.Bytes;
                 blocks.Reserve(new Vector3Int(64, 6, 7), 20);
                 Assert.AreEqual(20, blocks.Capacity);
-                Assert.AreEqual(before + 10L * (4 * SurfaceBlocks.SamplesPerBlock + 4 + 16), blocks.GpuBytes);
+                Assert.AreEqual(before + 10L * (4 * SurfaceBlocks.SamplesPerBlock + 4 + 16), blocks.Bytes);
                 Assert.Throws<System.ArgumentOutOfRangeException>(() => blocks.Reserve(new Vector3Int(64, 0, 7), 10));
                 Assert.Throws<System.ArgumentOutOfRangeException>(() => blocks.Reserve(Vector3Int.one, 0));
                 Assert.Throws<FluidDeviceException>(() => blocks.Reserve(Vector3Int.one, int.MaxValue));
@@ -119,12 +141,8 @@ namespace SphFluid.Tests
         {
             blocks.Reserve(new Vector3Int(8 * blockCount - 2, 1, 1), capacity);
             Assert.AreEqual(blockCount, blocks.BlockCount);
-            blocks.Counters.SetData(Enumerable.Repeat(77u, SurfaceCounters.Slots).ToArray());
-            blocks.Table.SetData(Enumerable.Repeat(99u, blockCount).ToArray());
-            GpuTest.Run(cmd => new ClearSurfaceBlocksPass(shaders).Record(cmd, blocks));
-            CollectionAssert.AreEqual(new uint[SurfaceCounters.Slots], GpuTest.Read<uint>(blocks.Counters, SurfaceCounters.Slots));
-            uint[] table = GpuTest.Read<uint>(blocks.Table, blockCount);
-            CollectionAssert.AreEqual(new uint[blockCount], table);
+            blocks.Counters.SetData(new uint[SurfaceCounters.Slots]);
+            var table = new uint[blockCount];
             var random = new System.Random(blockCount);
             var marked = new List<uint>();
             for (int i = 0; i < blockCount; i++)
@@ -140,14 +158,16 @@ namespace SphFluid.Tests
 
         uint[] List(SurfaceBlocks blocks)
         {
+            var list = new ListSurfaceBlocksPass(shaders);
             GpuTest.Run(cmd =>
             {
-                new ListSurfaceBlocksPass(shaders).Record(cmd, blocks);
-                new BeginSurfaceRoundPass(shaders).Record(cmd, blocks, false);
+                list.Record(cmd, blocks);
+                list.RecordRound(cmd, blocks, false);
             });
             return GpuTest.Read<uint>(blocks.Counters, SurfaceCounters.Slots);
         }
 
-        void BeginLate(SurfaceBlocks blocks) => GpuTest.Run(cmd => new BeginSurfaceRoundPass(shaders).Record(cmd, blocks, true));
+        void BeginLate(SurfaceBlocks blocks) =>
+            GpuTest.Run(cmd => new ListSurfaceBlocksPass(shaders).RecordRound(cmd, blocks, true));
     }
 }

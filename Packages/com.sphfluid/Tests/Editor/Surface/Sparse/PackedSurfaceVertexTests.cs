@@ -14,7 +14,8 @@ namespace SphFluid.Tests
         public void NormalsSurviveTheRoundTrip()
         {
             GpuTest.Require();
-            var normals = new List<Vector3> { Vector3.right, Vector3.left, Vector3.up, Vector3.down, Vector3.forward, Vector3.back };
+            var normals = new List<Vector3> { Vector3.right, Vector3.left, Vector3.up, Vector3.down, Vector3.forward,
+                Vector3.back };
             for (int k = 0; k < 8; k++)
                 normals.Add(new Vector3((k & 1) * 2 - 1, (k & 2) - 1, (k >> 2) * 2 - 1).normalized);
             normals.Add(new Vector3(1f, -1e-7f, -1e-7f).normalized);
@@ -48,6 +49,7 @@ namespace SphFluid.Tests
         }
 
         // By the sine: the cosine of so small an angle is 1 in floats.
-        static float Degrees(Vector3 a, Vector3 b) => Vector3.Dot(a, b) > 0f ? Mathf.Asin(Mathf.Min(Vector3.Cross(a, b).magnitude, 1f)) * Mathf.Rad2Deg : 180f;
+        static float Degrees(Vector3 a, Vector3 b) =>
+            Vector3.Dot(a, b) > 0f ? Mathf.Asin(Mathf.Min(Vector3.Cross(a, b).magnitude, 1f)) * Mathf.Rad2Deg : 180f;
     }
 }

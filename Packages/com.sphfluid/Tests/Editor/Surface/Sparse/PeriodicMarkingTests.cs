@@ -15,12 +15,15 @@ namespace SphFluid.Tests
         [Test]
         public void ADropInThePeriodicCornerIsMarkedAtAllEightCorners()
         {
-            HashSet<Vector3Int> marked = Marked(0.5f * Domain - 0.1f * Spacing * Vector3.one, AllAxes, out Vector3Int cells);
+            HashSet<Vector3Int> marked = Marked(0.5f * Domain - 0.1f * Spacing * Vector3.one, AllAxes,
+                out Vector3Int cells);
             for (int corner = 0; corner < 8; corner++)
             {
                 // Samples begin one cube before the domain, so the last cube is in block cells / 8.
-                var block = new Vector3Int((corner & 1) == 0 ? 0 : cells.x / 8, (corner & 2) == 0 ? 0 : cells.y / 8, (corner & 4) == 0 ? 0 : cells.z / 8);
-                Assert.IsTrue(marked.Contains(block), $"corner block {block} of {cells} cells; {marked.Count} blocks are marked");
+                var block = new Vector3Int((corner & 1) == 0 ? 0 : cells.x / 8, (corner & 2) == 0 ? 0 : cells.y / 8,
+                    (corner & 4) == 0 ? 0 : cells.z / 8);
+                Assert.IsTrue(marked.Contains(block),
+                    $"corner block {block} of {cells} cells; {marked.Count} blocks are marked");
             }
         }
 
@@ -29,14 +32,16 @@ namespace SphFluid.Tests
         public void ADropFarFromTheFacesMarksWhatItMarksBetweenWalls([NUnit.Framework.Range(0, 8)] int place)
         {
             Vector3 position = (place - 4) / 3f * Spacing * new Vector3(1f, -1f, 0.5f);
-            CollectionAssert.AreEquivalent(Marked(position, FluidAxes.None, out _).ToArray(), Marked(position, AllAxes, out _).ToArray());
+            CollectionAssert.AreEquivalent(Marked(position, FluidAxes.None, out _).ToArray(),
+                Marked(position, AllAxes, out _).ToArray());
         }
 
         // A drop at one face marks nothing beyond the two others.
         [Test]
         public void ADropAtOnePeriodicFaceMarksTheTwoSidesOfThatFace()
         {
-            Vector3 position = new Vector3(0.5f * Domain.x - 0.1f * Spacing, 0f, 0f), mirrored = Vector3.Scale(position, new Vector3(-1f, 1f, 1f));
+            Vector3 position = new Vector3(0.5f * Domain.x - 0.1f * Spacing, 0f, 0f);
+            Vector3 mirrored = Vector3.Scale(position, new Vector3(-1f, 1f, 1f));
             var between = new HashSet<Vector3Int>(Marked(position, FluidAxes.None, out _));
             between.UnionWith(Marked(mirrored, FluidAxes.None, out _));
             Assert.That(Marked(position, AllAxes, out _), Is.SubsetOf(between));

@@ -5,7 +5,10 @@ using UnityEngine.Rendering;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The sparse surface as a whole: from particles to a mesh, with too little room, and against the thesis's dense surface.</summary>
+    /// <summary>
+    /// The sparse surface as a whole: from particles to a mesh, with buffers that are too small, and against the
+    /// thesis's dense surface.
+    /// </summary>
     public sealed class SparseSurfaceTests
     {
         static readonly Vector3 Domain = new Vector3(0.9f, 0.7f, 0.5f);
@@ -28,7 +31,8 @@ namespace SphFluid.Tests
             {
                 SurfaceGrid grid = SurfaceGrid.OverDomain(Domain, SurfaceGridSize.Cells32);
                 SurfaceMesh dense = FluidSurfaceMesher.Extract(solver, shaders, SurfaceGridSize.Cells32, isoValue);
-                SurfaceMesh sparse = FluidSurfaceMesher.Extract(solver, shaders, SurfaceFieldSettings.Thesis(solver.Settings, grid, isoValue), grid);
+                SurfaceMesh sparse = FluidSurfaceMesher.Extract(solver, shaders,
+                    SurfaceFieldSettings.Thesis(solver.Settings, grid, isoValue), grid);
                 Assert.Greater(sparse.TriangleCount, 0);
                 MeshChecks.AssertClosed(sparse);
                 MeshChecks.AssertSameTriangles(dense, sparse, 1e-4f * Spacing);
@@ -64,9 +68,10 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void ParticlesThatAreNotNumbersAreTold()
+        public void ParticlesThatAreNotNumbersAreReported()
         {
-            using (FluidSolver solver = Solver(new FluidParticle(Vector3.zero, Vector3.zero, 0), new FluidParticle(0.2f * Vector3.one, Vector3.zero, 1)))
+            using (FluidSolver solver = Solver(new FluidParticle(Vector3.zero, Vector3.zero, 0),
+                new FluidParticle(0.2f * Vector3.one, Vector3.zero, 1)))
             using (var surface = new SparseSurface(shaders))
             {
                 GpuTest.Run(solver.RecordNeighbourSetup);
@@ -79,7 +84,7 @@ namespace SphFluid.Tests
                 StringAssert.Contains("not a number", surface.TakeWarning());
                 Record(surface, solver);
                 surface.ReadMesh();
-                Assert.IsNull(surface.TakeWarning(), "told once");
+                Assert.IsNull(surface.TakeWarning(), "reported once");
             }
         }
 
@@ -92,7 +97,8 @@ namespace SphFluid.Tests
             {
                 SurfaceMesh mesh = FluidSurfaceMesher.Extract(solver, shaders, FluidSurfaceQuality.Default, walls);
                 MeshChecks.AssertClosed(mesh);
-                Assert.AreEqual(walls == SurfaceWalls.Closed ? Domain.x * Domain.y * Domain.z : 0.0, mesh.Volume(), 0.01);
+                Assert.AreEqual(walls == SurfaceWalls.Closed ? Domain.x * Domain.y * Domain.z : 0.0, mesh.Volume(),
+                    0.01);
             }
         }
 
@@ -133,17 +139,19 @@ namespace SphFluid.Tests
                 uint drawn = GpuTest.Read<uint>(surface.DrawArguments, 1)[0];
                 Record(surface, splash);
                 Assert.Throws<FluidDeviceException>(() => surface.ReadMesh());
-                Assert.AreEqual(drawn, GpuTest.Read<uint>(surface.DrawArguments, 1)[0], "the last complete surface is drawn on");
+                Assert.AreEqual(drawn, GpuTest.Read<uint>(surface.DrawArguments, 1)[0],
+                    "the last complete surface is drawn on");
                 string warning = surface.TakeWarning();
                 StringAssert.Contains($"its budget is {budget}", warning);
                 StringAssert.Contains($"{surface.Status.Triangles} triangles", warning);
                 StringAssert.Contains("Raise the triangle budget", warning);
                 Record(surface, splash);
-                Assert.LessOrEqual(surface.Mesh.IndexCapacity, 3 * budget, "the budget holds");
-                Assert.IsNull(surface.TakeWarning(), "told once");
+                Assert.LessOrEqual(surface.Triangles.IndexCapacity, 3 * budget, "the budget holds");
+                Assert.IsNull(surface.TakeWarning(), "reported once");
                 SurfaceFieldSettings field = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, splash.Settings);
                 SurfaceGrid grid = SurfaceGrid.OverDomain(Domain, field.CellSize);
-                var thrown = Assert.Throws<FluidDeviceException>(() => surface.Extract(splash, field, grid, SurfaceWalls.Closed));
+                var thrown = Assert.Throws<FluidDeviceException>(() => surface.Extract(splash, field, grid,
+                    SurfaceWalls.Closed));
                 StringAssert.Contains("Raise the triangle budget", thrown.Message);
                 surface.TriangleBudget = 0;
                 Record(surface, splash);
@@ -156,27 +164,28 @@ namespace SphFluid.Tests
         public void BlockThatWasNotMarkedIsFoundThroughItsNeighbours()
         {
             using (FluidSolver solver = Splash())
-            using (var field = new BlockField(shaders))
-            using (var polygoniser = new BlockPolygoniser(shaders))
+            using (var passes = new SurfacePasses(shaders))
             using (var blocks = new SurfaceBlocks())
+            using (var triangles = new SurfaceTriangles())
             {
                 SurfaceFieldSettings settings = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, solver.Settings);
                 SurfaceGrid grid = SurfaceGrid.OverDomain(Domain, settings.CellSize);
                 blocks.Reserve(grid.Cells, 4096);
-                polygoniser.Mesh.Reserve(1 << 18, 1 << 20);
-                GpuTest.Run(cmd => field.Record(cmd, solver, settings, grid, true, blocks));
+                triangles.Reserve(1 << 18, 1 << 20);
+                var input = new SurfaceInput(solver, settings, grid, SurfaceWalls.Closed, blocks);
+                GpuTest.Run(cmd => passes.RecordField(cmd, input));
                 ForgetLastBlock(blocks);
                 GpuTest.Run(cmd =>
                 {
-                    polygoniser.RecordCount(cmd, blocks, grid, SurfaceWalls.Closed, settings.IsoValue);
-                    field.RecordLate(cmd, solver, settings, grid, true, blocks);
-                    polygoniser.RecordCount(cmd, blocks, grid, SurfaceWalls.Closed, settings.IsoValue);
-                    polygoniser.RecordEmit(cmd, blocks, grid, SurfaceWalls.Closed, settings.IsoValue);
+                    passes.RecordCount(cmd, input);
+                    passes.RecordLateSamples(cmd, input);
+                    passes.RecordCount(cmd, input);
+                    passes.RecordTriangles(cmd, input, triangles);
                 });
                 var status = new SurfaceStatus(GpuTest.Read<uint>(blocks.Counters, SurfaceCounters.Slots));
                 Assert.AreEqual(1, status.LateBlocks);
                 Assert.AreEqual(0, status.OpenFaces);
-                SurfaceMesh mended = BlockMeshReader.Read(blocks, polygoniser.Mesh, status);
+                SurfaceMesh mended = triangles.Read(blocks, status);
                 MeshChecks.AssertClosed(mended);
                 CollectionAssert.AreEqual(FluidSurfaceMesher.Extract(solver, shaders).Indices, mended.Indices);
             }
@@ -213,10 +222,12 @@ namespace SphFluid.Tests
                 SurfaceFieldSettings field = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, solver.Settings);
                 SurfaceGrid grid = SurfaceGrid.OverDomain(Domain, field.CellSize);
                 Assert.Throws<InvalidOperationException>(() => surface.ReadMesh());
-                Assert.Throws<ArgumentNullException>(() => surface.Record(null, solver, field, grid, SurfaceWalls.Closed));
+                Assert.Throws<ArgumentNullException>(() => surface.Record(null, solver, field, grid,
+                    SurfaceWalls.Closed));
                 Assert.Throws<ArgumentNullException>(() => surface.Record(cmd, null, field, grid, SurfaceWalls.Closed));
                 Assert.Throws<ArgumentException>(() => surface.Record(cmd, solver, default, grid, SurfaceWalls.Closed));
-                Assert.Throws<ArgumentException>(() => surface.Record(cmd, solver, field, default, SurfaceWalls.Closed));
+                Assert.Throws<ArgumentException>(() => surface.Record(cmd, solver, field, default,
+                    SurfaceWalls.Closed));
                 Assert.Throws<ArgumentNullException>(() => FluidSurfaceMesher.Extract(null, shaders));
             }
         }
@@ -227,20 +238,24 @@ namespace SphFluid.Tests
             uint last = counters[SurfaceCounters.RoundCount] - 1;
             uint[] table = GpuTest.Read<uint>(blocks.Table, blocks.BlockCount);
             table[GpuTest.Read<uint>(blocks.List, (int)last + 1)[last]] = 0;
-            foreach (int slot in new[] { SurfaceCounters.RoundCount, SurfaceCounters.BlocksListed, SurfaceCounters.BlocksRequested })
+            foreach (int slot in new[] { SurfaceCounters.RoundCount, SurfaceCounters.BlocksListed,
+                SurfaceCounters.BlocksRequested })
                 counters[slot] = last;
             blocks.Table.SetData(table);
             blocks.Counters.SetData(counters);
         }
 
-        FluidSolver Splash() => new FluidSolver(TestSettings.ByRule(Domain, Spacing), shaders, ParticleSets.Random(809, Domain, 0f, 3));
+        FluidSolver Splash() =>
+            new FluidSolver(TestSettings.ByRule(Domain, Spacing), shaders, ParticleSets.Random(809, Domain, 0f, 3));
 
-        FluidSolver Solver(params FluidParticle[] particles) => new FluidSolver(TestSettings.ByRule(Domain, Spacing), shaders, particles);
+        FluidSolver Solver(params FluidParticle[] particles) =>
+            new FluidSolver(TestSettings.ByRule(Domain, Spacing), shaders, particles);
 
         static void Record(SparseSurface surface, FluidSolver solver)
         {
             SurfaceFieldSettings field = SurfaceFieldSettings.For(FluidSurfaceQuality.Default, solver.Settings);
-            GpuTest.Run(cmd => surface.Record(cmd, solver, field, SurfaceGrid.OverDomain(Domain, field.CellSize), SurfaceWalls.Closed));
+            GpuTest.Run(cmd => surface.Record(cmd, solver, field, SurfaceGrid.OverDomain(Domain, field.CellSize),
+                SurfaceWalls.Closed));
         }
     }
 }

@@ -4,7 +4,10 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The field of the sparse surface in double precision, by brute force over all particles; written from the formulas, not from the shaders.</summary>
+    /// <summary>
+    /// The field of the sparse surface in double precision, by brute force over all particles; written from the
+    /// formulas, not from the shaders.
+    /// </summary>
     sealed class SurfaceFieldReference
     {
         readonly SurfaceFieldSettings field;
@@ -15,7 +18,8 @@ namespace SphFluid.Tests
         readonly Covariance[] shapes; // of stretched kernels; null where all are round
         readonly Dictionary<Vector3Int, double> raw = new Dictionary<Vector3Int, double>();
 
-        public SurfaceFieldReference(IReadOnlyList<FluidParticle> particles, in FluidSolverSettings settings, in SurfaceFieldSettings field, SurfaceGrid grid)
+        public SurfaceFieldReference(IReadOnlyList<FluidParticle> particles, in FluidSolverSettings settings,
+            in SurfaceFieldSettings field, SurfaceGrid grid)
         {
             this.field = field;
             this.grid = grid;
@@ -25,13 +29,20 @@ namespace SphFluid.Tests
             for (int i = 0; i < particles.Count; i++)
             {
                 centres[i] = particles[i].Position;
-                volumes[i] = field.IsThesis ? settings.ParticleMass / (settings.RestDensity * Math.Pow(settings.Spacing, 3.0)) : 0.0;
+                if (field.IsThesis)
+                    volumes[i] = settings.ParticleMass / (settings.RestDensity * Math.Pow(settings.Spacing, 3.0));
             }
             if (field.IsAnisotropic)
                 shapes = new Covariance[particles.Count];
             if (!field.IsThesis)
                 Smooth(particles);
         }
+
+        /// <summary>Where a particle's kernel lies [m].</summary>
+        public Double3 Centre(int particle) => centres[particle];
+
+        /// <summary>What a particle gives to the field at the centre of its kernel.</summary>
+        public double Weight(int particle) => volumes[particle] * Kernel(0.0);
 
         /// <summary>The value at a sample, -1 to cells + 1 along each axis.</summary>
         public double Value(Vector3Int s)
@@ -76,7 +87,8 @@ namespace SphFluid.Tests
             if (!raw.TryGetValue(s, out double sum))
             {
                 Vector3 cell = grid.CellSize;
-                var position = new Double3(grid.Minimum.x + (double)cell.x * s.x, grid.Minimum.y + (double)cell.y * s.y, grid.Minimum.z + (double)cell.z * s.z);
+                var position = new Double3(grid.Minimum.x + (double)cell.x * s.x, grid.Minimum.y + (double)cell.y * s.y,
+                    grid.Minimum.z + (double)cell.z * s.z);
                 for (int i = 0; i < centres.Length; i++)
                 {
                     Double3 d = Separation(centres[i], position);
@@ -112,7 +124,8 @@ namespace SphFluid.Tests
                     count++;
                 }
                 var shift = field.Smoothing / weights * mean;
-                shift = new Double3(shift.X * Fade(position.X, 0), shift.Y * Fade(position.Y, 1), shift.Z * Fade(position.Z, 2));
+                shift = new Double3(shift.X * Fade(position.X, 0), shift.Y * Fade(position.Y, 1),
+                    shift.Z * Fade(position.Z, 2));
                 double longest = field.Smoothing * settings.Spacing;
                 centres[i] = position + Math.Min(1.0, longest / Math.Max(shift.Length, 1e-30)) * shift;
                 volumes[i] = KernelPartInside(position) / density;
@@ -127,9 +140,11 @@ namespace SphFluid.Tests
 
         double Kernel(double r) => ThesisReference.Poly6(r, field.SupportRadius) * Math.Pow(settings.Spacing, 3.0);
 
-        Double3 Separation(Double3 a, Double3 b) => new Double3(Nearest(a.X - b.X, 0), Nearest(a.Y - b.Y, 1), Nearest(a.Z - b.Z, 2));
+        Double3 Separation(Double3 a, Double3 b) =>
+            new Double3(Nearest(a.X - b.X, 0), Nearest(a.Y - b.Y, 1), Nearest(a.Z - b.Z, 2));
 
-        double Nearest(double d, int axis) => HasWalls(axis) ? d : d - settings.DomainSize[axis] * Math.Round(d / settings.DomainSize[axis]);
+        double Nearest(double d, int axis) =>
+            HasWalls(axis) ? d : d - settings.DomainSize[axis] * Math.Round(d / settings.DomainSize[axis]);
 
         bool HasWalls(int axis) => ((int)settings.Boundaries.Periodic >> axis & 1) == 0;
 
@@ -139,7 +154,8 @@ namespace SphFluid.Tests
             return !HasWalls(axis) || s > 1.0 ? 1.0 : s < 0.0 ? 0.0 : 3.0 * s * s - 2.0 * s * s * s;
         }
 
-        double KernelPartInside(Double3 p) => Math.Max(0.125, PartInside(p.X, 0) * PartInside(p.Y, 1) * PartInside(p.Z, 2));
+        double KernelPartInside(Double3 p) =>
+            Math.Max(0.125, PartInside(p.X, 0) * PartInside(p.Y, 1) * PartInside(p.Z, 2));
 
         // Simpson's rule over the slices of the kernel, (1 - x²)⁴ each.
         double PartInside(double x, int axis)
@@ -147,7 +163,8 @@ namespace SphFluid.Tests
             if (!HasWalls(axis))
                 return 1.0;
             double half = 0.5 * settings.DomainSize[axis], radius = field.SupportRadius;
-            double low = Math.Max(-1.0, Math.Min(0.0, (-half - x) / radius)), high = Math.Min(1.0, Math.Max(0.0, (half - x) / radius));
+            double low = Math.Max(-1.0, Math.Min(0.0, (-half - x) / radius));
+            double high = Math.Min(1.0, Math.Max(0.0, (half - x) / radius));
             return Simpson(low, high) / Simpson(-1.0, 1.0);
         }
 

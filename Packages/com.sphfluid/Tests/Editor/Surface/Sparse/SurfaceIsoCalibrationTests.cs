@@ -2,13 +2,16 @@ using NUnit.Framework;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The calibrated iso values; references from an independent single-precision program that meshes a finite pool.</summary>
+    /// <summary>
+    /// The calibrated iso values; references from an independent single-precision program that meshes a finite pool.
+    /// </summary>
     public sealed class SurfaceIsoCalibrationTests
     {
         [TestCase(1.0, 0.9, 1, 0.10, 0.503)]
         [TestCase(0.75, 0.5, 1, 0.12, 0.521)]
         [TestCase(0.5, 0.5, 2, 0.15, 0.513)]
-        public void ValuesAreThoseOfTheReference(double cell, double smoothing, int passes, double offset, double expected) =>
+        public void ValuesAreThoseOfTheReference(double cell, double smoothing, int passes, double offset,
+            double expected) =>
             Assert.AreEqual(expected, SurfaceIsoCalibration.IsoValue(2.0, cell, smoothing, passes, offset), 0.0015);
 
         // Without a filter the cells do not matter but for the straight line between two samples.
