@@ -49,7 +49,7 @@ namespace SphFluid
 
         /// <summary>Makes a buffer, or makes it anew where it is too small; what it held is lost then.</summary>
         /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size; the others stay.</exception>
-        protected void Reserve(ref FluidBuffer buffer, string name, long count, int stride, GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured)
+        protected void Grow(ref FluidBuffer buffer, string name, long count, int stride, GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured)
         {
             if (buffer != null && buffer.Count >= count) return;
             if (buffer != null)

@@ -20,9 +20,9 @@ namespace SphFluid
         /// <exception cref="FluidDeviceException">The device has too little memory.</exception>
         public void Reserve(int particles, bool stretched)
         {
-            Reserve(ref kernels, "SurfaceParticles", particles, 4 * sizeof(float));
+            Grow(ref kernels, "SurfaceParticles", particles, 4 * sizeof(float));
             if (stretched)
-                Reserve(ref shapes, "SurfaceShapes", particles, 6 * sizeof(float));
+                Grow(ref shapes, "SurfaceShapes", particles, 6 * sizeof(float));
         }
     }
 

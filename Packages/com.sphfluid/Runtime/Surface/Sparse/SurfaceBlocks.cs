@@ -131,12 +131,12 @@ namespace SphFluid
             }
 
             Vector3Int counts = CountsOver(cells);
-            Reserve(ref table, "BlockTable", (long)counts.x * counts.y * counts.z, sizeof(uint));
-            Reserve(ref list, "BlockList", capacity, sizeof(uint));
-            Reserve(ref samples, "BlockSamples", (long)capacity * SamplesPerBlock, sizeof(float));
-            Reserve(ref ranges, "BlockRanges", capacity, RangeStride);
-            Reserve(ref counters, "SurfaceCounters", SurfaceCounters.Slots, sizeof(uint));
-            Reserve(ref roundArguments, "RoundArguments", 3, sizeof(uint), Arguments);
+            Grow(ref table, "BlockTable", (long)counts.x * counts.y * counts.z, sizeof(uint));
+            Grow(ref list, "BlockList", capacity, sizeof(uint));
+            Grow(ref samples, "BlockSamples", (long)capacity * SamplesPerBlock, sizeof(float));
+            Grow(ref ranges, "BlockRanges", capacity, RangeStride);
+            Grow(ref counters, "SurfaceCounters", SurfaceCounters.Slots, sizeof(uint));
+            Grow(ref roundArguments, "RoundArguments", 3, sizeof(uint), Arguments);
             Counts = counts;
             Capacity = list.Count;
         }

@@ -96,8 +96,8 @@ namespace SphFluid
             IndexCapacity = indexCapacity;
             if (vertices != null && vertices.Count >= vertexCapacity && indices.Count >= indexCapacity)
                 return;
-            Reserve(ref vertices, "SurfaceVertices", vertexCapacity, PackedSurfaceVertex.Stride);
-            Reserve(ref indices, "SurfaceIndices", indexCapacity, sizeof(uint),
+            Grow(ref vertices, "SurfaceVertices", vertexCapacity, PackedSurfaceVertex.Stride);
+            Grow(ref indices, "SurfaceIndices", indexCapacity, sizeof(uint),
                 GraphicsBuffer.Target.Index | GraphicsBuffer.Target.Raw);
             DrawArguments.SetData(NothingDrawn);
         }
