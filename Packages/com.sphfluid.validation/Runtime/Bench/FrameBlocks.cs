@@ -24,7 +24,7 @@ namespace SphFluid.Validation
         public static readonly IReadOnlyList<BenchBlock> Surface = new[]
         {
             new BenchBlock("prepare", "ClearSurfaceBlocks", "PrepareSurfaceParticles"),
-            new BenchBlock("list", "ListSurfaceBlocks", "BeginSurfaceRound"),
+            new BenchBlock("list", "ListSurfaceBlocks"),
             new BenchBlock("field", "ResetMCGrid", "SetMCGridDensityFactors", "SampleBlocks"),
             new BenchBlock("count", "CountBlocks", "SurfaceDrawArguments"),
             new BenchBlock("emit", "EmitSurfaceVertices", "EmitBlocks"),

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace SphFluid.Validation
 {
-    /// <summary>The arrays of a <see cref="CpuFluidSolver"/>, named as those of <see cref="FluidBuffers"/>.</summary>
+    /// <summary>The arrays of a <see cref="CpuFluidSolver"/>, named as those of the solver on the GPU.</summary>
     internal sealed class CpuFluidBuffers : IDisposable
     {
         NativeArray<long> totals;

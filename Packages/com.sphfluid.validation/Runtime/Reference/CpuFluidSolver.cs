@@ -29,7 +29,7 @@ namespace SphFluid.Validation
         bool disposed;
 
         /// <summary>Takes a copy of the particles.</summary>
-        /// <param name="settings">The physics; <see cref="FluidSolverSettings.With"/> sets the thesis's switches.</param>
+        /// <param name="settings">The physics; <see cref="ThesisRules.With"/> sets the thesis's switches.</param>
         /// <param name="initial">Particles at the start, one or more, inside the domain.</param>
         /// <param name="precision">In what values are kept.</param>
         /// <exception cref="ArgumentException">A constant or the particles cannot be computed with.</exception>

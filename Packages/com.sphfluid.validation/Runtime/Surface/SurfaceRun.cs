@@ -19,7 +19,7 @@ namespace SphFluid.Validation
 
         static readonly BenchBlock surface = new BenchBlock("surface",
             "ResetMCGrid", "SetMCGridDensityFactors", "CountSurfaceVertices", "EmitSurfaceVertices",
-            "ClearSurfaceBlocks", "PrepareSurfaceParticles", "ListSurfaceBlocks", "BeginSurfaceRound", "SampleBlocks", "CountBlocks",
+            "ClearSurfaceBlocks", "PrepareSurfaceParticles", "ListSurfaceBlocks", "SampleBlocks", "CountBlocks",
             "SurfaceDrawArguments", "EmitBlocks");
 
         readonly SurfaceState state;

@@ -58,7 +58,7 @@ namespace SphFluid
 
         /// <summary>Checks that every face can be computed with.</summary>
         /// <exception cref="ArgumentException">A velocity is out of range or acts on nothing; the message names it and the cure.</exception>
-        internal readonly void Validate()
+        internal void Validate()
         {
             if ((Periodic & ~FluidAxes.All) != 0)
             {
