@@ -86,6 +86,24 @@ public sealed partial class PackageStructureTests
     }
 
     [Test]
+    public void TheValidationPackageSeesWhatAnyoneSees()
+    {
+        string[] friends = [.. Directory.GetFiles(Runtime, "*.cs", SearchOption.AllDirectories).SelectMany(File.ReadLines)
+            .Where(line => line.Contains("InternalsVisibleTo(", StringComparison.Ordinal))];
+        Assert.That(friends, Has.Some.Contains("\"SphFluid.Editor\""));
+        Assert.That(friends, Has.None.Contains("Validation"));
+    }
+
+    [Test]
+    public void NothingOfTheProductUsesTheLaboratory()
+    {
+        IReadOnlyDictionary<string, HashSet<string>> uses = TypeReferences.Read(Assembly).Uses;
+        HashSet<string> laboratory = [.. DeclaredIn("Laboratory")];
+        Assert.That(laboratory, Contains.Item("SolverLaboratory"));
+        Assert.That(uses.Where(u => !laboratory.Contains(u.Key) && u.Value.Overlaps(laboratory)).Select(u => u.Key), Is.Empty);
+    }
+
+    [Test]
     public void NothingOutsideAMethodsFolderAsksWhichMethodItIs()
     {
         string package = Path.GetDirectoryName(Runtime)!;

@@ -2,9 +2,6 @@ using System.Runtime.CompilerServices;
 
 [assembly: InternalsVisibleTo("SphFluid.Editor")]
 [assembly: InternalsVisibleTo("SphFluid.Universal")]
-[assembly: InternalsVisibleTo("SphFluid.Validation")]
 [assembly: InternalsVisibleTo("SphFluid.Tests.Shared")]
 [assembly: InternalsVisibleTo("SphFluid.Tests.Editor")]
 [assembly: InternalsVisibleTo("SphFluid.Tests.Runtime")]
-[assembly: InternalsVisibleTo("SphFluid.Validation.Tests.Editor")]
-[assembly: InternalsVisibleTo("SphFluid.Validation.Tests.Runtime")]

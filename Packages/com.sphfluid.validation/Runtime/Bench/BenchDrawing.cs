@@ -1,4 +1,5 @@
 using System;
+using SphFluid.Laboratory;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -13,7 +14,6 @@ namespace SphFluid.Validation
     {
         public const int Width = 1280;
         public const int Height = 720;
-        public const int ForwardPass = 0;
 
         /// <summary>Iso value of every surface with the thesis's field.</summary>
         public const float IsoValue = 0.5f;
@@ -35,7 +35,7 @@ namespace SphFluid.Validation
 
         readonly Matrix4x4 view;
         readonly Matrix4x4 projection = Matrix4x4.Perspective(45f, (float)Width / Height, 0.1f, 10f);
-        readonly ParticleSquares squares;
+        readonly MeasuredParticles particles;
         RenderTexture target;
 
         public BenchDrawing(FluidShaderSet shaders)
@@ -43,24 +43,19 @@ namespace SphFluid.Validation
             // Unity's view matrix looks down -z.
             Quaternion rotation = Quaternion.LookRotation(-Eye, Vector3.up);
             view = Matrix4x4.Scale(new Vector3(1f, 1f, -1f)) * Matrix4x4.TRS(Eye, rotation, Vector3.one).inverse;
-            squares = new ParticleSquares(shaders);
+            particles = new MeasuredParticles(shaders);
             target = new RenderTexture(Width, Height, 24) { name = "SPH Fluid benchmark", hideFlags = HideFlags.HideAndDontSave };
             target.Create();
         }
-
-        /// <summary>Where the liquid stands in the picture.</summary>
-        public DrawPlacement Placement { get; } = new DrawPlacement(Matrix4x4.identity, Vector3.one * BenchLiquid.Edge, 0f, 0, false);
 
         /// <summary>The picture drawn last.</summary>
         public RenderTexture Target => target;
 
         public void RecordParticles(CommandBuffer cmd, FluidSolver solver)
         {
-            var look = new ParticleLook { Size = SquareSize * solver.Settings.Spacing, Colour = Colour, FastColour = Colour, Smoothness = 0.4f };
             cmd.BeginSample(ParticlesMarker);
             Begin(cmd);
-            cmd.DrawProcedural(Matrix4x4.identity, squares.Material, ForwardPass, MeshTopology.Triangles,
-                solver.ParticleCount * ParticleSquares.VerticesPerParticle, 1, squares.Properties(solver.Particles, look, Placement));
+            particles.Record(cmd, solver, SquareSize * solver.Settings.Spacing, Colour, 0.4f);
             cmd.EndSample(ParticlesMarker);
         }
 
@@ -76,10 +71,12 @@ namespace SphFluid.Validation
 
         public void Dispose()
         {
-            squares.Dispose();
-            if (target != null)
-                target.Release();
-            DrawMaterial.Destroy(ref target);
+            particles.Dispose();
+            if (target == null)
+                return;
+            target.Release();
+            UnityEngine.Object.DestroyImmediate(target);
+            target = null;
         }
 
         void Begin(CommandBuffer cmd)

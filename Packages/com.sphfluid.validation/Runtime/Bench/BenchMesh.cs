@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using UnityEngine;
 
 namespace SphFluid.Validation
@@ -11,33 +10,32 @@ namespace SphFluid.Validation
 
         static readonly Vector3 Centre = new Vector3(-0.25f * BenchLiquid.Edge, Radius - 0.5f * BenchLiquid.Edge, 0f);
 
-        readonly CollisionBodies bodies;
+        readonly FluidObstacles obstacles;
         GameObject holder;
 
         public BenchMesh(in FluidSolverSettings settings)
         {
-            bodies = new CollisionBodies(settings);
             holder = new GameObject("SPH Fluid benchmark") { hideFlags = HideFlags.HideAndDontSave };
             holder.SetActive(false);
             holder.transform.position = Centre;
             SphereCollider sphere = holder.AddComponent<SphereCollider>();
             sphere.radius = Radius;
-            ColliderState state = ColliderState.Of(sphere, ColliderSettings.DomainFriction, Matrix4x4.identity);
-            TriangleMesh mesh = new ColliderTriangles().Make(state, settings.Spacing, new List<FluidMessage>());
-            bodies.Update(new[] { new ColliderSolid(state, settings.Spacing, mesh) });
+            obstacles = new FluidObstacles(settings);
+            obstacles.Add(sphere);
+            obstacles.Update(Matrix4x4.identity);
         }
 
         /// <summary>Number of triangles.</summary>
-        public int TriangleCount => bodies.TriangleCount;
+        public int TriangleCount => obstacles.TriangleCount;
 
         /// <summary>Whether a particle there would overlap the sphere.</summary>
         public static bool Overlaps(Vector3 position, float spacing) => (position - Centre).magnitude < Radius + 0.5f * spacing;
 
-        public void GiveTo(FluidSolver solver) => solver.SetBodies(bodies);
+        public void GiveTo(FluidSolver solver) => solver.SetObstacles(obstacles);
 
         public void Dispose()
         {
-            bodies.Dispose();
+            obstacles.Dispose();
             if (holder != null)
                 UnityEngine.Object.DestroyImmediate(holder);
             holder = null;

@@ -115,7 +115,7 @@ namespace SphFluid.Validation
             { SizeBySize = true };
             if (missing != null)
                 plan.LeftOut = missing + " The rows of the geometry shader are left out.";
-            else if (particles == null && SurfaceGridSizes.IsSoftwareDevice && configs.Exists(IsSlowOnCpu))
+            else if (particles == null && FluidSupport.IsSoftwareDevice && configs.Exists(IsSlowOnCpu))
                 plan.LeaveOutSlowRows();
             return plan;
         }
@@ -132,7 +132,7 @@ namespace SphFluid.Validation
                 "With --particles they are measured.";
         }
 
-        static int[] ForDevice(int[] sizes) => sizes.Where(n => n <= MostOnCpu || !SurfaceGridSizes.IsSoftwareDevice).ToArray();
+        static int[] ForDevice(int[] sizes) => sizes.Where(n => n <= MostOnCpu || !FluidSupport.IsSoftwareDevice).ToArray();
 
         static BenchPlan Thesis(string name, IReadOnlyList<BenchConfig> configs, IReadOnlyList<int> particles) =>
             new BenchPlan(name, configs, particles, FrameBlocks.Thesis, new ThesisLayout(name, FrameBlocks.Thesis.Select(b => b.Name)));

@@ -2,6 +2,7 @@ using System.Collections;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using SphFluid.Laboratory;
 using UnityEngine;
 
 namespace SphFluid.Validation
@@ -58,11 +59,11 @@ namespace SphFluid.Validation
 
         IEnumerable<BenchPlan> Plans()
         {
-            string missing = GeometrySurface.MissingSupport();
+            string missing = MeasuredGeometrySurface.MissingSupport();
             if (arguments.Includes(BenchArguments.ThesisTable))
             {
                 yield return BenchPlan.Thesis(arguments.Particles, arguments.Grids, missing);
-                if (arguments.Sweep ?? !SurfaceGridSizes.IsSoftwareDevice)
+                if (arguments.Sweep ?? !FluidSupport.IsSoftwareDevice)
                     yield return BenchPlan.Sweep(SweepParticles());
             }
             if (arguments.Includes(BenchArguments.SolverTable))

@@ -109,7 +109,7 @@ namespace SphFluid.Validation
         void AddRow(BenchLiquid liquid, BenchConfig config)
         {
             FluidSolver solver = liquid.Solver;
-            bool limited = config.Kind == BenchSurfaceKind.Geometry && !SurfaceGridSizes.IsSoftwareDevice;
+            bool limited = config.Kind == BenchSurfaceKind.Geometry && !FluidSupport.IsSoftwareDevice;
             var row = new BenchRow(config, solver.ParticleCount)
             {
                 Spacing = solver.Settings.Spacing,

@@ -1,3 +1,6 @@
+using System;
+using UnityEngine;
+
 namespace SphFluid.Validation
 {
     /// <summary>
@@ -9,6 +12,9 @@ namespace SphFluid.Validation
         // Of FluidParticle, 48 bytes: position and id, or those and one velocity.
         const long Pair = 8, Particle = 48, Position = 16, PositionAndVelocity = 32;
         const int ThesisPassesBesidesSort = 8;
+
+        // The bitonic sort takes a power of two of pairs, and a block of them at least.
+        const long SortBlock = 1024;
 
         /// <summary>Bytes of a step of the Standard method. 16,384 particles and 12,167 cells, no list: 192 · 16,384 + 40 · 12,167 = 3.6 MB.</summary>
         /// <param name="particles">Number of particles.</param>
@@ -37,7 +43,7 @@ namespace SphFluid.Validation
         public static long Thesis(long particles, long cells, long dispatches)
         {
             const long vector = 16, word = 4;
-            long padded = BitonicSortPass.PaddedCount((int)particles);
+            long padded = Mathf.NextPowerOfTwo((int)Math.Max(particles, SortBlock));
             long keys = particles * Position + padded * Pair;
             long sort = (dispatches - ThesisPassesBesidesSort) * 2 * Pair * padded;
             long ranges = particles * Pair + 2 * Pair * cells;

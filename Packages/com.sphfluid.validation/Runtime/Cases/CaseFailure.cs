@@ -12,12 +12,12 @@ namespace SphFluid.Validation
         const double EscapedShare = 1e-3;
 
         readonly CaseSetup setup;
-        readonly List<MeshObstacle> obstacles;
+        readonly List<TriangleMesh> obstacles;
 
         public CaseFailure(CaseSetup setup)
         {
             this.setup = setup;
-            obstacles = setup.Obstacles.Select(corners => new MeshObstacle(new TriangleMesh(corners, Enumerable.Range(0, corners.Length).ToArray()))).ToList();
+            obstacles = setup.Obstacles.Select(TriangleMesh.FromCorners).ToList();
         }
 
         /// <summary>Why the counts show no liquid any more; null when they do not. The solver stops particles that are not finite.</summary>
@@ -54,7 +54,7 @@ namespace SphFluid.Validation
             float depth = 0.5f * setup.Settings.Spacing;
             if (Mathf.Abs(p.x) > half.x + depth || Mathf.Abs(p.y) > half.y + depth || Mathf.Abs(p.z) > half.z + depth)
                 return true;
-            foreach (MeshObstacle obstacle in obstacles)
+            foreach (TriangleMesh obstacle in obstacles)
             {
                 if (obstacle.Contains(p) && !obstacle.IsNear(p, depth))
                     return true;

@@ -77,7 +77,7 @@ namespace SphFluid.Validation
                     Vector3 d = state.LocalPositions[i] - point;
                     for (int axis = 0; axis < 3; axis++)
                         d[axis] -= period[axis] > 0f ? period[axis] * Mathf.Round(d[axis] / period[axis]) : 0f;
-                    double weight = WendlandKernel.Shape(d.magnitude / settings.SupportRadius);
+                    double weight = CpuKernels.Wendland(d.magnitude / settings.SupportRadius);
                     weights += weight;
                     pressures += weight * state.Pressures[i];
                 }

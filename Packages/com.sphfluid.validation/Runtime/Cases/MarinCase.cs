@@ -91,7 +91,7 @@ namespace SphFluid.Validation
         static Vector3[] Box()
         {
             var centre = new Vector3(BoxCentre - 0.5f * tank.x, 0.5f * (box.y - tank.y), 0f);
-            TriangleMesh mesh = PrimitiveTessellator.Box(Matrix4x4.TRS(centre, Quaternion.identity, box));
+            TriangleMesh mesh = TriangleMesh.Box(Matrix4x4.TRS(centre, Quaternion.identity, box));
             var corners = new List<Vector3>();
             for (int t = 0; t < mesh.TriangleCount; t++)
             {

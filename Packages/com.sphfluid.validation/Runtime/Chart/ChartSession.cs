@@ -27,7 +27,7 @@ namespace SphFluid.Validation
         /// <exception cref="FluidDeviceException">The device has no GPU times.</exception>
         public ChartSession(ChartArguments arguments, FluidShaderSet shaders, SessionProgress progress)
             : this(arguments, PlanFor(arguments), new ChartRunner(shaders).Run, progress, SystemInfo.graphicsDeviceName,
-                new SessionRate(SurfaceGridSizes.IsSoftwareDevice ? ChartPlan.SoftwareRate : (double?)null))
+                new SessionRate(FluidSupport.IsSoftwareDevice ? ChartPlan.SoftwareRate : (double?)null))
         {
         }
 
@@ -65,7 +65,7 @@ namespace SphFluid.Validation
             if (arguments.Quick)
                 return ChartPlan.Quick(arguments.Cases, arguments.Methods);
             return ChartPlan.Full(arguments.Cases, arguments.Methods,
-                SurfaceGridSizes.IsSoftwareDevice ? ChartPlan.SoftwareRunLimit : double.PositiveInfinity);
+                FluidSupport.IsSoftwareDevice ? ChartPlan.SoftwareRunLimit : double.PositiveInfinity);
         }
 
         SessionJob Job(ChartRun run)

@@ -1,4 +1,5 @@
 using System;
+using SphFluid.Laboratory;
 using UnityEngine;
 
 namespace SphFluid.Validation
@@ -9,7 +10,6 @@ namespace SphFluid.Validation
         const string Name = "Failure Experiment";
 
         readonly FailureRun run;
-        readonly FluidShaderSet shaders;
         readonly ComputeShader audit;
         readonly FluidSolver solver;
         readonly FluidStatisticsMeter meter;
@@ -19,7 +19,6 @@ namespace SphFluid.Validation
         public FailureRunner(FailureRun run, FluidShaderSet shaders, ComputeShader audit)
         {
             this.run = run;
-            this.shaders = shaders;
             this.audit = audit;
             solver = new FluidSolver(run.Settings, shaders, run.Start);
             meter = new FluidStatisticsMeter(shaders, solver);
@@ -35,7 +34,7 @@ namespace SphFluid.Validation
             {
                 FluidSolverSettings wrong = run.Settings;
                 wrong.OctantSearch = true;
-                solver.State.Settings = wrong;
+                SolverLaboratory.SetUnchecked(solver, wrong);
             }
             result.Note(detectors.Check());
             if (run.Later != null)
@@ -75,17 +74,7 @@ namespace SphFluid.Validation
         {
             GpuWork.Submit(Name, cmd => solver.RecordNeighbourSetup(cmd));
             solver.Particles.SetData(run.Later);
-            var state = (ThesisState)solver.State;
-            GpuWork.Submit(Name, cmd =>
-            {
-                new CalculateParticleCellValuePass(shaders).Record(cmd, state);
-                new BitonicSortPass(shaders).Record(cmd, state);
-                if (!run.RangesKept)
-                    new ResetGridIndicesPass(shaders).Record(cmd, state);
-                new SetGridIndicesPass(shaders).Record(cmd, state);
-                new SortParticlesPass(shaders).Record(cmd, state);
-                new CalculateDensityPass(shaders).Record(cmd, state);
-            });
+            GpuWork.Submit(Name, cmd => SolverLaboratory.RecordNeighbourSetup(solver, cmd, run.RangesKept ? "ResetGridIndices" : null));
         }
     }
 }

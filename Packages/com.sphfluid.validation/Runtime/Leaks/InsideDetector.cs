@@ -9,10 +9,10 @@ namespace SphFluid.Validation
     /// </summary>
     sealed class InsideDetector : LeakDetector
     {
-        readonly MeshObstacle obstacle;
+        readonly TriangleMesh mesh;
         readonly Dictionary<int, bool> startedInside = new Dictionary<int, bool>();
 
-        public InsideDetector(TriangleMesh mesh) => obstacle = new MeshObstacle(mesh);
+        public InsideDetector(TriangleMesh mesh) => this.mesh = mesh;
 
         /// <inheritdoc/>
         public override bool NeedsSteps => false;
@@ -20,7 +20,7 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         protected override bool Passed(int particle, Vector3 place, bool first)
         {
-            bool inside = obstacle.Contains(place);
+            bool inside = mesh.Contains(place);
             if (first)
                 startedInside[particle] = inside;
             return inside != startedInside[particle];

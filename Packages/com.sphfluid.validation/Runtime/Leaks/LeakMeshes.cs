@@ -57,7 +57,7 @@ namespace SphFluid.Validation
         /// <param name="below">Height that they stay below [m].</param>
         public static List<Vector3> Fill(Vector3[] surface, float spacing, float below)
         {
-            var obstacle = new MeshObstacle(new TriangleMesh(surface, Enumerable.Range(0, surface.Length).ToArray()));
+            TriangleMesh obstacle = TriangleMesh.FromCorners(surface);
             Vector3 low = surface.Aggregate(Vector3.Min), high = surface.Aggregate(Vector3.Max);
             // Half a spacing from the lowest point, as liquid lies on a floor.
             Vector3Int counts = Vector3Int.CeilToInt((high - low) / spacing);

@@ -41,7 +41,7 @@ namespace SphFluid.Validation
         public bool Solid = true;
 
         /// <summary>The surface as a mesh.</summary>
-        public TriangleMesh Mesh => new TriangleMesh(Surface, Enumerable.Range(0, Surface.Length).ToArray());
+        public TriangleMesh Mesh => TriangleMesh.FromCorners(Surface);
 
         public LeakPose PoseAt(int frame) => Motion?.Invoke(frame) ?? LeakPose.Rest;
     }

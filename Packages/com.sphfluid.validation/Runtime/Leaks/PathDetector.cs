@@ -51,7 +51,7 @@ namespace SphFluid.Validation
             if (first)
                 return false;
             Vector3 from = before[particle], to = from + Shortest(place - from);
-            if (!AffineMath.IsFinite(to))
+            if (!(to.sqrMagnitude < float.PositiveInfinity))
                 return true;
             Vector3 low = Vector3.Min(from, to), high = Vector3.Max(from, to);
             for (int t = 0; t < bounds.Length; t++)

@@ -121,7 +121,7 @@ namespace SphFluid.Validation
 
         static Vector3[] Cube(float half)
         {
-            TriangleMesh box = PrimitiveTessellator.Box(Matrix4x4.Scale(2f * half * Vector3.one));
+            TriangleMesh box = TriangleMesh.Box(Matrix4x4.Scale(2f * half * Vector3.one));
             return box.Indices.Select(i => box.Vertices[i]).ToArray();
         }
     }

@@ -70,10 +70,17 @@ namespace SphFluid.Validation
             var separations = new List<Vector3>();
             for (int t = 0; t < corners.Length; t += 3)
             {
-                if (!TriangleMesh.IsDegenerate(corners[t], corners[t + 1], corners[t + 2]))
-                    separations.Add(TriangleMath.ClosestPoint(place, corners[t], corners[t + 1], corners[t + 2]) - place);
+                if (HasArea(corners[t], corners[t + 1], corners[t + 2]))
+                    separations.Add(CpuTriangle.Separation(place, corners[t], corners[t + 1], corners[t + 2]));
             }
             return separations;
+        }
+
+        // Its height over its longest edge is 1e-5 of that edge or more.
+        static bool HasArea(Vector3 a, Vector3 b, Vector3 c)
+        {
+            float longest = Mathf.Max((b - a).sqrMagnitude, Mathf.Max((c - a).sqrMagnitude, (c - b).sqrMagnitude));
+            return Vector3.Cross(b - a, c - a).magnitude >= 1e-5f * longest && longest > 0f;
         }
     }
 }

@@ -33,7 +33,7 @@ namespace SphFluid.Validation
         {
             float nearest = float.PositiveInfinity;
             for (int i = 0; i < corners.Count; i += 3)
-                nearest = Mathf.Min(nearest, (TriangleMath.ClosestPoint(point, corners[i], corners[i + 1], corners[i + 2]) - point).magnitude);
+                nearest = Mathf.Min(nearest, CpuTriangle.Separation(point, corners[i], corners[i + 1], corners[i + 2]).magnitude);
             return nearest;
         }
 

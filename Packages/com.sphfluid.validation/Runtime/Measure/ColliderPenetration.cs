@@ -24,12 +24,12 @@ namespace SphFluid.Validation
             int inside = 0, deep = 0;
             foreach (Vector3 position in snapshot.LocalPositions)
             {
-                foreach (ColliderSolid solid in simulation.Collision.Solids)
+                foreach (FluidObstacle obstacle in simulation.Obstacles)
                 {
-                    if (!solid.Obstacle.Contains(position))
+                    if (!obstacle.Mesh.Contains(position))
                         continue;
                     inside++;
-                    if (!solid.Obstacle.IsNear(position, spacing))
+                    if (!obstacle.Mesh.IsNear(position, spacing))
                         deep++;
                     break;
                 }

@@ -5,7 +5,7 @@ namespace SphFluid.Validation
 {
     /// <summary>
     /// On which side of each closed collider every particle was at the start, to count those that got through since: out of a vessel
-    /// or into a solid. A side is how often the surface winds round a particle. Open meshes have no sides; colliders that came or
+    /// or into a obstacle. A side is how often the surface winds round a particle. Open meshes have no sides; colliders that came or
     /// went in between are left out.
     /// </summary>
     public sealed class ColliderSides
@@ -21,10 +21,10 @@ namespace SphFluid.Validation
         public static ColliderSides Of(FluidSimulation simulation, FluidSnapshot snapshot)
         {
             var sides = new ColliderSides(simulation.Solver);
-            foreach (ColliderSolid solid in simulation.Collision.Solids)
+            foreach (FluidObstacle obstacle in simulation.Obstacles)
             {
-                if (solid.Mesh.IsClosed)
-                    sides.start[solid.State.Collider] = SidesOf(solid, snapshot);
+                if (obstacle.Mesh.IsClosed)
+                    sides.start[obstacle.Collider] = SidesOf(obstacle, snapshot);
             }
             return sides;
         }
@@ -38,11 +38,11 @@ namespace SphFluid.Validation
         public int CountChanged(FluidSimulation simulation, FluidSnapshot snapshot)
         {
             var changed = new HashSet<uint>();
-            foreach (ColliderSolid solid in simulation.Collision.Solids)
+            foreach (FluidObstacle obstacle in simulation.Obstacles)
             {
-                if (!start.TryGetValue(solid.State.Collider, out Dictionary<uint, int> before))
+                if (!start.TryGetValue(obstacle.Collider, out Dictionary<uint, int> before))
                     continue;
-                foreach (KeyValuePair<uint, int> now in SidesOf(solid, snapshot))
+                foreach (KeyValuePair<uint, int> now in SidesOf(obstacle, snapshot))
                 {
                     if (before.TryGetValue(now.Key, out int side) && side != now.Value)
                         changed.Add(now.Key);
@@ -51,11 +51,11 @@ namespace SphFluid.Validation
             return changed.Count;
         }
 
-        static Dictionary<uint, int> SidesOf(ColliderSolid solid, FluidSnapshot snapshot)
+        static Dictionary<uint, int> SidesOf(FluidObstacle obstacle, FluidSnapshot snapshot)
         {
             var sides = new Dictionary<uint, int>(snapshot.Count);
             for (int i = 0; i < snapshot.Count; i++)
-                sides[snapshot.Ids[i]] = solid.Obstacle.Winding(snapshot.LocalPositions[i]);
+                sides[snapshot.Ids[i]] = obstacle.Mesh.Winding(snapshot.LocalPositions[i]);
             return sides;
         }
     }

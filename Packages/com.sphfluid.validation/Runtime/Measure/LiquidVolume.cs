@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 using UnityEngine;
 
 namespace SphFluid.Validation
@@ -33,7 +35,7 @@ namespace SphFluid.Validation
             double measured = 0;
             for (int z = 0; z < nz; z++)
                 for (int x = 0; x < nx; x++)
-                    measured += area * FreeHeight(simulation.Collision, settings, ColumnCentre(settings.DomainSize, x, z, nx, nz), tops[z * nx + x]);
+                    measured += area * FreeHeight(simulation.Obstacles, settings, ColumnCentre(settings.DomainSize, x, z, nx, nz), tops[z * nx + x]);
 
             double expected = 0;
             foreach (float density in snapshot.Densities)
@@ -61,14 +63,14 @@ namespace SphFluid.Validation
             new Vector2(((x + 0.5f) / nx - 0.5f) * size.x, ((z + 0.5f) / nz - 0.5f) * size.z);
 
         // The part of a column below its top that no collider fills, by samples half a spacing apart.
-        static double FreeHeight(CollisionScene collision, in FluidSolverSettings settings, Vector2 column, float top)
+        static double FreeHeight(IReadOnlyList<FluidObstacle> obstacles, in FluidSolverSettings settings, Vector2 column, float top)
         {
             int samples = Mathf.CeilToInt(top / (0.5f * settings.Spacing));
             int free = 0;
             for (int i = 0; i < samples; i++)
             {
                 var point = new Vector3(column.x, (i + 0.5f) / samples * top - 0.5f * settings.DomainSize.y, column.y);
-                if (collision.FindCovering(point, 0f) < 0)
+                if (!obstacles.Any(o => o.Mesh.Contains(point)))
                     free++;
             }
             return samples == 0 ? 0.0 : (double)top * free / samples;

@@ -53,9 +53,11 @@ namespace SphFluid.Validation
         // Before a lattice is made: one of far too many sites would take minutes.
         static void SetParticles(FluidSimulation simulation, int count)
         {
-            long most = LiquidChecks.MostParticles(simulation.Spec, out string owner);
+            long most = simulation.ParticleLimit;
             if (count > most)
             {
+                string owner = simulation.Profile != null && most == simulation.Profile.MaxParticles
+                    ? $"the profile '{simulation.Profile.name}' allows {most} particles" : $"this device's buffers hold {most} particles";
                 throw new CommandLineException(FormattableString.Invariant(
                     $"--particles {count} does not fit '{simulation.name}': {owner}. The largest count that fits is {most}."));
             }

@@ -28,7 +28,7 @@ namespace SphFluid.Validation
             switch (Maker(simulation))
             {
                 case FluidSurfaceRenderer renderer: return renderer.Status;
-                case FluidSurfaceMesh mesh: return mesh.Sparse?.Status ?? default;
+                case FluidSurfaceMesh mesh: return mesh.Status;
                 default: return default;
             }
         }

@@ -148,7 +148,7 @@ namespace SphFluid.Validation
                 Neighbours = neighbours,
                 Rounding = rounding,
                 SmoothLengthSquared = h * h,
-                Coefficient = settings.ParticleMass * MullerKernels.Poly6Factor(h),
+                Coefficient = settings.ParticleMass * CpuKernels.Poly6Factor(h),
                 RestDensity = settings.RestDensity,
                 Stiffness = settings.Own<ThesisSettings>().Stiffness,
                 PressureFloor = settings.PressureClamp ? 0.0 : NoFloor,
@@ -190,7 +190,7 @@ namespace SphFluid.Validation
         {
             double kick = 0.5 * (previous + timeStep);
             int count = ParticleCount;
-            double factor = settings.ParticleMass * MullerKernels.SpikyGradientFactor(settings.SupportRadius);
+            double factor = settings.ParticleMass * CpuKernels.SpikyGradientFactor(settings.SupportRadius);
             double3 half = 0.5 * CpuFluidParticle.Double(settings.DomainSize);
             var force = new CpuForceJob
             {
@@ -209,7 +209,7 @@ namespace SphFluid.Validation
                 Rounding = rounding,
                 Collision = meshes.Collision(settings, half, timeStep, kick),
                 PrintedMass = settings.Own<ThesisSettings>().ForceTimesMass ? settings.ParticleMass : 0.0,
-                AccelerationLimit = settings.Own<ThesisSettings>().AccelerationLimitEnabled ? settings.Own<ThesisSettings>().AccelerationLimitAt(settings.TimeStep, timeStep) : double.MaxValue,
+                AccelerationLimit = settings.Own<ThesisSettings>().AccelerationLimitEnabled ? AccelerationLimit(timeStep) : double.MaxValue,
                 Gravity = CpuFluidParticle.Double(settings.Gravity),
                 BodyForceCentre = CpuFluidParticle.Double(settings.BodyForce.Centre),
                 BodyForceRate = CpuFluidParticle.Double(settings.BodyForce.RateSquared),
@@ -236,6 +236,14 @@ namespace SphFluid.Validation
             JobHandle accelerated = acceleration.Schedule(count, Batch, forced);
             JobHandle moved = position.Schedule(count, Batch, accelerated);
             buffers.CountEvents().Schedule(moved).Complete();
+        }
+
+        // The limit is a distance a step: steps of another length scale it by 1/dt². A float on the GPU.
+        double AccelerationLimit(float timeStep)
+        {
+            var own = settings.Own<ThesisSettings>();
+            double steps = own.AccelerationLimitFixed ? 1.0 : settings.TimeStep / (double)timeStep;
+            return (float)(own.AccelerationLimit * steps * steps);
         }
 
         CpuFluidBuffers Alive()

@@ -1,4 +1,5 @@
 using Unity.Mathematics;
+using UnityEngine;
 
 namespace SphFluid.Validation
 {
@@ -8,6 +9,14 @@ namespace SphFluid.Validation
         public double3 A;
         public double3 B;
         public double3 C;
+
+        /// <summary>From a point to the nearest one of a triangle [m].</summary>
+        public static Vector3 Separation(Vector3 p, Vector3 a, Vector3 b, Vector3 c)
+        {
+            var triangle = new CpuTriangle { A = CpuFluidParticle.Double(a), B = CpuFluidParticle.Double(b), C = CpuFluidParticle.Double(c) };
+            double3 from = CpuFluidParticle.Double(p);
+            return (float3)(triangle.ClosestPoint(from, out _) - from);
+        }
 
         /// <summary>Nearest point (Ericson 5.1.5); onFace: the perpendicular from p falls inside the triangle.</summary>
         public double3 ClosestPoint(double3 p, out bool onFace)

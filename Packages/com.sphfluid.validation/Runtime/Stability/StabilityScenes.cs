@@ -144,7 +144,7 @@ namespace SphFluid.Validation
 
         static Vector3[] Slab(Vector3 centre, Vector3 size)
         {
-            TriangleMesh mesh = PrimitiveTessellator.Box(Matrix4x4.TRS(centre, Quaternion.identity, size));
+            TriangleMesh mesh = TriangleMesh.Box(Matrix4x4.TRS(centre, Quaternion.identity, size));
             var corners = new List<Vector3>();
             for (int t = 0; t < mesh.TriangleCount; t++)
             {

@@ -28,12 +28,12 @@ namespace SphFluid.Validation
         /// <exception cref="CommandLineException">The folder has tables that cannot be continued.</exception>
         /// <exception cref="FluidDeviceException">There are no shaders.</exception>
         public StabilitySession(StabilityArguments arguments, FluidShaderSet shaders, SessionProgress progress)
-            : this(arguments, StabilityPlan.Of(arguments, SurfaceGridSizes.IsSoftwareDevice), RunnerOf(shaders), progress, SystemInfo.graphicsDeviceName)
+            : this(arguments, StabilityPlan.Of(arguments, FluidSupport.IsSoftwareDevice), RunnerOf(shaders), progress, SystemInfo.graphicsDeviceName)
         {
         }
 
         internal StabilitySession(StabilityArguments arguments, StabilityPlan plan, Runner runner, SessionProgress progress, string device)
-            : base(arguments, "runs and borders", device, progress, new SessionRate(SurfaceGridSizes.IsSoftwareDevice ? SoftwareRate : (double?)null))
+            : base(arguments, "runs and borders", device, progress, new SessionRate(FluidSupport.IsSoftwareDevice ? SoftwareRate : (double?)null))
         {
             this.plan = plan;
             this.runner = runner;

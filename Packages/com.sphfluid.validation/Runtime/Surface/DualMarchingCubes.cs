@@ -65,7 +65,7 @@ namespace SphFluid.Validation
             int index = 0;
             for (int corner = 0; corner < 8; corner++)
             {
-                float value = Value(cube + SurfaceGrid.CornerOffset(corner));
+                float value = Value(cube + CubeFaceRules.Offset(corner));
                 if (float.IsNaN(value))
                     return AllOutside;
                 index |= value < iso ? 1 << corner : 0;
@@ -89,7 +89,7 @@ namespace SphFluid.Validation
         void AddVertices(Vector3Int cube, int index, int separated)
         {
             var vertices = new int[12];
-            foreach (List<int> loop in MarchingCubesTables.Loops(index, separated))
+            foreach (List<int> loop in CubeFaceRules.Outlines(index, separated))
             {
                 Vector3 position = Vector3.zero, normal = Vector3.zero;
                 foreach (int edge in loop)
@@ -127,10 +127,10 @@ namespace SphFluid.Validation
 
         // Vertex for the edge that starts at a cube's lowest corner, of another cube around that edge; -1 where that cube is left out.
         int Vertex(Vector3Int cube, Vector3Int offset, Vector3Int along) => vertexOfEdge.TryGetValue(cube - offset, out int[] vertices)
-            ? vertices[MarchingCubesTables.EdgeBetween(CubeFaceRules.CornerAt(offset), CubeFaceRules.CornerAt(offset + along))]
+            ? vertices[CubeFaceRules.EdgeBetween(CubeFaceRules.CornerAt(offset), CubeFaceRules.CornerAt(offset + along))]
             : -1;
 
-        static Vector3Int Corner(Vector3Int cube, int edge, int end) => cube + SurfaceGrid.CornerOffset(MarchingCubesTables.EdgeCorners[2 * edge + end]);
+        static Vector3Int Corner(Vector3Int cube, int edge, int end) => cube + CubeFaceRules.Offset(MarchingCubesTables.EdgeCorners[2 * edge + end]);
 
         static Vector3Int Unit(int axis) => new Vector3Int(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
 

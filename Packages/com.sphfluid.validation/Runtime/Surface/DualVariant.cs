@@ -1,3 +1,4 @@
+using SphFluid.Laboratory;
 using UnityEngine;
 
 namespace SphFluid.Validation
@@ -6,14 +7,13 @@ namespace SphFluid.Validation
     sealed class DualVariant : SurfaceVariant
     {
         readonly FluidSurfaceQuality quality;
-        readonly SurfacePasses passes;
-        readonly SurfaceBlocks blocks = new SurfaceBlocks();
+        readonly SparseFieldReader reader;
 
         public DualVariant(FluidShaderSet shaders, FluidSurfaceQuality quality, float cell)
             : base(cell)
         {
             this.quality = quality;
-            passes = new SurfacePasses(shaders);
+            reader = new SparseFieldReader(shaders);
         }
 
         /// <inheritdoc/>
@@ -25,17 +25,10 @@ namespace SphFluid.Validation
             FluidSolverSettings liquid = solver.Settings;
             SurfaceFieldSettings settings = SurfaceFieldSettings.For(quality, liquid, Cell);
             SurfaceGrid grid = SurfaceGrid.OverDomain(liquid.DomainSize, settings.CellSize);
-            Vector3Int counts = SurfaceBlocks.CountsOver(grid.Cells);
-            blocks.Reserve(grid.Cells, counts.x * counts.y * counts.z);
-            GpuWork.Submit("Surface Variant", cmd => passes.RecordField(cmd, new SurfaceInput(solver, settings, grid, SurfaceWalls.Closed, blocks)));
-            return DualMarchingCubes.Polygonise(grid, BlockSamplesReader.Read(blocks, grid), settings.IsoValue, true);
+            return DualMarchingCubes.Polygonise(grid, reader.Read(solver, settings, grid), settings.IsoValue, true);
         }
 
         /// <inheritdoc/>
-        public override void Dispose()
-        {
-            passes.Dispose();
-            blocks.Dispose();
-        }
+        public override void Dispose() => reader.Dispose();
     }
 }

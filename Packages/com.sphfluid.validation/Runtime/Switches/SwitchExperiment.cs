@@ -1,4 +1,5 @@
 using System;
+using SphFluid.Laboratory;
 using UnityEngine;
 
 namespace SphFluid.Validation
@@ -54,7 +55,7 @@ namespace SphFluid.Validation
                 {
                     FluidSolverSettings wrong = settings;
                     wrong.OctantSearch = true;
-                    solver.State.Settings = wrong;
+                    SolverLaboratory.SetUnchecked(solver, wrong);
                 }
                 GpuWork.Step(CommandName, solver, (int)Math.Round(Seconds / settings.TimeStep));
                 GpuWork.Submit(CommandName, cmd => solver.RecordNeighbourSetup(cmd));

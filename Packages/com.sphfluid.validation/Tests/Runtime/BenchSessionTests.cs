@@ -5,6 +5,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using NUnit.Framework;
+using SphFluid.Laboratory;
 using SphFluid.Validation;
 using UnityEngine;
 using UnityEngine.TestTools;
@@ -44,7 +45,7 @@ namespace SphFluid.Tests
             }
             string[] lines = File.ReadAllLines(Path.Combine(folder, "thesis.csv"));
             string[] head = lines[0].Split(',');
-            int rows = GeometrySurface.MissingSupport() == null ? 3 : 2;
+            int rows = MeasuredGeometrySurface.MissingSupport() == null ? 3 : 2;
             Assert.That(lines, Has.Length.EqualTo(1 + rows));
             for (int i = 1; i < lines.Length; i++)
             {
@@ -99,7 +100,7 @@ namespace SphFluid.Tests
             string[][] lines = File.ReadAllLines(Path.Combine(folder, "surface.csv")).Select(CsvText.Split).ToArray();
             string Cell(string[] line, string name) => line[Array.IndexOf(lines[0], name)];
             double Number(string[] line, string name) => double.Parse(Cell(line, name), CultureInfo.InvariantCulture);
-            bool hasGeometry = GeometrySurface.MissingSupport() == null;
+            bool hasGeometry = MeasuredGeometrySurface.MissingSupport() == null;
             Assert.That(lines, Has.Length.EqualTo(1 + (hasGeometry ? 9 : 7)));
             foreach (string[] line in lines.Skip(1))
             {

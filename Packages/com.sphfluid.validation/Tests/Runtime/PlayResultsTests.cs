@@ -3,6 +3,7 @@ using System.Collections;
 using System.Collections.Generic;
 using System.IO;
 using NUnit.Framework;
+using SphFluid.Laboratory;
 using SphFluid.Validation;
 using UnityEngine;
 using UnityEngine.TestTools;
@@ -33,8 +34,8 @@ namespace SphFluid.Tests
         [UnityTest]
         public IEnumerator TheMeshIsIndexedAndClosedWhateverIsDrawn([Values("marching-cubes", "marching-cubes-gs", "particles", "none")] string surface)
         {
-            if (surface == "marching-cubes-gs" && GeometrySurface.MissingSupport() != null)
-                Assert.Ignore(GeometrySurface.MissingSupport());
+            if (surface == "marching-cubes-gs" && MeasuredGeometrySurface.MissingSupport() != null)
+                Assert.Ignore(MeasuredGeometrySurface.MissingSupport());
             string file = Path.Combine(folder, "mesh.ply");
             FluidSimulation simulation = rig.Create();
             PlayArguments arguments = PlayArguments.Parse(new[] { "player", "--out", folder, "--", "--surface", surface, "--mesh", file });

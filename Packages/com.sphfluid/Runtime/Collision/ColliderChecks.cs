@@ -10,7 +10,7 @@ namespace SphFluid
         /// <param name="query">Where it was found; without an owner nothing is checked.</param>
         /// <param name="solid">The collider.</param>
         /// <param name="messages">Receives what is worth knowing.</param>
-        public static void Check(in CollisionQuery query, ColliderSolid solid, List<FluidMessage> messages)
+        public static void Check(in CollisionQuery query, FluidObstacle solid, List<FluidMessage> messages)
         {
             Component owner = query.Owner;
             if (owner == null) return;

@@ -10,7 +10,8 @@ namespace SphFluid
 
         ColliderState(Collider collider, Matrix4x4 toSimulation, float friction, Mesh mesh, Vector3 center, Vector3 size)
         {
-            Collider = collider;
+            Key = Collider = collider;
+            Triangles = null;
             Friction = friction;
             ToSimulation = toSimulation;
             Mesh = mesh;
@@ -19,8 +20,34 @@ namespace SphFluid
             stamp = MeshStamp.Of(mesh);
         }
 
+        /// <summary>A mesh that no collider has.</summary>
+        /// <param name="key">What it is known by while it moves.</param>
+        /// <param name="triangles">Its triangles in a space of its own.</param>
+        /// <param name="friction">0 free slip to 1 no slip; negative: as the domain's faces.</param>
+        /// <param name="toSimulation">Its own space to simulation space.</param>
+        public ColliderState(object key, TriangleMesh triangles, float friction, in Matrix4x4 toSimulation)
+        {
+            Key = key;
+            Collider = null;
+            Triangles = triangles;
+            Friction = friction;
+            ToSimulation = toSimulation;
+            Mesh = null;
+            Center = Vector3.zero;
+            Size = Vector3.one;
+            stamp = default;
+        }
+
+        /// <summary>What the obstacle is known by: its collider, where it has one.</summary>
+        public object Key { get; }
+
+        /// <summary>The collider; null for a mesh that no collider has.</summary>
+
         public Collider Collider { get; }
         public Matrix4x4 ToSimulation { get; }
+
+        /// <summary>Triangles of a mesh that no collider has, in a space of their own; null for colliders.</summary>
+        public TriangleMesh Triangles { get; }
 
         /// <summary>0 free slip to 1 no slip; negative: as the domain's faces.</summary>
         public float Friction { get; }
@@ -54,19 +81,19 @@ namespace SphFluid
         }
 
         /// <summary>Whether the states have the same mesh, with the same vertices as far as that is cheap to find out, or both none.</summary>
-        public bool HasMeshOf(in ColliderState other) => ReferenceEquals(Mesh, other.Mesh) && stamp.Equals(other.stamp);
+        public bool HasMeshOf(in ColliderState other) => ReferenceEquals(Mesh, other.Mesh) && ReferenceEquals(Triangles, other.Triangles) && stamp.Equals(other.stamp);
 
         /// <summary>Whether the states differ by the transform only.</summary>
         public bool HasShapeOf(in ColliderState other) => HasMeshOf(other) && Center.Equals(other.Center) && Size.Equals(other.Size);
 
         /// <summary>Whether the states differ by the friction at most.</summary>
         public bool HasTrianglesOf(in ColliderState other) =>
-            ReferenceEquals(Collider, other.Collider) && ToSimulation.Equals(other.ToSimulation) && HasShapeOf(other);
+            ReferenceEquals(Key, other.Key) && ToSimulation.Equals(other.ToSimulation) && HasShapeOf(other);
 
         public bool Equals(ColliderState other) => HasTrianglesOf(other) && Friction.Equals(other.Friction);
 
         public override bool Equals(object obj) => obj is ColliderState other && Equals(other);
 
-        public override int GetHashCode() => HashCode.Combine(Collider, ToSimulation, Mesh);
+        public override int GetHashCode() => HashCode.Combine(Key, ToSimulation, Mesh);
     }
 }

@@ -26,6 +26,7 @@ namespace SphFluid
                     "Give the object and its parents a scale without zeros."));
                 return null;
             }
+            if (state.Triangles != null) return state.Triangles.Transformed(state.ToSimulation);
             switch (state.Collider)
             {
                 case MeshCollider _: return FromMesh(state, messages);
@@ -102,7 +103,7 @@ namespace SphFluid
 
         static Vector3 AxisOf(in Matrix4x4 m, int column) => m.GetColumn(column);
 
-        static string Kind(in ColliderState state) => state.Collider.GetType().Name;
+        static string Kind(in ColliderState state) => state.Collider != null ? state.Collider.GetType().Name : "mesh";
 
         static FluidMessage Warn(in ColliderState state, FluidIssue issue, string text, string cure) =>
             new FluidMessage(FluidSeverity.Warning, issue, state.Collider, text, cure);

@@ -13,8 +13,8 @@ namespace SphFluid
         readonly ColliderFinder finder = new ColliderFinder();
         readonly ColliderTriangles maker = new ColliderTriangles();
         readonly List<FluidMessage> messages = new List<FluidMessage>();
-        readonly List<ColliderSolid> solids = new List<ColliderSolid>();
-        readonly Dictionary<Collider, ColliderSolid> known = new Dictionary<Collider, ColliderSolid>();
+        readonly List<FluidObstacle> solids = new List<FluidObstacle>();
+        readonly Dictionary<object, FluidObstacle> known = new Dictionary<object, FluidObstacle>();
         readonly List<CollisionTriangle> triangles = new List<CollisionTriangle>();
         readonly List<CollisionCollider> colliders = new List<CollisionCollider>();
         readonly CollisionBuffers buffers = new CollisionBuffers();
@@ -23,7 +23,7 @@ namespace SphFluid
         public IReadOnlyList<FluidMessage> Messages => messages;
 
         /// <summary>Colliders that take part, with all their triangles.</summary>
-        public IReadOnlyList<ColliderSolid> Solids => solids;
+        public IReadOnlyList<FluidObstacle> Solids => solids;
 
         /// <summary>Triangles that intersect the domain, in the order of the GPU buffer.</summary>
         public IReadOnlyList<CollisionTriangle> Triangles => triangles;
@@ -48,17 +48,23 @@ namespace SphFluid
         public bool Gather(in CollisionQuery query)
         {
             if (!finder.Find(query)) return false;
+            Take(finder.States, query);
+            return true;
+        }
+
+        /// <summary>Makes the triangles of obstacles, again only of those that changed; <see cref="Upload"/> is due then.</summary>
+        public void Take(IReadOnlyList<ColliderState> states, in CollisionQuery query)
+        {
             Changes++;
             messages.Clear();
             known.Clear();
-            foreach (ColliderSolid solid in solids)
-                if (solid.Spacing == query.Spacing) known[solid.State.Collider] = solid;
+            foreach (FluidObstacle solid in solids)
+                if (solid.Spacing == query.Spacing) known[solid.State.Key] = solid;
             solids.Clear();
             triangles.Clear();
             colliders.Clear();
             long limit = Math.Min(SystemInfo.maxGraphicsBufferSize / CollisionTriangle.Stride, CollisionCollider.CountMask);
-            foreach (ColliderState state in finder.States) Add(state, query, limit);
-            return true;
+            foreach (ColliderState state in states) Add(state, query, limit);
         }
 
         /// <summary>Copies the triangles to the GPU; the buffers are replaced only when they grow.</summary>
@@ -78,7 +84,7 @@ namespace SphFluid
         public int FindCovering(Vector3 point, float clearance)
         {
             for (int i = 0; i < solids.Count; i++)
-                if (solids[i].Obstacle.Covers(point, clearance)) return i;
+                if (solids[i].Mesh.Covers(point, clearance)) return i;
             return -1;
         }
 
@@ -87,11 +93,11 @@ namespace SphFluid
 
         void Add(in ColliderState state, in CollisionQuery query, long limit)
         {
-            if (!known.TryGetValue(state.Collider, out ColliderSolid solid) || !solid.State.Equals(state))
+            if (!known.TryGetValue(state.Key, out FluidObstacle solid) || !solid.State.Equals(state))
             {
                 TriangleMesh made = maker.Make(state, query.Spacing, messages);
                 if (made == null) return;
-                solid = new ColliderSolid(state, query.Spacing, made);
+                solid = new FluidObstacle(state, query.Spacing, made);
             }
             TriangleMesh mesh = solid.Mesh;
             int first = triangles.Count, degenerate = 0;
@@ -140,31 +146,5 @@ namespace SphFluid
             FluidSeverity.Warning, FluidIssue.TooManyTriangles, collider,
             $"The colliders in the domain hold more than {limit} triangles, the most this device takes in a buffer, so the fluid passes through this one.",
             "Use simpler collision meshes or a smaller domain."));
-    }
-
-    /// <summary>A collider that takes part, with all its triangles in simulation space.</summary>
-    internal sealed class ColliderSolid
-    {
-        MeshObstacle obstacle;
-
-        public ColliderSolid(in ColliderState state, float spacing, TriangleMesh mesh)
-        {
-            State = state;
-            Spacing = spacing;
-            Name = state.Collider.name;
-            Mesh = mesh;
-        }
-
-        /// <summary>State that the triangles were made for: as long as it lasts they are kept.</summary>
-        public ColliderState State { get; }
-
-        /// <summary>Particle spacing that curved shapes were cut for [m].</summary>
-        public float Spacing { get; }
-
-        public string Name { get; }
-        public TriangleMesh Mesh { get; }
-
-        /// <summary>Point tests, prepared at the first use.</summary>
-        public MeshObstacle Obstacle => obstacle ??= new MeshObstacle(Mesh);
     }
 }

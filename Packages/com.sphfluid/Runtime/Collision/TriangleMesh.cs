@@ -4,17 +4,28 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>Triangles of a shape, apart from any Unity object. Three indices a triangle; Cross(B − A, C − A) points outward.</summary>
-    internal sealed class TriangleMesh
+    /// <summary>
+    /// Triangles of a shape [m], apart from any Unity object. Three indices a triangle; Cross(B − A, C − A) points outward, as of
+    /// Unity's clockwise front faces.
+    /// </summary>
+    public sealed class TriangleMesh
     {
         bool? closed;
         Bounds? bounds;
+        MeshObstacle obstacle;
 
-        /// <summary>A mesh that keeps its arrays.</summary>
-        /// <param name="vertices">Corners.</param>
+        /// <summary>A mesh that keeps its arrays: do not change them.</summary>
+        /// <param name="vertices">Corners [m].</param>
         /// <param name="indices">Three a triangle.</param>
-        /// <param name="closed">Whether it is closed, where that is known; else it is found out when asked for.</param>
-        public TriangleMesh(Vector3[] vertices, int[] indices, bool? closed = null)
+        /// <exception cref="ArgumentNullException">An array is missing.</exception>
+        /// <exception cref="ArgumentException">The indices do not make whole triangles.</exception>
+        public TriangleMesh(Vector3[] vertices, int[] indices)
+            : this(vertices, indices, null)
+        {
+        }
+
+        /// <summary>A mesh of which it is known whether it is closed; null: it is found out when asked for.</summary>
+        internal TriangleMesh(Vector3[] vertices, int[] indices, bool? closed)
         {
             this.closed = closed;
             Vertices = vertices ?? throw new ArgumentNullException(nameof(vertices));
@@ -22,20 +33,68 @@ namespace SphFluid
             if (indices.Length % 3 != 0) throw new ArgumentException("Three indices make a triangle.", nameof(indices));
         }
 
+        /// <summary>Corners [m].</summary>
         public Vector3[] Vertices { get; }
+
+        /// <summary>Three a triangle.</summary>
         public int[] Indices { get; }
+
+        /// <summary>Number of triangles.</summary>
         public int TriangleCount => Indices.Length / 3;
 
         /// <summary>Whether every edge is shared by as many triangles running in one direction as in the other, so that there is an inside.</summary>
         public bool IsClosed => closed ??= TriangleCount > 0 && FindOpenEdges() == 0;
 
-        /// <summary>Number of edges whose triangles do not run in one direction as often as in the other; 0 for a closed mesh.</summary>
-        public int OpenEdges => Math.Max(FindOpenEdges(), 0);
+        /// <summary>The corners of single triangles as a mesh.</summary>
+        /// <param name="corners">Three a triangle [m].</param>
+        /// <returns>The mesh.</returns>
+        /// <exception cref="ArgumentException">The corners do not make whole triangles.</exception>
+        public static TriangleMesh FromCorners(IReadOnlyList<Vector3> corners)
+        {
+            if (corners == null) throw new ArgumentNullException(nameof(corners));
+            var vertices = new Vector3[corners.Count];
+            var indices = new int[corners.Count];
+            for (int i = 0; i < indices.Length; i++)
+            {
+                vertices[i] = corners[i];
+                indices[i] = i;
+            }
+            return new TriangleMesh(vertices, indices);
+        }
 
-        /// <summary>Bounds of the finite corners.</summary>
+        /// <summary>A box: the image of the unit cube centred on the origin, 12 triangles.</summary>
+        /// <param name="fromUnitCube">Where the cube goes, e.g. <c>Matrix4x4.TRS(centre, rotation, edges)</c>.</param>
+        /// <returns>The mesh.</returns>
+        public static TriangleMesh Box(in Matrix4x4 fromUnitCube) => PrimitiveTessellator.Box(fromUnitCube);
+
+        /// <summary>Number of edges whose triangles do not run in one direction as often as in the other; 0 for a closed mesh.</summary>
+        internal int OpenEdges => Math.Max(FindOpenEdges(), 0);
+
+        /// <summary>Bounds of the finite corners [m].</summary>
         public Bounds Bounds => bounds ??= FindBounds();
 
+        /// <summary>
+        /// Whether a point is inside: a ray along +x, its crossings counted by their direction, leaves the surface more often than it
+        /// enters. A vessel whose faces look inward holds no solid; an open mesh has no inside.
+        /// </summary>
+        /// <param name="point">Point [m].</param>
+        /// <returns>True inside.</returns>
+        public bool Contains(Vector3 point) => Obstacle.Contains(point);
+
+        /// <summary>Times a closed surface winds round a point: 1 inside faces that look outward, −1 inside faces that look inward; 0 for an open mesh.</summary>
+        /// <param name="point">Point [m].</param>
+        /// <returns>The number, positive where <see cref="Contains"/> is true.</returns>
+        public int Winding(Vector3 point) => Obstacle.Winding(point);
+
+        /// <summary>Whether a point is nearer than a distance to a triangle.</summary>
+        /// <param name="point">Point [m].</param>
+        /// <param name="distance">Distance [m]; nothing is nearer than 0.</param>
+        /// <returns>True when it is.</returns>
+        public bool IsNear(Vector3 point, float distance) => Obstacle.IsNear(point, distance);
+
         /// <summary>The triangles under an affine transform; a mirroring one turns each triangle so that outward stays outward.</summary>
+        /// <param name="transform">The transform.</param>
+        /// <returns>A new mesh.</returns>
         public TriangleMesh Transformed(in Matrix4x4 transform)
         {
             var vertices = new Vector3[Vertices.Length];
@@ -47,14 +106,18 @@ namespace SphFluid
         }
 
         /// <summary>The triangles under a map that does not mirror, each corner rounded once.</summary>
-        public TriangleMesh Transformed(in AffineMap map)
+        internal TriangleMesh Transformed(in AffineMap map)
         {
             var vertices = new Vector3[Vertices.Length];
             for (int i = 0; i < vertices.Length; i++) vertices[i] = map.Apply(Vertices[i]);
             return new TriangleMesh(vertices, Indices, closed);
         }
 
-        /// <summary>Triangle number <paramref name="index"/>.</summary>
+        /// <summary>A triangle's corners [m].</summary>
+        /// <param name="index">Number of the triangle, less than <see cref="TriangleCount"/>.</param>
+        /// <param name="a">First corner.</param>
+        /// <param name="b">Second corner.</param>
+        /// <param name="c">Third corner.</param>
         public void GetTriangle(int index, out Vector3 a, out Vector3 b, out Vector3 c)
         {
             a = Vertices[Indices[3 * index]];
@@ -66,13 +129,19 @@ namespace SphFluid
         /// Whether a triangle has no area to speak of: its height over its longest edge is below 1e-5 of that edge, or a
         /// corner is not finite.
         /// </summary>
-        public static bool IsDegenerate(Vector3 a, Vector3 b, Vector3 c)
+        internal static bool IsDegenerate(Vector3 a, Vector3 b, Vector3 c)
         {
             if (!AffineMath.IsFinite(a) || !AffineMath.IsFinite(b) || !AffineMath.IsFinite(c)) return true;
             Vector3 ab = b - a, ac = c - a, bc = c - b;
             float longest = Mathf.Max(ab.sqrMagnitude, Mathf.Max(ac.sqrMagnitude, bc.sqrMagnitude));
             return !(longest > 0f) || Vector3.Cross(ab / Mathf.Sqrt(longest), ac / Mathf.Sqrt(longest)).magnitude < 1e-5f;
         }
+
+        /// <summary>Whether a point is inside or nearer than a clearance [m] to a triangle.</summary>
+        internal bool Covers(Vector3 point, float clearance) => Obstacle.Covers(point, clearance);
+
+        // Prepared at the first use.
+        MeshObstacle Obstacle => obstacle ??= new MeshObstacle(this);
 
         // Importers split vertices at seams of normals and texture coordinates, so corners are joined by position first.
         // −1 where no triangle has three corners.

@@ -219,6 +219,12 @@ namespace SphFluid
             StartRelaxation = startRelaxation,
         };
 
+        /// <summary>What the liquid collides with now, as triangles in simulation space; empty when stopped.</summary>
+        public IReadOnlyList<FluidObstacle> Obstacles => run?.Collision.Solids ?? Array.Empty<FluidObstacle>();
+
+        /// <summary>Most particles that the liquid may have: Max Particles of the profile, or fewer where this device's buffers hold fewer.</summary>
+        public long ParticleLimit => LiquidChecks.MostParticles(Spec, out _);
+
         internal CollisionScene Collision => run?.Collision;
 
         /// <summary>Starts the liquid from its volumes, again if it runs already.</summary>

@@ -10,8 +10,7 @@ namespace SphFluid
         readonly Action<FluidMessage> report;
         readonly FluidStart start;
         readonly Vector3 startGravity;
-        readonly CollisionScene collision;
-        readonly CollisionBodies bodies; // null with methods that take triangles
+        readonly FluidObstacles obstacles;
         readonly CommandBuffer commands;
         readonly SubstepMonitor substeps = new SubstepMonitor();
         readonly GuardMonitor guards = new GuardMonitor();
@@ -25,7 +24,6 @@ namespace SphFluid
         {
             this.report = report;
             this.start = start;
-            this.collision = collision;
             startGravity = spec.LocalGravity;
             Key = FluidStartKey.Of(spec);
             live = FluidLiveKey.Of(spec);
@@ -33,10 +31,11 @@ namespace SphFluid
             commands = new CommandBuffer { name = "SPH Fluid" };
             try
             {
+                obstacles = new FluidObstacles(Solver.Settings, collision);
                 pace = new FluidPace(spec, Solver);
-                if (FluidMethods.Of(spec.Method).Has(FluidMethodFeatures.BodyContact)) bodies = new CollisionBodies(Solver.Settings);
-                ShareColliders();
+                obstacles.Share();
                 FollowBodies();
+                Solver.SetObstacles(obstacles);
                 Execute(0);
             }
             catch
@@ -51,8 +50,8 @@ namespace SphFluid
         public float TimeStep => (float)pace.Clock.TimeStep;
         public long CapHits => substeps.CapHits;
         public double RealTimeFactor => substeps.RealTimeFactor;
-        public long GpuBytes => Solver.GpuBytes + collision.GpuBytes + (bodies?.Bytes ?? 0);
-        public CollisionScene Collision => collision;
+        public long GpuBytes => Solver.GpuBytes + obstacles.GpuBytes;
+        public CollisionScene Collision => obstacles.Scene;
 
         /// <summary>Advances by a frame.</summary>
         /// <param name="spec">The simulation as it is now.</param>
@@ -77,10 +76,10 @@ namespace SphFluid
         void Advance(in FluidSpec spec, float deltaTime)
         {
             ApplyChanges(spec);
-            if (collision.Gather(spec.Query()))
+            if (Collision.Gather(spec.Query()))
             {
-                ShareColliders();
-                foreach (FluidMessage message in collision.Messages) report(message);
+                obstacles.Share();
+                foreach (FluidMessage message in Collision.Messages) report(message);
             }
             FollowBodies();
             int steps = pace.Advance(deltaTime);
@@ -95,13 +94,12 @@ namespace SphFluid
         }
 
         /// <summary>Reads all meshes again with the next frame.</summary>
-        public void InvalidateColliders() => collision.Invalidate();
+        public void InvalidateColliders() => Collision.Invalidate();
 
         public void Dispose()
         {
             Solver.Dispose();
-            bodies?.Dispose();
-            collision.Dispose();
+            obstacles?.Dispose();
             commands.Dispose();
         }
 
@@ -115,19 +113,9 @@ namespace SphFluid
             pace.Update(spec);
         }
 
-        void ShareColliders()
-        {
-            if (bodies != null) return; // FollowBodies gives them
-            collision.Upload();
-            Solver.SetTriangles(collision.TriangleBuffer, collision.ColliderBuffer, collision.Colliders.Count);
-        }
-
         void FollowBodies()
         {
-            if (bodies == null) return;
-            bodies.Update(collision.Solids);
-            foreach (BodyJump jump in bodies.NewJumps) report(jump.Message);
-            Solver.SetBodies(bodies);
+            foreach (BodyJump jump in obstacles.Follow()) report(jump.Message);
         }
 
         void Execute(int steps)

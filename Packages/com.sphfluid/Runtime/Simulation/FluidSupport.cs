@@ -29,6 +29,9 @@ namespace SphFluid
         /// <summary>Whether the thesis's surface can be drawn; the other needs no geometry shader.</summary>
         public bool GeometrySurface => device.GeometryShaders && Runs(ShaderGroup.GeometrySurface);
 
+        /// <summary>Whether a program on the CPU is the graphics device (llvmpipe, SwiftShader, WARP): liquids are small there.</summary>
+        public static bool IsSoftwareDevice => SurfaceGridSizes.IsSoftwareDevice;
+
         /// <summary>Whether counters reach the CPU without stalling it.</summary>
         public bool AsyncReadback => device.AsyncReadback;
 

@@ -16,6 +16,7 @@ namespace SphFluid
         readonly IFluidStepper stepper;
         readonly FluidState state;
         readonly CounterReadback counters;
+        FluidObstacles obstacles;
         float previousStep;
         bool loaded;
         bool neighboursFresh;
@@ -91,14 +92,20 @@ namespace SphFluid
 
         internal FluidState State => state;
 
-        /// <summary>Gives the solver the scene's triangles; the caller keeps them alive and disposes them.</summary>
-        /// <param name="triangles">CollisionTriangle each (Shaders/Collision/CollisionTypes.hlsl); null for none.</param>
-        /// <param name="colliders">CollisionCollider each; null for none.</param>
-        /// <param name="colliderCount">Number of colliders.</param>
-        public void SetTriangles(GraphicsBuffer triangles, GraphicsBuffer colliders, int colliderCount)
+        internal IFluidStepper Stepper => stepper;
+
+        /// <summary>
+        /// Gives the solver what the liquid collides with; the caller keeps it alive, updates it once a frame and disposes it.
+        /// </summary>
+        /// <param name="obstacles">Obstacles made with this solver's <see cref="Settings"/>; null for none.</param>
+        /// <exception cref="ArgumentException">They were made for another liquid.</exception>
+        public void SetObstacles(FluidObstacles obstacles)
         {
             ThrowIfDisposed();
-            state.SetTriangles(triangles, colliders, colliderCount);
+            obstacles?.Check(state.Settings);
+            this.obstacles = obstacles;
+            if (obstacles == null) state.SetTriangles(null, null, 0);
+            SetBodies(obstacles?.Bodies);
         }
 
         /// <summary>Gives the solver the scene's bodies; the caller keeps them alive, updates them once a frame and disposes them. Methods with <see cref="FluidMethodFeatures.BodyContact"/> only.</summary>
@@ -108,7 +115,7 @@ namespace SphFluid
             if (bodies == state.Bodies) return;
             if (bodies != null && !method.Has(FluidMethodFeatures.BodyContact))
             {
-                throw new ArgumentException($"The method {Kind} takes triangles, not bodies. Give it the scene by SetTriangles.", nameof(bodies));
+                throw new ArgumentException($"The method {Kind} takes triangles, not bodies. Give it the scene by SetObstacles.", nameof(bodies));
             }
 
             state.Bodies = bodies;
@@ -253,6 +260,7 @@ namespace SphFluid
 
         void RecordSetup(CommandBuffer cmd)
         {
+            if (obstacles != null) state.SetTriangles(obstacles.Scene.TriangleBuffer, obstacles.Scene.ColliderBuffer, obstacles.Scene.Colliders.Count);
             if (!loaded)
             {
                 stepper.RecordLoad(cmd);
@@ -267,7 +275,12 @@ namespace SphFluid
             }
         }
 
-        internal static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial)
+        /// <summary>Checks that a liquid can start from particles, as the constructor does.</summary>
+        /// <param name="settings">The physics.</param>
+        /// <param name="initial">The particles.</param>
+        /// <returns>A copy of them.</returns>
+        /// <exception cref="ArgumentException">There is no particle, or one lies outside the domain.</exception>
+        public static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial)
         {
             if (initial == null || initial.Count == 0)
             {

@@ -49,7 +49,7 @@ namespace SphFluid
             cells = new VesselCells(lattice, space);
             IsTooFine = cells.Total > VesselCells.Most;
             if (IsTooFine) return;
-            foreach (ColliderSolid solid in input.Colliders.Solids) cells.Add(solid.Mesh);
+            foreach (FluidObstacle solid in input.Colliders.Solids) cells.Add(solid.Mesh);
             cameFrom = new int[cells.Total];
             Flood(cells.At(input.Seed));
             if (Leak == null) return;
@@ -163,7 +163,7 @@ namespace SphFluid
         Bounds Surroundings()
         {
             var bounds = new Bounds(input.Seed, Vector3.zero);
-            foreach (ColliderSolid solid in input.Colliders.Solids) bounds = Enclosing(bounds, solid.Mesh.Bounds);
+            foreach (FluidObstacle solid in input.Colliders.Solids) bounds = Enclosing(bounds, solid.Mesh.Bounds);
             bounds.Expand(2f * spacing);
             return bounds;
         }

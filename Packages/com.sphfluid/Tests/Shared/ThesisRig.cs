@@ -32,6 +32,12 @@ namespace SphFluid.Tests
         /// <summary>Runs the blocks 6.2.2 to 6.3.1: the particles are then in the order of their cells, with densities.</summary>
         public void RunNeighbourSetup() => GpuTest.Run(cmd => stepper.RecordNeighbourSetup(cmd));
 
+        /// <summary>Runs block 6.3.2 after the neighbour setup.</summary>
+        public void RunForce() => GpuTest.Run(cmd => new CalculateForcePass(shaders).Record(cmd, State));
+
+        /// <summary>Runs block 6.3.3 after the force.</summary>
+        public void RunAcceleration() => GpuTest.Run(cmd => new CalculateAccelerationPass(shaders).Record(cmd, State, Step));
+
         public FluidParticle[] ReadParticles() => GpuTest.Read<FluidParticle>(State.Published.Particles, State.ParticleCount);
 
         public float[] ReadDensity() => GpuTest.Read<float>(State.Published.Density, State.ParticleCount);

@@ -1,4 +1,5 @@
 using System;
+using SphFluid.Laboratory;
 using UnityEngine;
 
 namespace SphFluid.Validation
@@ -6,7 +7,7 @@ namespace SphFluid.Validation
     /// <summary>Draws a mesh that a compute shader left in buffers, lit per pixel as the thesis's surface is, so that only the surfaces differ.</summary>
     sealed class BenchMeshMaterial : IDisposable
     {
-        /// <summary>Pass that reads corners of triangles, <see cref="EmittedVertex"/> each.</summary>
+        /// <summary>Pass that reads corners of triangles, see <see cref="DenseSurfaceEmitter"/>.</summary>
         public const int TriangleCornersPass = 0;
 
         /// <summary>Pass that reads the sparse surface's packed vertices.</summary>
@@ -14,9 +15,7 @@ namespace SphFluid.Validation
 
         const string ShaderPath = "Packages/com.sphfluid.validation/Runtime/Bench/Surface/BenchSurface.shader";
 
-        readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
-        readonly SceneLighting lighting = new SceneLighting();
-        Material material;
+        readonly MeasuredSurface surface;
 
         /// <exception cref="FluidDeviceException">The shader is missing, or the device cannot run it.</exception>
         public BenchMeshMaterial(int pass)
@@ -25,26 +24,17 @@ namespace SphFluid.Validation
             var shader = SessionAssets.Load<Shader>(ShaderPath);
             if (shader == null)
                 throw new FluidDeviceException($"The shader '{ShaderPath}' was not found: the table of surfaces is measured in the Editor and by the headless player only.");
-            material = DrawMaterial.Create(shader);
+            surface = new MeasuredSurface(shader);
         }
 
-        public Material Material => material;
+        public Material Material => surface.Material;
 
         public int Pass { get; }
 
-        /// <summary>Everything but the vertices.</summary>
-        public MaterialPropertyBlock Properties(SurfaceGrid grid, in DrawPlacement placement)
-        {
-            properties.Clear();
-            properties.SetGrid(grid, SurfaceWalls.Closed);
-            properties.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
-            properties.SetColor(RenderShaderIds.Color, BenchDrawing.Colour);
-            properties.SetFloat(RenderShaderIds.Smoothness, BenchDrawing.Smoothness);
-            lighting.Apply(properties);
-            DrawPipeline.Apply(properties, placement.Pipeline);
-            return properties;
-        }
+        /// <summary>All that a drawing of vertices reads.</summary>
+        public MaterialPropertyBlock Properties(SurfaceGrid grid, GraphicsBuffer vertices) =>
+            surface.Properties(grid, vertices, BenchDrawing.Colour, BenchDrawing.Smoothness);
 
-        public void Dispose() => DrawMaterial.Destroy(ref material);
+        public void Dispose() => surface.Dispose();
     }
 }

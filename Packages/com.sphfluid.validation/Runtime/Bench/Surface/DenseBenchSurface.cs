@@ -1,3 +1,4 @@
+using SphFluid.Laboratory;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -14,9 +15,8 @@ namespace SphFluid.Validation
 
         readonly int cells;
         readonly SurfaceField field;
-        readonly EmitSurfaceVerticesPass emitVertices;
+        readonly DenseSurfaceEmitter emitter;
         readonly BenchMeshMaterial material;
-        readonly FluidBuffer tables;
         GraphicsBuffer arguments;
         GraphicsBuffer vertices;
         long corners;
@@ -25,14 +25,14 @@ namespace SphFluid.Validation
         {
             this.cells = cells;
             field = new SurfaceField(shaders, BenchLiquid.SurfaceGrid(cells));
-            emitVertices = new EmitSurfaceVerticesPass(shaders);
+            emitter = new DenseSurfaceEmitter(shaders);
             material = new BenchMeshMaterial(BenchMeshMaterial.TriangleCornersPass);
-            tables = MarchingCubesTables.CreateBuffer();
-            arguments = GpuBuffers.CreateArguments("BenchSurfaceArguments", EmptyArguments.Length);
-            vertices = GpuBuffers.Create("SurfaceVertices", 0, EmittedVertex.Stride);
+            arguments = GpuBuffers.Create("BenchSurfaceArguments", EmptyArguments.Length, sizeof(uint),
+                GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw);
+            vertices = GpuBuffers.Create("SurfaceVertices", 0, DenseSurfaceEmitter.CornerStride);
         }
 
-        public BenchSurfaceFacts Facts => BenchSurfaceFacts.Dense(cells, field.GpuBytes + GpuBuffers.Size(tables, arguments, vertices), corners);
+        public BenchSurfaceFacts Facts => BenchSurfaceFacts.Dense(cells, field.GpuBytes + emitter.GpuBytes + GpuBuffers.Size(arguments, vertices), corners);
 
         public bool HasCapacity { get; private set; }
 
@@ -47,7 +47,11 @@ namespace SphFluid.Validation
             var counted = new uint[EmptyArguments.Length];
             arguments.GetData(counted);
             corners = counted[0];
-            GpuBuffers.Reserve(ref vertices, "SurfaceVertices", corners, EmittedVertex.Stride);
+            if (vertices.count < corners)
+            {
+                GpuBuffers.Dispose(ref vertices);
+                vertices = GpuBuffers.Create("SurfaceVertices", corners, DenseSurfaceEmitter.CornerStride);
+            }
             HasCapacity = true;
         }
 
@@ -56,8 +60,7 @@ namespace SphFluid.Validation
             field.Record(cmd, solver);
             RecordMesh(cmd, vertices.count);
             drawing.BeginSurface(cmd);
-            MaterialPropertyBlock properties = material.Properties(field.Grid, drawing.Placement);
-            properties.SetBuffer(SurfaceBuffers.VerticesId, vertices);
+            MaterialPropertyBlock properties = material.Properties(field.Grid, vertices);
             cmd.DrawProceduralIndirect(Matrix4x4.identity, material.Material, material.Pass, MeshTopology.Triangles, arguments, 0, properties);
             drawing.EndSurface(cmd);
         }
@@ -66,7 +69,7 @@ namespace SphFluid.Validation
         {
             field.Dispose();
             material.Dispose();
-            tables.Dispose();
+            emitter.Dispose();
             GpuBuffers.Dispose(ref arguments);
             GpuBuffers.Dispose(ref vertices);
         }
@@ -74,7 +77,7 @@ namespace SphFluid.Validation
         void RecordMesh(CommandBuffer cmd, int capacity)
         {
             cmd.SetBufferData(arguments, EmptyArguments);
-            emitVertices.Record(cmd, field, BenchDrawing.IsoValue, tables, arguments, vertices, capacity);
+            emitter.Record(cmd, field, BenchDrawing.IsoValue, arguments, vertices, capacity);
         }
     }
 }

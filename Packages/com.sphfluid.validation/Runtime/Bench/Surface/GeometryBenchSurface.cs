@@ -1,4 +1,4 @@
-using UnityEngine;
+using SphFluid.Laboratory;
 using UnityEngine.Rendering;
 
 namespace SphFluid.Validation
@@ -7,11 +7,11 @@ namespace SphFluid.Validation
     sealed class GeometryBenchSurface : IBenchSurface
     {
         readonly SurfaceField field;
-        readonly GeometrySurface surface;
+        readonly MeasuredGeometrySurface surface;
 
         public GeometryBenchSurface(FluidShaderSet shaders, int cells)
         {
-            surface = new GeometrySurface(shaders);
+            surface = new MeasuredGeometrySurface(shaders);
             field = new SurfaceField(shaders, BenchLiquid.SurfaceGrid(cells));
             Facts = BenchSurfaceFacts.Dense(cells, field.GpuBytes);
         }
@@ -32,8 +32,7 @@ namespace SphFluid.Validation
         {
             field.Record(cmd, solver);
             drawing.BeginSurface(cmd);
-            cmd.DrawProcedural(Matrix4x4.identity, surface.Material, BenchDrawing.ForwardPass, MeshTopology.Points, field.Grid.CubeCount, 1,
-                surface.Properties(field, BenchDrawing.IsoValue, BenchDrawing.Colour, BenchDrawing.Smoothness, drawing.Placement));
+            surface.Record(cmd, field, BenchDrawing.IsoValue, BenchDrawing.Colour, BenchDrawing.Smoothness);
             drawing.EndSurface(cmd);
         }
 

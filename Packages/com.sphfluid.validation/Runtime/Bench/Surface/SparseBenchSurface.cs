@@ -1,3 +1,4 @@
+using SphFluid.Laboratory;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -34,7 +35,7 @@ namespace SphFluid.Validation
             Triangles = surface.Status.Triangles,
             Vertices = surface.Status.Vertices,
             ActiveBlocks = surface.Status.Blocks,
-            PotentialBlocks = surface.Blocks.BlockCount,
+            PotentialBlocks = SparseFieldReader.BlocksOf(grid),
             GpuBytes = surface.GpuBytes,
         };
 
@@ -48,8 +49,7 @@ namespace SphFluid.Validation
         {
             surface.Record(cmd, solver, field, grid, SurfaceWalls.Closed);
             drawing.BeginSurface(cmd);
-            MaterialPropertyBlock properties = material.Properties(grid, drawing.Placement);
-            properties.SetBuffer(SurfaceBuffers.VerticesId, surface.Vertices);
+            MaterialPropertyBlock properties = material.Properties(grid, surface.Vertices);
             cmd.DrawProceduralIndirect(surface.Indices, Matrix4x4.identity, material.Material, material.Pass, MeshTopology.Triangles, surface.DrawArguments, 0, properties);
             drawing.EndSurface(cmd);
         }

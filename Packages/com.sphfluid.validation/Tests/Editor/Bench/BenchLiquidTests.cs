@@ -1,5 +1,6 @@
 using System.Linq;
 using NUnit.Framework;
+using SphFluid.Laboratory;
 using SphFluid.Validation;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -75,7 +76,7 @@ namespace SphFluid.Tests
                 GpuTest.Run(cmd => liquid.Solver.RecordNeighbourSetup(cmd));
                 GpuTest.Run(cmd => drawing.RecordParticles(cmd, liquid.Solver));
                 Assert.That(BenchPicture.Covered(drawing.Target), Is.InRange(0.05, 0.5));
-                if (GeometrySurface.MissingSupport() != null)
+                if (MeasuredGeometrySurface.MissingSupport() != null)
                     return;
                 using (var surface = new GeometryBenchSurface(shaders, 16))
                     GpuTest.Run(cmd => surface.Record(cmd, liquid.Solver, drawing));

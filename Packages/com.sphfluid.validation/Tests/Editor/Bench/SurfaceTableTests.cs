@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
+using SphFluid.Laboratory;
 using SphFluid.Validation;
 using UnityEngine;
 
@@ -93,8 +94,8 @@ namespace SphFluid.Tests
         public void EverySurfaceShowsTheSameLiquid()
         {
             FluidShaderSet shaders = SurfaceTestScene.LoadShaders();
-            if (GeometrySurface.MissingSupport() != null)
-                Assert.Ignore(GeometrySurface.MissingSupport());
+            if (MeasuredGeometrySurface.MissingSupport() != null)
+                Assert.Ignore(MeasuredGeometrySurface.MissingSupport());
             using (var liquid = new BenchLiquid(shaders, BenchSolver.ThesisOctant, 1009))
             using (var drawing = new BenchDrawing(shaders))
             {

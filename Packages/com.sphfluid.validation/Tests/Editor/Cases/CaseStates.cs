@@ -30,7 +30,7 @@ namespace SphFluid.Tests
         /// <summary>Corners of a closed box.</summary>
         public static Vector3[] BoxCorners(Vector3 centre, Vector3 size)
         {
-            TriangleMesh box = PrimitiveTessellator.Box(Matrix4x4.TRS(centre, Quaternion.identity, size));
+            TriangleMesh box = TriangleMesh.Box(Matrix4x4.TRS(centre, Quaternion.identity, size));
             return box.Indices.Select(i => box.Vertices[i]).ToArray();
         }
 

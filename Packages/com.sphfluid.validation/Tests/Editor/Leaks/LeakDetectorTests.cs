@@ -68,7 +68,7 @@ namespace SphFluid.Tests
         public void WhoChangesTheSideOfAClosedSurfaceEscapedEitherWay()
         {
             Vector3[] cup = LeakMeshes.Cup(1f, 2f, 12, true);
-            var detector = new InsideDetector(new TriangleMesh(cup, Enumerable.Range(0, cup.Length).ToArray()));
+            var detector = new InsideDetector(TriangleMesh.FromCorners(cup));
             Vector3 inside = Vector3.up, beside = new Vector3(1.2f, 1f, 0f), above = new Vector3(0f, 2.1f, 0f);
             detector.Look(new[] { inside, inside, beside, beside });
             detector.Look(new[] { 0.5f * inside, above, above, inside });
@@ -81,14 +81,13 @@ namespace SphFluid.Tests
         {
             TriangleMesh mesh = TestMeshes.Sphere(0.5f, 0.01f);
             var winding = new WindingNumber(mesh.Indices.Select(i => mesh.Vertices[i]).ToArray());
-            var obstacle = new MeshObstacle(mesh);
             var random = new System.Random(6);
             int inside = 0;
             for (int i = 0; i < 500; i++)
             {
                 Vector3 p = 0.7f * ParticleSets.RandomVector(random);
-                Assert.That(winding.At(p), Is.EqualTo(obstacle.Winding(p)).Within(1e-9));
-                inside += obstacle.Contains(p) ? 1 : 0;
+                Assert.That(winding.At(p), Is.EqualTo(mesh.Winding(p)).Within(1e-9));
+                inside += mesh.Contains(p) ? 1 : 0;
             }
             Assert.That(inside, Is.GreaterThan(100));
             Assert.That(winding.At(Vector3.zero), Is.EqualTo(1.0).Within(1e-12));

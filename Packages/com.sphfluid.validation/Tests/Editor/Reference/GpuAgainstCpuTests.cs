@@ -99,24 +99,13 @@ namespace SphFluid.Tests
             FluidShaderSet shaders = TestShaders.CreateSet();
             try
             {
-                using (var buffers = new CollisionBuffers())
+                using (var obstacles = new FluidObstacles(settings))
                 using (var solver = new FluidSolver(settings, shaders, initial))
                 {
-                    var triangles = mesh.Triangles.Select(t => new CollisionTriangle
-                    {
-                        A = CpuScenes.Float(t[0]),
-                        B = CpuScenes.Float(t[1]),
-                        C = CpuScenes.Float(t[2]),
-                    }).ToList();
                     Vector3[] corners = mesh.Triangles.SelectMany(t => t.Select(CpuScenes.Float)).ToArray();
-                    var collider = new CollisionCollider
-                    {
-                        BoundsMin = corners.Aggregate(Vector3.Min),
-                        BoundsMax = corners.Aggregate(Vector3.Max),
-                        TriangleCount = (uint)triangles.Count,
-                    };
-                    buffers.Upload(triangles, new List<CollisionCollider> { collider });
-                    solver.SetTriangles(buffers.Triangles, buffers.Colliders, 1);
+                    obstacles.Add(TriangleMesh.FromCorners(corners), Matrix4x4.identity);
+                    obstacles.Update(Matrix4x4.identity);
+                    solver.SetObstacles(obstacles);
                     GpuTest.Run(cmd => solver.RecordSteps(cmd, steps));
                     return GpuTest.Read<FluidParticle>(solver.Particles, initial.Length);
                 }

@@ -188,8 +188,7 @@ namespace SphFluid.Tests
             using (var rig = new ThesisRig(settings, Squeezed(settings)))
             {
                 rig.RunNeighbourSetup();
-                var pass = new CalculateForcePass(rig.Shaders);
-                GpuTest.Run(cmd => pass.Record(cmd, rig.State));
+                rig.RunForce();
                 return ((Vector3)rig.ReadForce()[First(rig)]).magnitude;
             }
         }
@@ -200,13 +199,8 @@ namespace SphFluid.Tests
             using (var rig = new ThesisRig(settings, Squeezed(settings)))
             {
                 rig.RunNeighbourSetup();
-                var force = new CalculateForcePass(rig.Shaders);
-                var acceleration = new CalculateAccelerationPass(rig.Shaders);
-                GpuTest.Run(cmd =>
-                {
-                    force.Record(cmd, rig.State);
-                    acceleration.Record(cmd, rig.State, rig.Step);
-                });
+                rig.RunForce();
+                rig.RunAcceleration();
                 int first = First(rig);
                 density = rig.ReadDensity()[first];
                 return (Vector3)rig.ReadAcceleration()[first];

@@ -21,7 +21,7 @@ namespace SphFluid
             {
                 (string what, string cure) = Texts();
                 return new FluidMessage(FluidSeverity.Warning, FluidIssue.ColliderJumped, Collider,
-                    $"The {Collider.GetType().Name} {what}. Liquid cannot follow that: the collider was put at its new place at once, " +
+                    $"The {(Collider != null ? Collider.GetType().Name : "mesh")} {what}. Liquid cannot follow that: the collider was put at its new place at once, " +
                     "and liquid in between is now on its other side.", cure);
             }
         }

@@ -22,7 +22,7 @@ namespace SphFluid
         AffineMap toShape; // the frame of the triangles to the collider's own shape
         int steady;
 
-        public BodyMotion(ColliderSolid solid)
+        public BodyMotion(FluidObstacle solid)
         {
             reference = solid.State;
             Mesh = solid.Mesh;

@@ -28,11 +28,11 @@ namespace SphFluid
         readonly float longestStep; // of a particle, m
         readonly Bounds domain; // beyond it no particle is in a step
         readonly BodyGeometry geometry;
-        readonly Dictionary<Collider, BodyMotion> movers = new Dictionary<Collider, BodyMotion>();
+        readonly Dictionary<object, BodyMotion> movers = new Dictionary<object, BodyMotion>();
         readonly List<CollisionBody> bodies = new List<CollisionBody>();
         readonly List<BodyMotion> motions = new List<BodyMotion>(); // of the bodies; null for those at rest
         readonly HashSet<ColliderState> resting = new HashSet<ColliderState>();
-        readonly List<ColliderSolid> lastSolids = new List<ColliderSolid>();
+        readonly List<FluidObstacle> lastSolids = new List<FluidObstacle>();
         readonly List<BodyJump> newJumps = new List<BodyJump>();
         bool stale;
         GraphicsBuffer bodyBuffer;
@@ -82,7 +82,7 @@ namespace SphFluid
         /// frames without a step join into one motion.
         /// </summary>
         /// <param name="solids">Colliders that take part.</param>
-        public void Update(IReadOnlyList<ColliderSolid> solids)
+        public void Update(IReadOnlyList<FluidObstacle> solids)
         {
             newJumps.Clear();
             bool outgrown = Follow(solids);
@@ -134,16 +134,16 @@ namespace SphFluid
         }
 
         // Whether the set of bodies changed. A collider that rested and is elsewhere now becomes a body of its own for good.
-        bool Follow(IReadOnlyList<ColliderSolid> solids)
+        bool Follow(IReadOnlyList<FluidObstacle> solids)
         {
             if (IsSame(solids)) return false;
             bool changed = false;
-            var present = new HashSet<Collider>();
-            foreach (ColliderSolid solid in solids)
+            var present = new HashSet<object>();
+            foreach (FluidObstacle solid in solids)
             {
-                Collider collider = solid.State.Collider;
-                present.Add(collider);
-                if (movers.TryGetValue(collider, out BodyMotion motion))
+                object key = solid.State.Key;
+                present.Add(key);
+                if (movers.TryGetValue(key, out BodyMotion motion))
                 {
                     stale |= motion.Friction != solid.State.Friction;
                     changed |= Move(motion, solid);
@@ -151,16 +151,16 @@ namespace SphFluid
                 else if (!resting.Contains(solid.State))
                 {
                     changed = true;
-                    ColliderSolid before = lastSolids.Find(s => ReferenceEquals(s.State.Collider, collider));
+                    FluidObstacle before = lastSolids.Find(s => ReferenceEquals(s.State.Key, key));
                     if (before == null || before.State.HasTrianglesOf(solid.State)) continue;
-                    movers[collider] = new BodyMotion(before);
-                    Move(movers[collider], solid);
+                    movers[key] = new BodyMotion(before);
+                    Move(movers[key], solid);
                 }
             }
-            foreach (ColliderSolid solid in lastSolids)
+            foreach (FluidObstacle solid in lastSolids)
             {
-                if (present.Contains(solid.State.Collider)) continue;
-                movers.Remove(solid.State.Collider);
+                if (present.Contains(solid.State.Key)) continue;
+                movers.Remove(solid.State.Key);
                 changed = true;
             }
             lastSolids.Clear();
@@ -169,14 +169,14 @@ namespace SphFluid
         }
 
         // Whether the set of bodies or their cells changed.
-        bool Move(BodyMotion motion, ColliderSolid solid)
+        bool Move(BodyMotion motion, FluidObstacle solid)
         {
             BodyFollowing following = motion.MoveTo(solid.State);
             if (following == BodyFollowing.Followed) return false;
             if (following != BodyFollowing.CellsOutgrown)
             {
                 Jumped(solid.State.Collider, following);
-                movers[solid.State.Collider] = new BodyMotion(solid);
+                movers[solid.State.Key] = new BodyMotion(solid);
             }
             return true;
         }
@@ -196,7 +196,7 @@ namespace SphFluid
             return (displacement + longestStep) / motion.FrameRange().least * PartsPerMetre(motion) > MostParts - 1.0;
         }
 
-        bool IsSame(IReadOnlyList<ColliderSolid> solids)
+        bool IsSame(IReadOnlyList<FluidObstacle> solids)
         {
             if (solids.Count != lastSolids.Count) return false;
             for (int i = 0; i < solids.Count; i++)
@@ -204,24 +204,24 @@ namespace SphFluid
             return true;
         }
 
-        void Rebuild(IReadOnlyList<ColliderSolid> solids)
+        void Rebuild(IReadOnlyList<FluidObstacle> solids)
         {
             bodies.Clear();
             motions.Clear();
             geometry.Clear();
             resting.Clear();
-            foreach (IGrouping<float, ColliderSolid> alike in solids.Where(s => !movers.ContainsKey(s.State.Collider)).GroupBy(s => s.State.Friction))
+            foreach (IGrouping<float, FluidObstacle> alike in solids.Where(s => !movers.ContainsKey(s.State.Key)).GroupBy(s => s.State.Friction))
             {
-                foreach (ColliderSolid solid in alike)
+                foreach (FluidObstacle solid in alike)
                 {
                     resting.Add(solid.State);
                     geometry.Add(solid.Mesh, domain);
                 }
                 AddBody(null, alike.Key);
             }
-            foreach (ColliderSolid solid in solids)
+            foreach (FluidObstacle solid in solids)
             {
-                if (!movers.TryGetValue(solid.State.Collider, out BodyMotion motion)) continue;
+                if (!movers.TryGetValue(solid.State.Key, out BodyMotion motion)) continue;
                 geometry.Add(motion.Mesh, null);
                 AddBody(motion, motion.Friction);
             }

@@ -1,3 +1,4 @@
+using System;
 using UnityEngine.Rendering;
 
 namespace SphFluid
@@ -66,6 +67,10 @@ namespace SphFluid
             state.RequireList();
             density.Record(cmd, state);
         }
+
+        /// <inheritdoc/>
+        public void RecordNeighbourSetupWithout(CommandBuffer cmd, string pass) =>
+            throw new ArgumentException($"The method Standard cannot leave out '{pass}' of the neighbour setup: it needs all of its passes.", nameof(pass));
 
         /// <inheritdoc/>
         public void RecordMotion(CommandBuffer cmd, in FluidStep step)

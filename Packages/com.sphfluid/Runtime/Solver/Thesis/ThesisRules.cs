@@ -134,8 +134,11 @@ namespace SphFluid
             return (Math.Sqrt(half * half + 4.0 * WallMargin * stiffness) - half) / stiffness;
         }
 
-        /// <summary>Largest acceleration of the fluid itself that is no accident [m/s²].</summary>
-        internal static float EmergencyLimit(double spacing, double timeStep) => (float)(AccelerationReach * spacing / (timeStep * timeStep));
+        /// <summary>Largest acceleration of the fluid itself that is no accident: one spacing in a step from rest.</summary>
+        /// <param name="spacing">Particle spacing [m].</param>
+        /// <param name="timeStep">Time step [s].</param>
+        /// <returns>The limit [m/s²], see <see cref="ThesisSettings.AccelerationLimit"/>.</returns>
+        public static float EmergencyLimit(double spacing, double timeStep) => (float)(AccelerationReach * spacing / (timeStep * timeStep));
 
         static void Check(in FluidRuleInput input)
         {

@@ -1,3 +1,4 @@
+using System;
 using UnityEngine.Rendering;
 
 namespace SphFluid
@@ -9,6 +10,9 @@ namespace SphFluid
     /// </summary>
     internal sealed class ThesisStepper : IFluidStepper
     {
+        // The thesis itself asks what it is for.
+        const string OptionalPass = "ResetGridIndices";
+
         readonly ThesisState state;
         readonly CalculateParticleCellValuePass calculateParticleCellValue;
         readonly BitonicSortPass bitonicSort;
@@ -45,11 +49,25 @@ namespace SphFluid
         }
 
         /// <inheritdoc/>
-        public void RecordNeighbourSetup(CommandBuffer cmd)
+        public void RecordNeighbourSetup(CommandBuffer cmd) => RecordNeighbourSetup(cmd, true);
+
+        /// <inheritdoc/>
+        public void RecordNeighbourSetupWithout(CommandBuffer cmd, string pass)
+        {
+            if (pass != OptionalPass)
+            {
+                throw new ArgumentException(
+                    $"The thesis method cannot leave out '{pass}' of the neighbour setup, only '{OptionalPass}'.", nameof(pass));
+            }
+
+            RecordNeighbourSetup(cmd, false);
+        }
+
+        void RecordNeighbourSetup(CommandBuffer cmd, bool reset)
         {
             calculateParticleCellValue.Record(cmd, state);
             bitonicSort.Record(cmd, state);
-            resetGridIndices.Record(cmd, state);
+            if (reset) resetGridIndices.Record(cmd, state);
             setGridIndices.Record(cmd, state);
             sortParticles.Record(cmd, state);
             calculateDensity.Record(cmd, state);

@@ -97,9 +97,10 @@ namespace SphFluid
         public string TakeWarning() => warnings.Take();
 
         /// <summary>
-        /// Waits for the GPU and reads what became of the surface that was recorded and executed last.
+        /// Waits for the GPU and reads what became of the surface that was recorded and executed last; for tools and tests.
         /// </summary>
-        internal SurfaceStatus ReadStatus()
+        /// <returns>The status now.</returns>
+        public SurfaceStatus ReadStatus()
         {
             readback.ReadNow(blocks.Counters);
             return Status;

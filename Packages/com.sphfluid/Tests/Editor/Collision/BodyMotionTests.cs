@@ -27,7 +27,7 @@ namespace SphFluid.Tests
             Object.DestroyImmediate(parent);
         }
 
-        ColliderSolid Gather()
+        FluidObstacle Gather()
         {
             rig.Gather();
             return rig.Scene.Solids.Single();
@@ -87,7 +87,7 @@ namespace SphFluid.Tests
                 if (collider is BoxCollider box) box.center = 0.1f * swing * Vector3.up;
                 List<Vector3> before = Corners(motion, true);
                 motion.Arrive();
-                ColliderSolid solid = Gather();
+                FluidObstacle solid = Gather();
                 BodyFollowing following = motion.MoveTo(solid.State);
                 outgrown += following == BodyFollowing.CellsOutgrown ? 1 : 0;
                 Assert.That(following, Is.EqualTo(BodyFollowing.Followed).Or.EqualTo(BodyFollowing.CellsOutgrown));
@@ -111,7 +111,7 @@ namespace SphFluid.Tests
                 collider.transform.localScale = (0.5f + 0.05f * frame) * Vector3.one;
                 collider.transform.localRotation = Quaternion.Euler(20f * frame, 10f * frame, 0f);
                 motion.Arrive();
-                ColliderSolid solid = Gather();
+                FluidObstacle solid = Gather();
                 Assert.That(motion.MoveTo(solid.State), Is.EqualTo(BodyFollowing.Followed).Or.EqualTo(BodyFollowing.CellsOutgrown));
                 Bounds bounds = new TriangleMesh(Corners(motion, true).ToArray(), motion.Mesh.Indices).Bounds;
                 float radius = RoundShape.Of(solid.State).Radius;
@@ -129,7 +129,7 @@ namespace SphFluid.Tests
             for (int frame = 1; frame <= 200; frame++)
             {
                 collider.transform.localRotation = Quaternion.Euler(1.7f * frame, 3.1f * frame, 0.3f * frame);
-                ColliderSolid solid = Gather();
+                FluidObstacle solid = Gather();
                 Assert.That(motion.MoveTo(solid.State), Is.EqualTo(BodyFollowing.Followed));
                 Assert.That(motion.IsStretched, Is.False);
                 Assert.That(Farthest(Corners(motion, true), solid.Mesh.Vertices), Is.LessThan(2e-5f));
@@ -147,7 +147,7 @@ namespace SphFluid.Tests
                 collider.transform.localScale = 10f * (1f + 3e-5f * frame) * Vector3.one;
                 List<Vector3> before = Corners(motion, true);
                 motion.Arrive();
-                ColliderSolid solid = Gather();
+                FluidObstacle solid = Gather();
                 motion.MoveTo(solid.State);
                 Assert.That(Farthest(Corners(motion, false), before), Is.LessThan(3e-6f));
                 Assert.That(Farthest(Corners(motion, true), solid.Mesh.Vertices), Is.LessThan(2e-4f), "a hundred-thousandth of its size");
@@ -184,7 +184,7 @@ namespace SphFluid.Tests
         public void WhatCannotBeFollowedIsSaid()
         {
             BoxCollider box = rig.Add<BoxCollider>("gate");
-            ColliderSolid start = Gather();
+            FluidObstacle start = Gather();
             BodyFollowing After(Vector3 scale)
             {
                 var motion = new BodyMotion(start);

@@ -22,7 +22,7 @@ namespace SphFluid.Tests
         public CollisionBodies Bodies { get; }
         public FluidSolver Solver => liquid.Solver;
         public StandardState State => liquid.State;
-        public IReadOnlyList<ColliderSolid> Solids => colliders.Scene.Solids;
+        public IReadOnlyList<FluidObstacle> Solids => colliders.Scene.Solids;
 
         /// <summary>By rule for water of a depth in a domain.</summary>
         public static FluidSolverSettings Water(Vector3 domain, float spacing, float depth, float expectedSpeed = 0f)

@@ -46,7 +46,7 @@ namespace SphFluid.Tests
                     var to = new Vector4[Shots];
                     for (int i = 0; i < Shots; i++) ContactShotTests.Shoot(start, random, out from[i], out to[i]);
                     rig.Start(from.Select((p, i) => new FluidParticle(p, Vector3.zero, (uint)i)).ToArray());
-                    ColliderSolid before = rig.Solids.Single();
+                    FluidObstacle before = rig.Solids.Single();
                     StandardState state = rig.State;
                     rig.Setup();
 

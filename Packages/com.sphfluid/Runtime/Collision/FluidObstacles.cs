@@ -1,0 +1,188 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// What the liquid of a <see cref="FluidSolver"/> without components collides with: colliders and meshes, for any method. Add
+    /// them, give this to <see cref="FluidSolver.SetObstacles"/>, and call <see cref="Update"/> once a frame before the steps are
+    /// recorded: the next steps take the obstacles to where they are then, and the liquid feels their motion.
+    /// </summary>
+    /// <example>
+    /// <code>
+    /// var obstacles = new FluidObstacles(solver.Settings);
+    /// int gate = obstacles.Add(TriangleMesh.Box(Matrix4x4.Scale(new Vector3(0.1f, 1f, 1f))), Matrix4x4.identity);
+    /// obstacles.Update(Matrix4x4.identity);
+    /// solver.SetObstacles(obstacles);
+    /// </code>
+    /// </example>
+    public sealed class FluidObstacles : IDisposable
+    {
+        readonly CollisionScene scene;
+        readonly CollisionBodies bodies; // null with methods that take triangles
+        readonly FluidSolverSettings settings;
+        readonly List<Entry> entries = new List<Entry>();
+        readonly List<FluidMessage> messages = new List<FluidMessage>();
+        List<ColliderState> states = new List<ColliderState>();
+        List<ColliderState> previous = new List<ColliderState>();
+
+        /// <summary>No obstacles yet.</summary>
+        /// <param name="settings">The liquid's, as of <see cref="FluidSolver.Settings"/>: method, domain, spacing and support radius count.</param>
+        public FluidObstacles(in FluidSolverSettings settings)
+            : this(settings, new CollisionScene())
+        {
+        }
+
+        /// <summary>The colliders of a scene, which is taken over.</summary>
+        internal FluidObstacles(in FluidSolverSettings settings, CollisionScene scene)
+        {
+            this.settings = settings;
+            this.scene = scene;
+            if (FluidMethods.Of(settings.Method).Has(FluidMethodFeatures.BodyContact)) bodies = new CollisionBodies(settings);
+        }
+
+        /// <summary>What takes part, as of the last update.</summary>
+        public IReadOnlyList<FluidObstacle> Found => scene.Solids;
+
+        /// <summary>Why something was left out or could not be followed, as of the last update.</summary>
+        public IReadOnlyList<FluidMessage> Messages => messages;
+
+        /// <summary>Times an obstacle moved or changed more than the liquid can follow since the start; it was put at its new place at once.</summary>
+        public int Jumps => bodies?.Jumps ?? 0;
+
+        /// <summary>Number of triangles that the solver tests against.</summary>
+        public int TriangleCount => bodies?.TriangleCount ?? scene.Triangles.Count;
+
+        /// <summary>GPU memory [bytes].</summary>
+        public long GpuBytes => scene.GpuBytes + (bodies?.Bytes ?? 0);
+
+        internal CollisionScene Scene => scene;
+
+        /// <summary>The obstacles for methods that prove motion free; null for other methods.</summary>
+        internal CollisionBodies Bodies => bodies;
+
+        /// <summary>Adds a Mesh, Box, Sphere or Capsule Collider, active or not; it is followed wherever it goes.</summary>
+        /// <param name="collider">The collider.</param>
+        /// <param name="friction">0 free slip to 1 no slip; null: as the domain's faces. Methods without friction of their own ignore it.</param>
+        /// <exception cref="ArgumentNullException">There is no collider.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The friction is not between 0 and 1.</exception>
+        public void Add(Collider collider, float? friction = null)
+        {
+            if (collider == null) throw new ArgumentNullException(nameof(collider));
+            entries.Add(new Entry { Collider = collider, Friction = FrictionOf(friction) });
+        }
+
+        /// <summary>Adds a mesh.</summary>
+        /// <param name="mesh">Its triangles, in a space of its own.</param>
+        /// <param name="pose">That space to simulation space; scale and shear may differ from none.</param>
+        /// <param name="friction">0 free slip to 1 no slip; null: as the domain's faces. Methods without friction of their own ignore it.</param>
+        /// <returns>A number to call <see cref="MoveTo"/> with.</returns>
+        /// <exception cref="ArgumentException">The mesh is missing or has no triangles.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The friction is not between 0 and 1.</exception>
+        public int Add(TriangleMesh mesh, in Matrix4x4 pose, float? friction = null)
+        {
+            if (mesh == null || mesh.TriangleCount == 0)
+                throw new ArgumentException("An obstacle needs a mesh of one triangle or more.", nameof(mesh));
+            entries.Add(new Entry { Mesh = mesh, Pose = pose, Friction = FrictionOf(friction) });
+            return entries.Count - 1;
+        }
+
+        /// <summary>Moves a mesh; <see cref="Update"/> takes it over.</summary>
+        /// <param name="mesh">The number that <see cref="Add(TriangleMesh, in Matrix4x4, float?)"/> returned.</param>
+        /// <param name="pose">Where it is now: its own space to simulation space.</param>
+        /// <exception cref="ArgumentOutOfRangeException">There is no such mesh.</exception>
+        public void MoveTo(int mesh, in Matrix4x4 pose)
+        {
+            if (mesh < 0 || mesh >= entries.Count || entries[mesh].Mesh == null)
+                throw new ArgumentOutOfRangeException(nameof(mesh), mesh, "There is no mesh of that number. Use the one that Add returned.");
+            entries[mesh].Pose = pose;
+        }
+
+        /// <summary>Forgets all colliders and meshes; <see cref="Update"/> takes them away.</summary>
+        public void Clear() => entries.Clear();
+
+        /// <summary>Takes over where everything is now. Once a frame, before the steps are recorded.</summary>
+        /// <param name="worldToSimulation">World space to simulation space, for colliders.</param>
+        /// <exception cref="FluidDeviceException">The device cannot hold the triangles.</exception>
+        public void Update(in Matrix4x4 worldToSimulation)
+        {
+            (states, previous) = (previous, states);
+            states.Clear();
+            foreach (Entry entry in entries)
+            {
+                if (entry.Mesh != null) states.Add(new ColliderState(entry, entry.Mesh, entry.Friction, entry.Pose));
+                else if (entry.Collider != null) states.Add(ColliderState.Of(entry.Collider, entry.Friction, worldToSimulation));
+            }
+
+            if (!IsSame())
+            {
+                scene.Take(states, new CollisionQuery { DomainSize = settings.DomainSize, Spacing = settings.Spacing });
+                Share();
+            }
+
+            messages.Clear();
+            messages.AddRange(scene.Messages);
+            foreach (BodyJump jump in Follow()) messages.Add(jump.Message);
+        }
+
+        /// <summary>Releases the GPU memory; no solver may use the obstacles after it.</summary>
+        public void Dispose()
+        {
+            bodies?.Dispose();
+            scene.Dispose();
+        }
+
+        /// <summary>Hands changed triangles to methods that take them.</summary>
+        internal void Share()
+        {
+            if (bodies == null) scene.Upload();
+        }
+
+        /// <summary>Hands the colliders' motion to methods that follow it.</summary>
+        /// <returns>Those that could not be followed.</returns>
+        internal IReadOnlyList<BodyJump> Follow()
+        {
+            if (bodies == null) return Array.Empty<BodyJump>();
+            bodies.Update(scene.Solids);
+            return bodies.NewJumps;
+        }
+
+        /// <summary>Checks that a liquid can use the obstacles.</summary>
+        /// <exception cref="ArgumentException">They were made for another one.</exception>
+        internal void Check(in FluidSolverSettings liquid)
+        {
+            bool takesBodies = FluidMethods.Of(liquid.Method).Has(FluidMethodFeatures.BodyContact);
+            if (takesBodies != (bodies != null) || liquid.DomainSize != settings.DomainSize || liquid.SupportRadius != settings.SupportRadius ||
+                liquid.Spacing != settings.Spacing || liquid.Boundaries.Periodic != settings.Boundaries.Periodic)
+            {
+                throw new ArgumentException("The obstacles were made for a liquid of another method, domain, spacing or support radius. " +
+                    "Make them with the settings of the solver that they are given to.");
+            }
+        }
+
+        bool IsSame()
+        {
+            if (states.Count != previous.Count) return false;
+            for (int i = 0; i < states.Count; i++)
+                if (!states[i].Equals(previous[i])) return false;
+            return true;
+        }
+
+        static float FrictionOf(float? friction)
+        {
+            if (friction is float given && !(given >= 0f && given <= 1f))
+                throw new ArgumentOutOfRangeException(nameof(friction), given, "Friction is between 0, free slip, and 1, no slip.");
+            return friction ?? ColliderSettings.DomainFriction;
+        }
+
+        // Known by itself: a mesh may be added more than once.
+        sealed class Entry
+        {
+            public Collider Collider;
+            public TriangleMesh Mesh;
+            public Matrix4x4 Pose;
+            public float Friction;
+        }
+    }
+}

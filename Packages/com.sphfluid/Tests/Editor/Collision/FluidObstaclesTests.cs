@@ -1,0 +1,164 @@
+using System;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    public sealed class FluidObstaclesTests
+    {
+        const float Spacing = 0.05f;
+        static readonly Vector3 Domain = new Vector3(0.8f, 0.8f, 0.8f);
+
+        FluidShaderSet shaders;
+
+        [SetUp]
+        public void CreateShaders()
+        {
+            GpuTest.Require();
+            shaders = TestShaders.CreateSet();
+        }
+
+        [TearDown]
+        public void DestroyShaders() => UnityEngine.Object.DestroyImmediate(shaders);
+
+        [TestCase(FluidMethodKind.Standard)]
+        [TestCase(FluidMethodKind.Thesis)]
+        public void AMeshHoldsFallingLiquidOfAnyMethod(FluidMethodKind method)
+        {
+            Assert.That(Lowest(method, null), Is.LessThan(-0.3f), "nothing is there");
+            Assert.That(Lowest(method, o => o.Add(Shelf(), Matrix4x4.identity)), Is.GreaterThan(-0.06f), "a mesh");
+        }
+
+        [Test]
+        public void AColliderHoldsFallingLiquidWhereverTheDomainIs()
+        {
+            var holder = new GameObject("Shelf") { hideFlags = HideFlags.HideAndDontSave };
+            try
+            {
+                var domain = new Vector3(5f, 1f, -2f);
+                holder.transform.position = domain + 0.05f * Vector3.down;
+                holder.AddComponent<BoxCollider>().size = new Vector3(2f, 0.1f, 2f);
+                float lowest = Lowest(FluidMethodKind.Standard, o => o.Add(holder.GetComponent<Collider>()), Matrix4x4.Translate(-domain));
+                Assert.That(lowest, Is.GreaterThan(-0.06f));
+            }
+            finally
+            {
+                UnityEngine.Object.DestroyImmediate(holder);
+            }
+        }
+
+        [Test]
+        public void LiquidRidesOnAMeshThatMoves()
+        {
+            FluidSolverSettings settings = Settings(FluidMethodKind.Standard);
+            using (var solver = new FluidSolver(settings, shaders, Drop()))
+            using (var obstacles = new FluidObstacles(solver.Settings))
+            {
+                int shelf = obstacles.Add(Shelf(), Matrix4x4.identity);
+                obstacles.Update(Matrix4x4.identity);
+                solver.SetObstacles(obstacles);
+                int perFrame = Mathf.CeilToInt(1f / 60f / settings.TimeStep);
+                for (int frame = 1; frame <= 12; frame++)
+                {
+                    obstacles.MoveTo(shelf, Matrix4x4.Translate(0.015f * frame * Vector3.up));
+                    obstacles.Update(Matrix4x4.identity);
+                    GpuTest.Run(cmd => solver.RecordSteps(cmd, perFrame));
+                }
+
+                Assert.That(obstacles.Jumps, Is.Zero);
+                Assert.That(LowestNow(solver), Is.GreaterThan(0.16f));
+            }
+        }
+
+        [Test]
+        public void WhatIsClearedHoldsNothing()
+        {
+            using (var obstacles = new FluidObstacles(Settings(FluidMethodKind.Standard)))
+            {
+                obstacles.Add(Shelf(), Matrix4x4.identity);
+                obstacles.Update(Matrix4x4.identity);
+                Assert.That(obstacles.TriangleCount, Is.EqualTo(4), "the top and the bottom; the sides are beyond the domain");
+                Assert.That(obstacles.Found.Count, Is.EqualTo(1));
+                Assert.That(obstacles.Found[0].Collider, Is.Null);
+                Assert.That(obstacles.Found[0].Mesh.Contains(0.05f * Vector3.down), Is.True);
+
+                obstacles.Clear();
+                obstacles.Update(Matrix4x4.identity);
+                Assert.That((obstacles.TriangleCount, obstacles.Found.Count), Is.EqualTo((0, 0)));
+            }
+        }
+
+        [Test]
+        public void AMirroredMeshIsReportedAndPutAtOnce()
+        {
+            using (var obstacles = new FluidObstacles(Settings(FluidMethodKind.Standard)))
+            {
+                int shelf = obstacles.Add(Shelf(), Matrix4x4.identity);
+                obstacles.Update(Matrix4x4.identity);
+                obstacles.MoveTo(shelf, Matrix4x4.Scale(new Vector3(-1f, 1f, 1f)));
+                obstacles.Update(Matrix4x4.identity);
+                Assert.That(obstacles.Jumps, Is.EqualTo(1));
+                Assert.That(obstacles.Messages.Single().Text, Does.StartWith("The mesh was mirrored"));
+            }
+        }
+
+        [Test]
+        public void WhatCannotBeAnObstacleIsRefusedWithACure()
+        {
+            FluidSolverSettings settings = Settings(FluidMethodKind.Standard);
+            using (var solver = new FluidSolver(settings, shaders, Drop()))
+            using (var obstacles = new FluidObstacles(settings))
+            using (var others = new FluidObstacles(Settings(FluidMethodKind.Thesis)))
+            {
+                Assert.That(() => obstacles.Add((TriangleMesh)null, Matrix4x4.identity), Throws.ArgumentException.With.Message.Contains("one triangle or more"));
+                Assert.That(() => obstacles.Add((Collider)null), Throws.ArgumentNullException);
+                Assert.That(() => obstacles.Add(Shelf(), Matrix4x4.identity, 1.5f), Throws.TypeOf<ArgumentOutOfRangeException>());
+                Assert.That(() => obstacles.MoveTo(0, Matrix4x4.identity), Throws.TypeOf<ArgumentOutOfRangeException>().With.Message.Contains("Add returned"));
+                Assert.That(() => solver.SetObstacles(others), Throws.ArgumentException.With.Message.Contains("settings of the solver"));
+            }
+        }
+
+        // A slab across the domain, its top at zero.
+        static TriangleMesh Shelf() => TriangleMesh.Box(Matrix4x4.TRS(0.05f * Vector3.down, Quaternion.identity, new Vector3(2f, 0.1f, 2f)));
+
+        static FluidSolverSettings Settings(FluidMethodKind method)
+        {
+            FluidRuleInput input = method == FluidMethodKind.Standard ? FluidRuleInput.Water : FluidRuleInput.ThesisWater;
+            input.Method = method;
+            input.DomainSize = Domain;
+            input.Spacing = Spacing;
+            input.LiquidHeight = 0.6f;
+            input.LiquidDepth = 0.2f;
+            return FluidRules.Derive(input);
+        }
+
+        static FluidParticle[] Drop()
+        {
+            FluidParticle[] drop = ParticleSets.Lattice(new Vector3Int(4, 4, 4), Spacing, 0f, 1);
+            for (int i = 0; i < drop.Length; i++) drop[i].Position.y += 0.03f + 2f * Spacing;
+            return drop;
+        }
+
+        // Height of the lowest particle after half a second.
+        float Lowest(FluidMethodKind method, Action<FluidObstacles> add, Matrix4x4? worldToSimulation = null)
+        {
+            FluidSolverSettings settings = Settings(method);
+            using (var solver = new FluidSolver(settings, shaders, Drop()))
+            using (var obstacles = new FluidObstacles(solver.Settings))
+            {
+                add?.Invoke(obstacles);
+                obstacles.Update(worldToSimulation ?? Matrix4x4.identity);
+                solver.SetObstacles(obstacles);
+                GpuTest.Run(cmd => solver.RecordSteps(cmd, Mathf.CeilToInt(0.5f / settings.TimeStep)));
+                return LowestNow(solver);
+            }
+        }
+
+        static float LowestNow(FluidSolver solver)
+        {
+            GpuTest.Run(cmd => solver.RecordNeighbourSetup(cmd)); // brings what is read up to date
+            return GpuTest.Read<FluidParticle>(solver.Particles, solver.ParticleCount).Min(p => p.Position.y);
+        }
+    }
+}
