@@ -1,110 +1,66 @@
+using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
 using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Blocks 6.2.2 to 6.2.6: each particle is in the range of its cell, and empty cells have empty ranges.</summary>
+    /// <summary>Block 6.2.5 on sorted pairs that the test makes.</summary>
     public sealed class SetGridIndicesTests
     {
-        static readonly Vector3 Domain = new Vector3(1.1f, 0.7f, 0.9f);
+        // What lies in cells without particles, which the block leaves alone.
+        const uint Canary = 77777u;
 
-        [TestCase(1)]
-        [TestCase(2)]
-        [TestCase(255)]
-        [TestCase(256)]
-        [TestCase(257)]
-        [TestCase(1024)]
-        [TestCase(5003)]
-        public void RangesAgreeWithBruteForce(int count)
+        // The cells that the particles are in, of 2,000: all in one, one each, in runs of up to 300, few a cell.
+        public enum Kind
         {
-            Check(ParticleSets.Random(count, Domain, 1f, count));
+            OneCell,
+            OneEach,
+            LongRuns,
+            ShortRuns,
         }
 
         [Test]
-        public void CellsOfTheSupportRadiusAgreeWithBruteForce()
+        public void EachCellHasTheRangeOfItsRun([Values(0, 1, 2, 255, 256, 257, 1009)] int count, [Values] Kind kind)
         {
-            FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.03f);
-            settings.OctantSearch = false;
-            using (var rig = new ThesisRig(settings, ParticleSets.Random(1024, Domain, 1f, 4)))
+            FluidSolverSettings settings = TestSettings.ByRule(Vector3.one, 0.03f);
+            settings.DomainSize = 2f * settings.SupportRadius * new Vector3(1999.5f, 0.5f, 0.5f);
+            using (var rig = new ThesisRig(settings, new FluidParticle[count]))
             {
-                rig.RunNeighbourSetup();
-                Assert.That(rig.State.Grid.CellSize, Is.EqualTo(settings.SupportRadius * Vector3.one));
-                CheckRanges(rig);
-            }
-        }
+                const int cellCount = 2000;
+                Assert.That(rig.State.Grid.CellCount, Is.EqualTo(cellCount));
+                uint[] cells = Cells(count, kind, cellCount);
+                int padded = rig.State.Buffers.PaddedCount;
+                rig.State.Buffers.Grid.SetData(Enumerable.Range(0, padded).SelectMany(i =>
+                    new[] { i < count ? cells[i] : uint.MaxValue, (uint)(padded - i) }).ToArray());
+                FluidBuffer ranges = rig.State.Published.GridIndices;
+                ranges.SetData(Enumerable.Repeat(Canary, 2 * cellCount).ToArray());
+                var pass = new SetGridIndicesPass(rig.Shaders);
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State));
 
-        [Test]
-        public void AllParticlesInOneCell()
-        {
-            Check(ParticleSets.Random(300, 0.01f * Vector3.one, 1f, 3).Select(p => Moved(p, new Vector3(0.05f, 0.02f, 0.03f))).ToArray());
-        }
-
-        [Test]
-        public void CornersOfTheDomainBelongToTheCornerCells()
-        {
-            FluidParticle[] corners = Enumerable.Range(0, 8).Select(i => new FluidParticle(
-                0.5f * Vector3.Scale(Domain, new Vector3((i & 1) * 2 - 1, (i >> 1 & 1) * 2 - 1, (i >> 2) * 2 - 1)), Vector3.zero, (uint)i)).ToArray();
-            Check(corners);
-        }
-
-        [Test]
-        public void RangesOfEarlierPositionsAreCleared()
-        {
-            using (var rig = new ThesisRig(TestSettings.ByRule(Domain, 0.03f), ParticleSets.Random(500, Domain, 1f, 5)))
-            {
-                rig.RunNeighbourSetup();
-                rig.State.Published.Particles.SetData(ParticleSets.Random(500, 0.2f * Domain, 1f, 6));
-                rig.RunNeighbourSetup();
-                CheckRanges(rig);
-            }
-        }
-
-        static void Check(FluidParticle[] particles)
-        {
-            using (var rig = new ThesisRig(TestSettings.ByRule(Domain, 0.03f), particles))
-            {
-                rig.RunNeighbourSetup();
-                CheckRanges(rig);
-                FluidParticle[] byId = rig.ReadParticles().OrderBy(p => p.Id).ToArray();
-                Assert.That(byId, Is.EqualTo(particles.OrderBy(p => p.Id).ToArray()), "the same particles");
-            }
-        }
-
-        static void CheckRanges(ThesisRig rig)
-        {
-            FluidGrid grid = rig.State.Grid;
-            FluidParticle[] sorted = rig.ReadParticles();
-            int[] cells = sorted.Select(p => Cell(grid, p.Position)).ToArray();
-            uint[] ranges = GpuTest.Read<uint>(rig.State.Published.GridIndices, 2 * grid.CellCount);
-            for (int cell = 0; cell < grid.CellCount; cell++)
-            {
-                int first = System.Array.IndexOf(cells, cell);
-                int count = cells.Count(c => c == cell);
-                uint start = ranges[2 * cell];
-                uint end = ranges[2 * cell + 1];
-                Assert.That(end - start, Is.EqualTo((uint)count), $"particles in cell {cell}");
-                if (count > 0)
+                uint[] expected = Enumerable.Repeat(Canary, 2 * cellCount).ToArray();
+                for (int i = 0; i < count; i++)
                 {
-                    Assert.That(start, Is.EqualTo((uint)first), $"first particle of cell {cell}");
+                    expected[2 * cells[i]] = (uint)System.Array.IndexOf(cells, cells[i]);
+                    expected[2 * cells[i] + 1] = (uint)System.Array.LastIndexOf(cells, cells[i]) + 1u;
                 }
+                Assert.That(GpuTest.Read<uint>(ranges, 2 * cellCount), Is.EqualTo(expected));
             }
         }
 
-        static int Cell(in FluidGrid grid, Vector3 position)
+        static uint[] Cells(int count, Kind kind, int cellCount)
         {
-            Vector3 p = position - grid.Origin;
-            p = new Vector3(p.x / grid.CellSize.x, p.y / grid.CellSize.y, p.z / grid.CellSize.z);
-            int x = Mathf.Clamp(Mathf.FloorToInt(p.x), 0, grid.Counts.x - 1);
-            int y = Mathf.Clamp(Mathf.FloorToInt(p.y), 0, grid.Counts.y - 1);
-            int z = Mathf.Clamp(Mathf.FloorToInt(p.z), 0, grid.Counts.z - 1);
-            return x + grid.Counts.x * (y + grid.Counts.y * z);
-        }
+            var random = new System.Random(count);
+            var cells = new List<uint>();
+            while (cells.Count < count)
+            {
+                int cell = kind == Kind.OneEach ? cellCount - count + cells.Count : random.Next(cellCount);
+                int longest = kind == Kind.LongRuns ? 300 : 4;
+                int run = kind == Kind.OneEach ? 1 : kind == Kind.OneCell ? count : random.Next(longest);
+                cells.AddRange(Enumerable.Repeat((uint)cell, run));
+            }
 
-        static FluidParticle Moved(FluidParticle particle, Vector3 by)
-        {
-            particle.Position += by;
-            return particle;
+            return cells.Take(count).OrderBy(cell => cell).ToArray();
         }
     }
 }
