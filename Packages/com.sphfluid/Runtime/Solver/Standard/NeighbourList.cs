@@ -18,7 +18,11 @@ namespace SphFluid
 
         static readonly int ListLength = Shader.PropertyToID("_ListLength");
 
-        readonly FluidBuffer neighbours, counts;
+        /// <summary>Indices, 32 particles side by side; ListPlace in the shader.</summary>
+        public readonly FluidBuffer Neighbours;
+
+        /// <summary>Neighbours of each particle, listed or not.</summary>
+        public readonly FluidBuffer Counts;
 
         /// <summary>A list for a number of particles.</summary>
         /// <param name="particleCount">Number of particles.</param>
@@ -26,8 +30,8 @@ namespace SphFluid
         public NeighbourList(int particleCount, int length)
         {
             Length = length;
-            neighbours = Add("Neighbours", EntryCount(particleCount, length), sizeof(uint));
-            counts = Add("NeighbourCounts", particleCount, sizeof(uint));
+            Neighbours = Add("Neighbours", EntryCount(particleCount, length), sizeof(uint));
+            Counts = Add("NeighbourCounts", particleCount, sizeof(uint));
         }
 
         /// <summary>Most neighbours of a particle that are listed.</summary>
@@ -44,16 +48,16 @@ namespace SphFluid
         public void SetOut(CommandBuffer cmd, ComputeKernel kernel)
         {
             kernel.SetInt(cmd, ListLength, Length);
-            kernel.SetOut(cmd, neighbours);
-            kernel.SetOut(cmd, counts);
+            kernel.SetOut(cmd, Neighbours);
+            kernel.SetOut(cmd, Counts);
         }
 
         /// <summary>Records the list for a kernel that reads it.</summary>
         public void Set(CommandBuffer cmd, ComputeKernel kernel)
         {
             kernel.SetInt(cmd, ListLength, Length);
-            kernel.Set(cmd, neighbours);
-            kernel.Set(cmd, counts);
+            kernel.Set(cmd, Neighbours);
+            kernel.Set(cmd, Counts);
         }
 
         static long EntryCount(int particleCount, int length) => ((long)particleCount + Lanes - 1) / Lanes * Lanes * length;

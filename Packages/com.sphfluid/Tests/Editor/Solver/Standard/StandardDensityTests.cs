@@ -1,0 +1,210 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>StandardDensity on particles that the test sorts, against sums over all pairs in double.</summary>
+    public sealed class StandardDensityTests
+    {
+        const float Spacing = 0.05f;
+        const int MaxDensity = 13; // COUNTER_MAX_DENSITY
+
+        static readonly Vector2 Canary = new Vector2(-7f, -8f);
+        static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
+
+        [Test]
+        public void DensityAndPressureAreTheSumsOverAllPairs(
+            [Values(1, 63, 64, 65, 257, 1009)] int count,
+            [Values(FluidAxes.None, FluidAxes.X | FluidAxes.Z)] FluidAxes periodic, [Values] bool clamp)
+        {
+            FluidSolverSettings settings = StandardStateRig.Water(Domain, Spacing, periodic);
+            settings.PressureClamp = clamp;
+            using (var rig = new StandardStateRig(settings, count))
+            {
+                FluidParticle[] particles = rig.FillSorted(ParticleSets.Random(count, Domain, 1f, 3));
+                Vector2[] terms = Record(rig);
+                AssertTerms(terms, particles, settings);
+                float largest = terms.Max(t => t.x);
+                Assert.That(rig.Counters()[MaxDensity], Is.EqualTo(StandardStateRig.ToBits(largest)));
+            }
+        }
+
+        [Test]
+        public void NeighboursAreCountedAndListedAsFarAsTheListHoldsThem(
+            [Values(1, 31, 32, 33, 257, 1009)] int count, [Values(FluidAxes.None, FluidAxes.All)] FluidAxes periodic)
+        {
+            FluidSolverSettings settings = StandardStateRig.Water(Domain, Spacing, periodic);
+            using (var rig = new StandardStateRig(settings, count))
+            {
+                // A clump among others: some lists are full.
+                FluidParticle[] all = ParticleSets.Random(count, Domain, 1f, 5);
+                for (int i = 0; i < count / 4; i++) all[i].Position *= 0.2f;
+                FluidParticle[] particles = rig.FillSorted(all);
+                Record(rig);
+                NeighbourList list = rig.State.List;
+                uint[] counts = GpuTest.Read<uint>(list.Counts, count);
+                uint[] entries = GpuTest.Read<uint>(list.Neighbours, (count + 31) / 32 * 32 * list.Length);
+                for (int i = 0; i < count; i++)
+                {
+                    // Within R but for rounding.
+                    HashSet<int> surely = Within(particles, i, settings, 1.0 - 1e-6);
+                    HashSet<int> perhaps = Within(particles, i, settings, 1.0 + 1e-6);
+                    Assert.That(counts[i], Is.InRange(surely.Count, perhaps.Count), $"neighbours of {i}");
+                    int listed = (int)Math.Min(counts[i], list.Length);
+                    var found = new HashSet<int>(Enumerable.Range(0, listed).Select(n =>
+                        (int)entries[(i / 32 * list.Length + n) * 32 + i % 32]));
+                    Assert.That(found.Count, Is.EqualTo(listed), $"neighbours of {i} are listed once each");
+                    Assert.That(found.IsSubsetOf(perhaps), Is.True, $"list of {i}");
+                }
+
+                if (count == 1009)
+                    Assert.That(counts.Max(), Is.GreaterThan(list.Length), "some have more than a list holds");
+            }
+        }
+
+        [Test]
+        public void ParticlesThatLeftTheDomainHaveNoPartInIt()
+        {
+            const int count = 129;
+            FluidSolverSettings settings = StandardStateRig.Water(Domain, Spacing);
+            using (var rig = new StandardStateRig(settings, count))
+            {
+                FluidParticle[] all = ParticleSets.Random(count, Domain, 1f, 8);
+                for (int i = 0; i < count; i += 3) all[i].Removed = 1f;
+                FluidParticle[] live = rig.FillSorted(all).Where(p => !p.IsRemoved).ToArray();
+                Vector2[] terms = Record(rig);
+                AssertTerms(terms.Take(live.Length).ToArray(), live, settings);
+                Assert.That(terms.Skip(live.Length), Is.All.EqualTo(Canary), "no density is written for them");
+            }
+        }
+
+        // Of every second particle the walls are those of a record that the test makes, in place of the domain's.
+        [Test]
+        public void AParticleNearATriangleHasTheWallsOfItsRecord()
+        {
+            const int count = 65;
+            FluidSolverSettings settings = StandardStateRig.Water(Domain, Spacing);
+            using (StandardStateRig rig = WithAWall(settings, count, out CollisionBodies bodies))
+            {
+                FluidParticle[] particles = rig.FillSorted(ParticleSets.Random(count, Domain, 1f, 4));
+                double[] expected = Enumerable.Range(0, count).Select(i =>
+                    StandardReference.Density(particles, i, settings)).ToArray();
+                var records = new List<uint[]>();
+                for (int i = 0; i < count; i++)
+                {
+                    float value = i % 2 == 0 ? 0.01f * i : 0f;
+                    records.Add(Record(value, 0u, 0f, false));
+                    if (i % 2 != 0) continue;
+                    double domain = StandardReference.Walls(particles[i].Position, settings);
+                    expected[i] += settings.RestDensity * (value - domain) / StandardReference.Response(settings);
+                }
+
+                SetWalls(rig, records, i => i % 2 == 0);
+                Vector2[] terms = Record(rig);
+                bodies.Dispose();
+                double error = 2e-5 * settings.RestDensity;
+                for (int i = 0; i < count; i++)
+                    Assert.That(terms[i].x, Is.EqualTo(expected[i]).Within(error), $"particle {i}");
+            }
+        }
+
+        // A face at x = 0: to the right of it particles see its normal along x, to the left against x.
+        [Test]
+        public void LiquidBehindAFaceThatBothSeeAddsNothing()
+        {
+            const int count = 257;
+            const uint alongX = 32767u, againstX = 32769u; // octahedral, 16 bits a coordinate
+            FluidSolverSettings settings = StandardStateRig.Water(Domain, Spacing);
+            using (StandardStateRig rig = WithAWall(settings, count, out CollisionBodies bodies))
+            {
+                FluidParticle[] all = ParticleSets.Random(count, 0.5f * Domain, 1f, 6);
+                for (int i = 0; i < count; i++) // clear of the distance's rounding to half
+                    all[i].Position.x += (all[i].Position.x < 0f ? -0.02f : 0.02f) * Spacing;
+
+                FluidParticle[] particles = rig.FillSorted(all);
+                SetWalls(rig, particles.Select(p => Record(0f, p.Position.x > 0f ? alongX : againstX,
+                    Mathf.Abs(p.Position.x) / settings.SupportRadius, true)).ToList(), _ => true);
+                Vector2[] terms = Record(rig);
+                bodies.Dispose();
+                for (int i = 0; i < count; i++)
+                {
+                    bool right = particles[i].Position.x > 0f;
+                    FluidParticle[] side = particles.Where(p => p.Position.x > 0f == right).ToArray();
+                    int own = Array.FindIndex(side, p => p.Id == particles[i].Id);
+                    double walls = StandardReference.Walls(particles[i].Position, settings);
+                    double expected = StandardReference.Density(side, own, settings) -
+                        settings.RestDensity * walls / StandardReference.Response(settings);
+                    Assert.That(terms[i].x, Is.EqualTo(expected).Within(2e-5 * settings.RestDensity), $"particle {i}");
+                }
+            }
+        }
+
+        static Vector2[] Record(StandardStateRig rig)
+        {
+            int count = rig.State.ParticleCount;
+            rig.State.Buffers.DensityTerms.SetData(Enumerable.Repeat(Canary, count).ToArray());
+            var pass = new StandardDensityPass(rig.Shaders);
+            GpuTest.Run(cmd => pass.Record(cmd, rig.State));
+            return GpuTest.Read<Vector2>(rig.State.Buffers.DensityTerms, count);
+        }
+
+        static void AssertTerms(Vector2[] terms, FluidParticle[] particles, in FluidSolverSettings settings)
+        {
+            double rest = settings.RestDensity, c2 = settings.SoundSpeed * (double)settings.SoundSpeed;
+            for (int i = 0; i < terms.Length; i++)
+            {
+                double density = StandardReference.Density(particles, i, settings);
+                Assert.That(terms[i].x, Is.EqualTo(density).Within(2e-5 * Math.Max(rest, density)), $"density of {i}");
+                double pressure = c2 * Math.Max(density - rest, settings.PressureClamp ? 0.0 : -rest);
+                double measured = (double)terms[i].y * terms[i].x * terms[i].x;
+                double error = 4e-5 * c2 * Math.Max(rest, density);
+                Assert.That(measured, Is.EqualTo(pressure).Within(error), $"pressure of {i}");
+            }
+        }
+
+        // Indices of the particles within a part of R, the particle itself left out.
+        static HashSet<int> Within(FluidParticle[] particles, int i, FluidSolverSettings settings, double part) =>
+            new HashSet<int>(Enumerable.Range(0, particles.Length).Where(j => j != i && ThesisReference.Separation(
+                particles[i], particles[j], settings.PeriodLength).Length < part * settings.SupportRadius));
+
+        // A body somewhere, so that the pass reads walls.
+        static StandardStateRig WithAWall(in FluidSolverSettings settings, int count, out CollisionBodies bodies)
+        {
+            var rig = new StandardStateRig(settings, count);
+            bodies = new CollisionBodies(settings);
+            using (var colliders = new ColliderRig { DomainSize = settings.DomainSize, Spacing = settings.Spacing })
+            {
+                colliders.AddMesh(TestMeshes.Cube()).transform.localScale = 0.1f * Vector3.one;
+                colliders.Gather();
+                bodies.Update(colliders.Scene.Solids);
+            }
+
+            rig.State.Bodies = bodies;
+            rig.State.RequireWalls();
+            Assert.That(rig.State.HasBodies, Is.True);
+            return rig;
+        }
+
+        // PackedWall of NearWall.hlsl with one plane, the others far away.
+        static uint[] Record(float value, uint normal, float distanceOverSupport, bool isFace)
+        {
+            uint far = Mathf.FloatToHalf(6e4f);
+            var words = new uint[MeshWallBuffers.WallStride / 4];
+            words[3] = StandardStateRig.ToBits(value);
+            words[4] = normal;
+            words[7] = isFace ? Mathf.FloatToHalf(distanceOverSupport) : far;
+            words[8] = words[9] = far;
+            words[11] = isFace ? 1u : 0u;
+            return words;
+        }
+
+        static void SetWalls(StandardStateRig rig, List<uint[]> records, Func<int, bool> hasRecord)
+        {
+            rig.State.Walls.NearWalls.SetData(records.SelectMany(words => words).ToArray());
+            rig.State.Walls.WallSlot.SetData(records.Select((_, i) => hasRecord(i) ? 1u + (uint)i : 0u).ToArray());
+        }
+    }
+}
