@@ -7,8 +7,8 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Walls that particles feel of triangles, against closed forms of planes and boxes.</summary>
-    public sealed class MeshWallTests
+    /// <summary>GatherWalls: the walls that particles feel of triangles, against closed forms of planes and boxes.</summary>
+    public sealed class GatherWallsTests
     {
         const float Spacing = 0.05f;
 
@@ -111,6 +111,43 @@ namespace SphFluid.Tests
             }
         }
 
+        // On positions that the test puts there.
+        [Test]
+        public void EachParticleOfAnyNumberHasItsWalls([Values(1, 63, 64, 65, 257, 1009)] int count)
+        {
+            var size = new Vector3(0.5f, 0.4f, 0.6f);
+            FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f), inner = settings;
+            inner.DomainSize = size;
+            FluidShaderSet set = TestShaders.CreateSet();
+            using (var rig = new BodyRig(settings))
+            {
+                rig.Add(Box(size, 2));
+                rig.Start(ParticleSets.Random(count, 0.1f * Vector3.one, 0f, 1));
+                rig.Setup();
+                Vector3[] points = Points(count, 0.98f * size, count);
+                MeshWallBuffers buffers = rig.State.Walls;
+                rig.State.Buffers.Positions.SetData(points.Select(p => (Vector4)p).ToArray());
+                buffers.WallSlot.SetData(Enumerable.Repeat(4242u, count).ToArray());
+                buffers.ContactArguments.SetData(new[] { 9u, 9u, 9u, 9u });
+                GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.State));
+                uint[] slots = GpuTest.Read<uint>(buffers.WallSlot, count);
+                Wall[] walls = GpuTest.Read<Wall>(buffers.NearWalls, count);
+                for (int i = 0; i < count; i++)
+                {
+                    double near = double.MaxValue;
+                    for (int axis = 0; axis < 3; axis++)
+                        near = Math.Min(near, 0.5 * size[axis] - Math.Abs(points[i][axis]));
+                    if (Math.Abs(near / settings.SupportRadius - 1.0) > 3e-5)
+                        Assert.That(slots[i] != 0u, Is.EqualTo(near < settings.SupportRadius), $"whether {i} has a wall");
+                    double value = slots[i] == 0u ? 0.0 : walls[slots[i] - 1].Value;
+                    Assert.That(value, Is.EqualTo(StandardReference.Walls(points[i], inner)).Within(1e-5), $"walls of {i}");
+                }
+                Assert.That(GpuTest.Read<uint>(buffers.ContactArguments, 4), Is.EqualTo(new[] { 0u, 1u, 1u, 0u }),
+                    "emptied for FindContacts");
+            }
+            UnityEngine.Object.DestroyImmediate(set);
+        }
+
         [Test]
         public void ASheetIsAWallFromBothSides()
         {
@@ -174,7 +211,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void AStretchedBoxIsABoxOfPlanesAndTellsTheSpeedOfItsFaces()
+        public void AStretchedBoxIsABoxOfPlanesWithTheSpeedsOfItsFaces()
         {
             FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f), inner = settings;
             using (var rig = new BodyRig(settings))
@@ -303,7 +340,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void AMovingWallTellsItsSpeed()
+        public void AMovingWallHasItsSpeed()
         {
             FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f);
             using (var rig = new BodyRig(settings))
