@@ -18,5 +18,6 @@ internal static class FormChecks
         new ProjectSettingsCheck(packages).Run(),
         new AssemblyProjectCheck(packages).Run(),
         new ShaderApiCheck(packages).Run(),
+        new PassLayoutCheck(packages).Run(),
     ];
 }
