@@ -119,13 +119,10 @@ namespace SphFluid
         /// <summary>
         /// The closed outlines that the surface draws on the faces of a cube: their cut edges in order.
         /// </summary>
-        /// <param name="index">The case.</param>
-        /// <param name="separated">Faces, a bit each in the order of <see cref="CubeFaces"/>, on which diagonal inside
-        /// corners are kept apart, not joined.</param>
-        internal static List<List<int>> Loops(int index, int separated = 0)
+        static List<List<int>> Loops(int index)
         {
             var loops = new List<List<int>>();
-            int[] next = JoinCutEdges(index, separated);
+            int[] next = JoinCutEdges(index);
             for (int start = 0; start < EdgeCount; start++)
             {
                 var loop = new List<int>();
@@ -142,38 +139,31 @@ namespace SphFluid
             return loops;
         }
 
-        /// <summary>Corners of the six faces: lower z, upper z, lower y, upper y, lower x, upper x.</summary>
-        internal static IReadOnlyList<int[]> CubeFaces => Faces;
-
         // next[e] is the edge that the surface's outline runs to from edge e, or -1. Going round a face, an edge leaves
         // the liquid and the next cut edge enters it again: the outline cuts off the outside corners between them, and
-        // runs from the entering to the leaving edge. On separated faces it cuts off the inside corners, and comes from
-        // the edge before them.
-        static int[] JoinCutEdges(int index, int separated)
+        // runs from the entering to the leaving edge.
+        static int[] JoinCutEdges(int index)
         {
             var next = new int[EdgeCount];
             for (int edge = 0; edge < EdgeCount; edge++)
                 next[edge] = -1;
-            for (int f = 0; f < Faces.Length; f++)
+            foreach (int[] face in Faces)
             {
-                int[] face = Faces[f];
-                bool apart = (separated >> f & 1) != 0;
                 for (int i = 0; i < 4; i++)
                 {
                     bool leaves = !IsOutside(index, face[i]) && IsOutside(index, face[(i + 1) % 4]);
                     if (!leaves)
                         continue;
-                    int j = apart ? (i + 3) % 4 : (i + 1) % 4;
-                    while (apart ? !IsOutside(index, face[j]) : IsOutside(index, face[(j + 1) % 4]))
-                        j = (j + (apart ? 3 : 1)) % 4;
+                    int j = (i + 1) % 4;
+                    while (IsOutside(index, face[(j + 1) % 4]))
+                        j = (j + 1) % 4;
                     next[EdgeBetween(face[j], face[(j + 1) % 4])] = EdgeBetween(face[i], face[(i + 1) % 4]);
                 }
             }
             return next;
         }
 
-        /// <summary>The edge between two corners.</summary>
-        internal static int EdgeBetween(int a, int b)
+        static int EdgeBetween(int a, int b)
         {
             for (int edge = 0; edge < EdgeCount; edge++)
             {
