@@ -6,7 +6,7 @@ namespace SphFluid
     /// <summary>The records of Shaders/Diagnostics/MeasureStatistics.compute, added up in double precision.</summary>
     internal static class FluidStatisticsRecord
     {
-        /// <summary>Vectors of a record; VITALS_RECORD in the shader.</summary>
+        /// <summary>Vectors of a record; STATISTICS_RECORD in the shader.</summary>
         public const int Size = 7;
 
         const int Energies = 0, Momentum = 1, Means = 2, Particles = 3, Places = 4, Largest = 5, Fullest = 6;

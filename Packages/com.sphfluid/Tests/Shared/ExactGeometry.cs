@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     internal static class ExactGeometry
     {
         /// <summary>Whether the closed segment meets the closed triangle. A way within the triangle's plane does not count.</summary>
-        public static bool Meets(Vector3 p, Vector3 q, Vector3 a, Vector3 b, Vector3 c)
+        public static bool Intersects(Vector3 p, Vector3 q, Vector3 a, Vector3 b, Vector3 c)
         {
             int s0 = Orientation(a, b, c, p), s1 = Orientation(a, b, c, q);
             if (s0 * s1 > 0 || s0 == 0 && s1 == 0) return false;

@@ -21,7 +21,7 @@ namespace SphFluid.Tests
             for (int i = 0; i < 20000; i++)
             {
                 Vector3 a = At(), b = At(), c = At(), p = At(), q = At();
-                bool intersects = ExactGeometry.Meets(p, q, a, b, c);
+                bool intersects = ExactGeometry.Intersects(p, q, a, b, c);
                 met += intersects ? 1 : 0;
                 // What lies in the plane but for rounding counts as in it.
                 bool inPlane = ExactGeometry.Distance(p, a, b, c) < 1e-6 && ExactGeometry.Distance(q, a, b, c) < 1e-6;

@@ -47,7 +47,7 @@ namespace SphFluid.Tests
             return cell >= Mathf.Clamp(first, 0, count - 1) && cell <= Mathf.Clamp(last, 0, count - 1);
         }
 
-        static bool Meets(BodyCells cells, BodyTriangle tri, int x, int y, int z)
+        static bool Intersects(BodyCells cells, BodyTriangle tri, int x, int y, int z)
         {
             double inflate = cells.Reach * (1.0 + 1e-4);
             var cell = new Vector3Int(x, y, z);
@@ -81,7 +81,7 @@ namespace SphFluid.Tests
                 for (int cell = 0; cell < cells.Count; cell++)
                 {
                     int x = cell % cells.CountX, y = cell / cells.CountX % cells.CountY, z = cell / cells.CountX / cells.CountY;
-                    uint[] expected = Enumerable.Range(0, count).Where(t => Meets(cells, triangles[t], x, y, z)).Select(t => 1000u + (uint)t).ToArray();
+                    uint[] expected = Enumerable.Range(0, count).Where(t => Intersects(cells, triangles[t], x, y, z)).Select(t => 1000u + (uint)t).ToArray();
                     int first = (int)(grid.Starts[cell] - 77u), length = (int)(grid.Starts[cell + 1] - grid.Starts[cell]);
                     Assert.That(grid.References.GetSubArray(first, length).ToArray(), Is.EqualTo(expected), $"cell {x}, {y}, {z}");
                 }

@@ -106,7 +106,7 @@ namespace SphFluid.Tests
                             shots++;
                             moved += end[i] == from[i] ? 0 : 1;
                             for (int t = 0; t < corners.Count; t += 3)
-                                if (MayIntersect(from[i], end[i], corners, t) && ExactGeometry.Meets(from[i], end[i], corners[t], corners[t + 1], corners[t + 2]))
+                                if (MayIntersect(from[i], end[i], corners, t) && ExactGeometry.Intersects(from[i], end[i], corners[t], corners[t + 1], corners[t + 2]))
                                 {
                                     escapes++;
                                     break;

@@ -226,7 +226,7 @@ namespace SphFluid.Tests
             {
                 if (IsBoxApart(from, to, corners, t, distance)) continue;
                 Vector3 a = corners[t], b = corners[t + 1], c = corners[t + 2];
-                if (ExactGeometry.Meets(from, to, a, b, c)) return true;
+                if (ExactGeometry.Intersects(from, to, a, b, c)) return true;
                 double ends = Math.Min(ExactGeometry.Distance(from, a, b, c), ExactGeometry.Distance(to, a, b, c));
                 double edges = Math.Min(Between(from, to, a, b), Between(from, to, b, c));
                 if (Math.Min(ends, Math.Min(edges, Between(from, to, c, a))) < distance) return true;
