@@ -8,7 +8,7 @@ namespace SphFluid
         static readonly ShaderGroup Group = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
             groupThreads: 256, buffers: 13, writableBuffers: 6, groupMemory: 1024, vertexBuffers: 0,
             "LoadParticles", "ScanCells", "ScatterParticles", "StandardDensity", "MoveParticles", "GatherWalls", "FindContacts",
-            "ResolveContacts", "DampVelocities", "PublishParticles");
+            "ResolveContacts", "DampVelocities", "LimitVelocities", "PublishParticles");
 
         public override FluidMethodKind Kind => FluidMethodKind.Standard;
 

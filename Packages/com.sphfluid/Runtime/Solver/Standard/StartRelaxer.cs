@@ -34,6 +34,7 @@ namespace SphFluid
         readonly StandardStepper stepper;
         readonly StandardState state;
         readonly DampVelocitiesPass damping;
+        readonly LimitVelocitiesPass limit;
         readonly CounterReadback counters;
         readonly double step, crossing, fall;
         readonly RestEstimate estimate;
@@ -50,6 +51,7 @@ namespace SphFluid
         public StartRelaxer(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> particles, CollisionBodies bodies, double height)
         {
             damping = new DampVelocitiesPass(shaders);
+            limit = new LimitVelocitiesPass(shaders);
             step = Math.Min(settings.TimeStep, StandardRules.Advise(settings, settings.MaxSpeed).Largest);
             double depth = Math.Max(height, settings.SupportRadius);
             crossing = depth / settings.SoundSpeed;
@@ -149,6 +151,7 @@ namespace SphFluid
                 stepper.RecordNeighbourSetup(cmd);
                 stepper.RecordMotion(cmd, new FluidStep((float)step, (float)step, Steps == 0));
                 damping.Record(cmd, state, (float)Math.Exp(-rate(time) * step));
+                limit.Record(cmd, state, state.Settings.SoundSpeed);
                 Steps++;
                 recorded++;
                 time += step;
