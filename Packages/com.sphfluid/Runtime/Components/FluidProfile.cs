@@ -44,6 +44,9 @@ namespace SphFluid
             "speed of sound times support radius. The Standard method takes a tenth of it.")]
         float viscosityRatio = 0.01f;
 
+        [SerializeField, Range(0f, 1f), Tooltip("Part of the Viscosity Ratio that the Standard method takes: its one kernel needs a tenth.")]
+        float standardViscosityShare = 0.1f;
+
         [Header("Walls of the thesis method")]
         [SerializeField, Range(0.1f, 1f), Tooltip("Distance at which walls and colliders begin to push, as a multiple of the particle spacing.")]
         float wallDistanceRatio = 0.5f;
@@ -87,6 +90,9 @@ namespace SphFluid
 
         /// <summary>Least kinematic viscosity over c · R with the thesis method; Standard takes a tenth of it.</summary>
         public float ViscosityRatio { get => viscosityRatio; set { viscosityRatio = value; Touch(); } }
+
+        /// <summary>Part of <see cref="ViscosityRatio"/> that the Standard method takes.</summary>
+        public float StandardViscosityShare { get => standardViscosityShare; set { standardViscosityShare = value; Touch(); } }
 
         /// <summary>Wall distance over particle spacing; thesis method.</summary>
         public float WallDistanceRatio { get => wallDistanceRatio; set { wallDistanceRatio = value; Touch(); } }
@@ -134,6 +140,7 @@ namespace SphFluid
                 rules.MaxCompression = maxCompression;
                 rules.TimeStepFraction = timeStepFraction;
                 rules.ViscosityRatio = viscosityRatio;
+                rules.StandardViscosityShare = standardViscosityShare;
                 rules.WallDistanceRatio = wallDistanceRatio;
                 rules.WallStiffnessRatio = wallStiffnessRatio;
                 rules.WallDampingRatio = wallDampingRatio;
@@ -159,6 +166,7 @@ namespace SphFluid
             maxCompression = ClampFinite(maxCompression, 0.001f, 0.2f, 0.04f);
             timeStepFraction = ClampFinite(timeStepFraction, 0.05f, 1f, 0.6f);
             viscosityRatio = ClampFinite(viscosityRatio, 0f, 0.05f, 0.01f);
+            standardViscosityShare = ClampFinite(standardViscosityShare, 0f, 1f, 0.1f);
             wallDistanceRatio = ClampFinite(wallDistanceRatio, 0.1f, 1f, 0.5f);
             wallStiffnessRatio = ClampFinite(wallStiffnessRatio, 0.05f, 4f, 1f);
             wallDampingRatio = ClampFinite(wallDampingRatio, 0f, 1f, 1f);

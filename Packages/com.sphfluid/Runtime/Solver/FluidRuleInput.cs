@@ -44,6 +44,9 @@ namespace SphFluid
         /// <summary>α: the thesis method's least kinematic viscosity over c R; Standard needs a tenth of it.</summary>
         public float ViscosityRatio;
 
+        /// <summary>Part of <see cref="ViscosityRatio"/> that the Standard method takes.</summary>
+        public float StandardViscosityShare;
+
         /// <summary>Time step over the method's acoustic limit, <see cref="TimeStepAdvice"/>.</summary>
         public float TimeStepFraction;
 
@@ -76,6 +79,7 @@ namespace SphFluid
             SoundSpeedRatio = 5f,
             MaxCompression = 0.04f,
             ViscosityRatio = 0.01f,
+            StandardViscosityShare = 0.1f,
             TimeStepFraction = 0.6f,
             WallDistanceRatio = 0.5f,
             WallStiffnessRatio = 1f,

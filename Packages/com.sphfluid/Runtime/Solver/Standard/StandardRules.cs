@@ -19,9 +19,6 @@ namespace SphFluid
         const double ViscousLimit = 0.035;
         const double ViscousBorder = 0.072;
 
-        // The profile's ratio is the thesis method's, 0.01.
-        const double ViscosityShare = 0.1;
-
         // A lattice that moves as one reads up to 3e-6 too dense, as places are rounded; read as pressure that takes it apart.
         const double RoundingShare = 4e-6;
 
@@ -32,7 +29,7 @@ namespace SphFluid
             double gravity = input.Gravity.magnitude;
             double speed = Math.Max(input.MinSpeed, Math.Sqrt((double)input.InitialSpeed * input.InitialSpeed + 2.0 * gravity * input.LiquidHeight));
             double sound = Math.Max(input.SoundSpeedRatio * speed, Math.Sqrt(gravity * input.LiquidDepth / input.MaxCompression));
-            double kinematic = Math.Max(input.KinematicViscosity, ViscosityShare * input.ViscosityRatio * sound * radius);
+            double kinematic = Math.Max(input.KinematicViscosity, input.StandardViscosityShare * input.ViscosityRatio * sound * radius);
             double step = Advise(dx, radius, sound, speed, kinematic).Step(input.TimeStepFraction);
             if (input.FixedTimeStep > 0f) step = input.FixedTimeStep;
             return new FluidSolverSettings
