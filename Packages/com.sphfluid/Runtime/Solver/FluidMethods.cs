@@ -14,6 +14,9 @@ namespace SphFluid
 
         /// <summary>Weakly compressible SPH with one kernel, walls that carry density, and a counting sort: faster, more accurate, the default.</summary>
         Standard = 2,
+
+        /// <summary>Particles that fall and feel nothing of each other.</summary>
+        Ballistic = 3,
     }
 
     /// <summary>The list of methods: a new one is a value above, a line here and a folder of its own.</summary>
@@ -24,6 +27,7 @@ namespace SphFluid
             new ThesisMethod(FluidMethodKind.Thesis),
             new ThesisMethod(FluidMethodKind.ThesisPrinted),
             new StandardMethod(),
+            new BallisticMethod(),
         };
 
         /// <summary>All methods.</summary>
