@@ -16,6 +16,7 @@ namespace SphFluid.Validation
             new DamBreakCase(),
             new MarinCase(),
             new FreeFallCase(),
+            new DriftCase(),
             new MomentumCase(),
             new EnergyCase(),
         };
