@@ -3,7 +3,7 @@ using System.Xml.Linq;
 
 namespace Headless.Checks.Form;
 
-/// <summary>One csproj an assembly definition, with equal references. Optional assemblies have none: the player lacks the packages they are for.</summary>
+/// <summary>One csproj an assembly definition, with equal references. Optional assemblies have none: the player does not have the packages they are for.</summary>
 internal sealed class AssemblyProjectCheck(ProjectPackages packages)
 {
     // What every script assembly sees without naming it in its assembly definition.

@@ -3,7 +3,7 @@ using System.Numerics;
 namespace Headless.Importers.Models;
 
 /// <summary>
-/// Vertex normals computed as Unity's AreaAndAngleWeighted mode: each corner takes the normals of the faces that meet at
+/// Vertex normals computed as Unity's AreaAndAngleWeighted mode: each corner takes the normals of the faces that join at
 /// its position and turn by at most the smoothing angle, weighted by area and corner angle.
 /// </summary>
 public static class SmoothNormals

@@ -20,7 +20,7 @@ public sealed class ApiCheckTests
     [TestCase("UnityEngine.Mathf.NoSuchThing()", "2022.3", "CS0117", TestName = "absent in both")]
     [TestCase("new UnityEngine.Camera().scene", "player", "only in the Editor", TestName = "an engine member of the Editor")]
     [TestCase("UnityEditor.EditorApplication.isPlaying", "player", "CS0234", TestName = "the Editor's API in a player")]
-    public void MembersThatAUserLacksAreFound(string expression, string where, string message)
+    public void MembersThatAUserDoesNotHaveAreFound(string expression, string where, string message)
     {
         var reports = Run($"class A {{ object B() => {expression}; }}");
 

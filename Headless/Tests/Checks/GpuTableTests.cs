@@ -50,7 +50,7 @@ public sealed class GpuTableTests
     }
 
     [Test]
-    public void KernelsThatTheTableLacksOrHasLeftOverFail()
+    public void KernelsThatAreMissingInTheTableOrLeftOverFail()
     {
         TableComparison comparison = Compare(
             Programs((Kernel, good)), Programs((Kernel.Replace("A.c", "B.c"), good)), CompiledTables.ProgramRules);

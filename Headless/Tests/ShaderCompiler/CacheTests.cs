@@ -107,7 +107,7 @@ public sealed class CacheTests : SandboxTests
     }
 
     [Test]
-    public void AnUnwritableCacheIsToldAndDoesNotStopTheWork()
+    public void AnUnwritableCacheIsReportedAndDoesNotStopTheWork()
     {
         string file = Sandbox.Add("blocked", "a file where a folder should be");
         ShaderCompiler compiler = new(Path.Combine(file, "cache"), Sandbox.Includes);

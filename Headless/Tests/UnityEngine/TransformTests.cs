@@ -45,7 +45,7 @@ public class TransformTests : EngineFixture
     }
 
     [Test]
-    public void SetParentKeepsTheWorldPlaceUnlessTold()
+    public void SetParentKeepsTheWorldPlaceUnlessAsked()
     {
         Transform parent = Make("P");
         parent.SetPositionAndRotation(new Vector3(1f, 2f, 3f), Quaternion.Euler(0f, 90f, 0f));

@@ -70,7 +70,7 @@ namespace SphFluid.Validation
             return A + ab * (vb * scale) + ac * (vc * scale);
         }
 
-        /// <summary>Fraction of the segment from p along move at which it meets the triangle (Möller and Trumbore), 2 where it does not.</summary>
+        /// <summary>Fraction of the segment from p along move at which it intersects the triangle (Möller and Trumbore), 2 where it does not.</summary>
         public double SegmentFraction(double3 p, double3 move)
         {
             double3 ab = B - A;

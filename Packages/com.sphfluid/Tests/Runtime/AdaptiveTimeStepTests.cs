@@ -110,7 +110,7 @@ namespace SphFluid.Tests
             Assert.That(simulation.Solver, Is.SameAs(solver));
         }
 
-        // 0.4 s at 100 m/s² reach 40 m/s, where the fall within the box is told to give 7.7 m/s.
+        // 0.4 s at 100 m/s² reach 40 m/s, where the fall within the box is expected to give 7.7 m/s.
         FluidSimulation Falling()
         {
             FluidSimulation simulation = rig.Create();

@@ -211,7 +211,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void OverlappingVolumesAreFilledOnceAndToldAsInformation()
+        public void OverlappingVolumesAreFilledOnceAndReportedAsInformation()
         {
             FluidSimulation simulation = rig.Create();
             rig.AddVolume(simulation, "Again").transform.localPosition = new Vector3(0.1f, 0f, 0f);

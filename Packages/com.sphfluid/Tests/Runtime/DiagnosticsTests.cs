@@ -49,20 +49,20 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
-        public IEnumerator FailureIsToldOnceWithItsCure()
+        public IEnumerator FailureIsReportedOnceWithItsCure()
         {
             FluidSimulation simulation = rig.Create();
             simulation.Method = FluidMethodKind.Thesis;
             rig.Profile.ViscosityRatio = 0f;
-            var told = new List<FluidMessage>();
+            var reported = new List<FluidMessage>();
             var found = new List<FluidFinding>();
-            simulation.Reported += told.Add;
+            simulation.Reported += reported.Add;
             FluidDiagnostics diagnostics = Watch(simulation, 1);
             diagnostics.Found += found.Add;
             LogAssert.Expect(LogType.Warning, new System.Text.RegularExpressions.Regex("'Fluid': The kinematic viscosity .*Viscosity Ratio"));
             yield return Frames(diagnostics, 8);
             Assert.That(found.Select(f => f.Failure), Is.EqualTo(new[] { FluidFailure.KernelMismatch }));
-            FluidMessage message = told.Single();
+            FluidMessage message = reported.Single();
             Assert.That(message.Issue, Is.EqualTo(FluidIssue.Diagnosis));
             Assert.That(message.Severity, Is.EqualTo(FluidSeverity.Warning));
             Assert.That(message.Cure, Does.Contain("Viscosity Ratio"));
@@ -145,7 +145,7 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
-        public IEnumerator MissingShaderIsToldAndTheLiquidRuns()
+        public IEnumerator MissingShaderIsReportedAndTheLiquidRuns()
         {
             FluidSimulation simulation = rig.Create();
             FluidShaderSet set = TestShaders.Without(rig.Profile.Shaders, "MeasureStatistics");
@@ -164,9 +164,9 @@ namespace SphFluid.Tests
         [TestCase(false, true, false, true)]
         [TestCase(false, false, false, false)]
         [TestCase(false, false, true, true)]
-        public void ReleasePlayersMeasureWhereAskedTo(bool editor, bool development, bool wanted, bool runs)
+        public void ReleasePlayersMeasureWhereAskedTo(bool editor, bool development, bool requested, bool runs)
         {
-            Assert.That(FluidDiagnostics.RunsIn(editor, development, wanted), Is.EqualTo(runs));
+            Assert.That(FluidDiagnostics.RunsIn(editor, development, requested), Is.EqualTo(runs));
         }
 
         // Half of the limit: a twentieth of nothing, and motion at a fiftieth of the speed of sound.

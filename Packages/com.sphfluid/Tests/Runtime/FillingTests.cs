@@ -60,7 +60,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void AVesselThatIsNoneIsToldWithThePlace()
+        public void AVesselThatIsNoneIsReportedWithThePlace()
         {
             volume.Shape = FluidVolumeShape.Vessel;
             volume.Level = 0.1f;

@@ -118,7 +118,7 @@ namespace SphFluid.Tests
 
         static bool IsInside(Vector3 p, float half) => Mathf.Abs(p.x) < half && Mathf.Abs(p.y) < half && Mathf.Abs(p.z) < half;
 
-        // Faces inward: a room, not a solid.
+        // Faces inward: a hollow, not a solid.
         static Mesh Box(float half)
         {
             var corners = Enumerable.Range(0, 8).Select(i => half * new Vector3((i & 1) * 2 - 1, (i & 2) - 1, (i & 4) / 2 - 1)).ToArray();

@@ -6,7 +6,7 @@ using UnityEngine.TestTools;
 
 namespace SphFluid.Tests
 {
-    /// <summary>A tank without a floor, as a component: what left is told, measured by nobody and drawn by nobody.</summary>
+    /// <summary>A tank without a floor, as a component: what left is reported, measured by nobody and drawn by nobody.</summary>
     public sealed class OpenDomainTests
     {
         SimulationRig rig;
@@ -18,7 +18,7 @@ namespace SphFluid.Tests
         public void TearDown() => rig.Dispose();
 
         [UnityTest]
-        public IEnumerator LiquidThatLeavesIsToldAndForgotten()
+        public IEnumerator LiquidThatLeavesIsReportedAndForgotten()
         {
             FluidSimulation simulation = OpenTank();
             var diagnostics = simulation.gameObject.AddComponent<FluidDiagnostics>();

@@ -149,7 +149,7 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
-        public IEnumerator AWrongFaceIsToldWithItsCureAndTheRightOneStartsAgain()
+        public IEnumerator AWrongFaceIsReportedWithItsCureAndTheRightOneStartsAgain()
         {
             yield return null;
             yield return null;
@@ -165,7 +165,7 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
-        public IEnumerator AWrongSettingIsToldOnceAndTheRightOneStartsAgain()
+        public IEnumerator AWrongSettingIsReportedOnceAndTheRightOneStartsAgain()
         {
             yield return null;
             simulation.DomainSize = new Vector3(0.4f, -1f, 0.4f);

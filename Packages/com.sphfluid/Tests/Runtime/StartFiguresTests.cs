@@ -41,13 +41,13 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void TheAccelerationLimitIsTheSameWayInAStepOfAnyLength([Values(0.5f, 0.1f)] float part)
+        public void TheAccelerationLimitIsTheSameDisplacementInAStepOfAnyLength([Values(0.5f, 0.1f)] float part)
         {
             FluidSolverSettings byRule = Start(FluidMethodKind.Thesis, Vector3.zero).Solver.Settings;
             FluidSolverSettings given = Start(FluidMethodKind.Thesis, Vector3.zero, part * byRule.TimeStep).Solver.Settings;
             Assert.That(given.TimeStep, Is.EqualTo(part * byRule.TimeStep));
-            double way = byRule.Own<ThesisSettings>().AccelerationLimit * (double)byRule.TimeStep * byRule.TimeStep;
-            Assert.That(given.Own<ThesisSettings>().AccelerationLimit * (double)given.TimeStep * given.TimeStep, Is.EqualTo(way).Within(0.01).Percent);
+            double displacement = byRule.Own<ThesisSettings>().AccelerationLimit * (double)byRule.TimeStep * byRule.TimeStep;
+            Assert.That(given.Own<ThesisSettings>().AccelerationLimit * (double)given.TimeStep * given.TimeStep, Is.EqualTo(displacement).Within(0.01).Percent);
         }
 
         FluidSimulation Start(FluidMethodKind method, Vector3 velocity, float timeStep = 0f)

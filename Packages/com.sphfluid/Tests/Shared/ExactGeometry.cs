@@ -4,10 +4,10 @@ using Vector3 = UnityEngine.Vector3;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Whether ways meet triangles, by orientation signs that are exact for float coordinates.</summary>
+    /// <summary>Whether segments intersect triangles, by orientation signs that are exact for float coordinates.</summary>
     internal static class ExactGeometry
     {
-        /// <summary>Whether the closed segment meets the closed triangle. A way within the triangle's plane does not count.</summary>
+        /// <summary>Whether the closed segment intersects the closed triangle. A segment within the triangle's plane does not count.</summary>
         public static bool Intersects(Vector3 p, Vector3 q, Vector3 a, Vector3 b, Vector3 c)
         {
             int s0 = Orientation(a, b, c, p), s1 = Orientation(a, b, c, q);

@@ -5,7 +5,7 @@ using Object = UnityEngine.Object;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Small simulations made from code, with 64 particles each unless told otherwise; everything is destroyed afterwards.</summary>
+    /// <summary>Small simulations made from code, with 64 particles each unless another number is given; everything is destroyed afterwards.</summary>
     internal sealed class SimulationRig : IDisposable
     {
         public const int Layer = 28;

@@ -45,7 +45,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void AWayAcrossAPeriodicFaceGoesOnAtTheOtherSide()
+        public void APathAcrossAPeriodicFaceGoesOnAtTheOtherSide()
         {
             var detector = new PathDetector(triangle, new Vector3(2f, 0f, 0f));
             detector.Look(new[] { new Vector3(-0.9f, 0.1f, 0.1f), new Vector3(0.9f, 0.1f, 0.1f) });

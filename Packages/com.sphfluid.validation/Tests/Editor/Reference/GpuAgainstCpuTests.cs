@@ -41,7 +41,7 @@ namespace SphFluid.Tests
         }
 
         [TestCase(257, 10, 5e-5)]
-        public void PositionsAgreeWhereMeshesRub(int count, int steps, double tolerance)
+        public void PositionsAgreeWhereMeshesHaveFriction(int count, int steps, double tolerance)
         {
             Compare(count, steps, false, tolerance, true);
         }

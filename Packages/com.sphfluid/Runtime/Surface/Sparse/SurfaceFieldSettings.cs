@@ -14,7 +14,7 @@ namespace SphFluid
         // Radius of the smooth field's kernel in spacings: 33 particles of a lattice.
         const float SmoothRatio = 2f;
 
-        // Largest edge of a cell in radii: a lone particle's kernel must meet a sample.
+        // Largest edge of a cell in radii: a lone particle's kernel must reach a sample.
         const float LargestCellRatio = 1f;
 
         // Axes of a stretched kernel differ by 4 at most and leave its volume: 4 / 4^(1/3) is the longest in R.

@@ -68,7 +68,7 @@ namespace SphFluid
         public static int DeviceIndexLimit =>
             (int)Math.Min(SystemInfo.maxGraphicsBufferSize / sizeof(uint), int.MaxValue);
 
-        /// <summary><see cref="PackedSurfaceVertex"/> each; equal ones only where blocks meet.</summary>
+        /// <summary><see cref="PackedSurfaceVertex"/> each; equal ones only where blocks touch.</summary>
         public FluidBuffer Vertices => vertices;
 
         /// <summary>uint each, three a triangle.</summary>

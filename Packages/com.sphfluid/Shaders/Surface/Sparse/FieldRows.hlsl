@@ -91,7 +91,7 @@ int Turn(int cell, int count)
 }
 
 // Sums of a row of samples that begins at first. The order of the particles, and so the last bit of a sum, depends on
-// the place of the sample alone: blocks that share a sample may meet more particles, but those add exact zeros.
+// the place of the sample alone: blocks that share a sample may find more particles, but those add exact zeros.
 void SumRow(int3 first, inout float row[ROW_SAMPLES])
 {
     const float3 from = _MCMinimum + _MCCellSize * float3(first);

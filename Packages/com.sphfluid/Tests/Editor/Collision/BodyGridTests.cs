@@ -68,7 +68,7 @@ namespace SphFluid.Tests
         [TestCase(2, true)]
         [TestCase(101, false)]
         [TestCase(101, true)]
-        public void TheJobsListWhatEachCellMeetsInTheTrianglesOrder(int count, bool within)
+        public void TheJobsListWhatEachCellIntersectsInTheTrianglesOrder(int count, bool within)
         {
             BodyTriangle[] triangles = Soup(count, 11).ToArray();
             Bounds? bounds = within ? new Bounds(Vector3.zero, new Vector3(0.6f, 0.8f, 1f)) : (Bounds?)null;
@@ -124,7 +124,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void TheMiddlesOfAWaysPartsListAllThatItMeets()
+        public void TheMiddlesOfAPathsPartsListAllThatItIntersects()
         {
             List<BodyTriangle> triangles = Soup(97, 8);
             using var grid = new BodyGrid(triangles.ToArray(), Reach, null);
@@ -139,7 +139,7 @@ namespace SphFluid.Tests
                     {
                         Vector3 p = Vector3.LerpUnclamped(from, to, k / 20f);
                         if ((TriangleMath.ClosestPoint(p, triangles[t].A, triangles[t].B, triangles[t].C) - p).magnitude < 0.1f * Reach)
-                            Assert.That(listed.Contains(t), Is.True, $"triangle {t} near the way {from} to {to}");
+                            Assert.That(listed.Contains(t), Is.True, $"triangle {t} near the path {from} to {to}");
                     }
             }
         }

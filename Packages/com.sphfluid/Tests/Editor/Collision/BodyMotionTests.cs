@@ -95,7 +95,7 @@ namespace SphFluid.Tests
                 Assert.That(Farthest(Corners(motion, true), solid.Mesh.Vertices), Is.LessThan(3e-5f), $"frame {frame} ends at the collider");
                 Assert.That(motion.FrameRange().least, Is.GreaterThanOrEqualTo(motion.CellStretch));
             }
-            Assert.That(outgrown, Is.GreaterThan(1), "cells were made anew on the way");
+            Assert.That(outgrown, Is.GreaterThan(1), "cells were made anew in between");
         }
 
         [TestCase("sphere")]
@@ -226,7 +226,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void JumpsAreCountedNamedAndToldOnceAFrame()
+        public void JumpsAreCountedNamedAndReportedOnceAFrame()
         {
             GpuTest.Require();
             BoxCollider box = rig.Add<BoxCollider>("gate");

@@ -123,7 +123,7 @@ namespace SphFluid.Tests
             floor.size = new Vector3(100f, 1f, 100f);
             floor.transform.position = new Vector3(0f, -2.5f, 0f);
             List<CollisionTriangle> triangles = rig.GatherOne();
-            Assert.That(triangles.Count, Is.EqualTo(2), "the top face alone meets the domain");
+            Assert.That(triangles.Count, Is.EqualTo(2), "the top face alone intersects the domain");
             Assert.That(triangles.All(t => Vector3.Cross(t.B - t.A, t.C - t.A).y > 0f));
         }
 

@@ -92,7 +92,7 @@ namespace SphFluid.Tests
                 var own = rough.gameObject.AddComponent<FluidCollider>();
                 Assert.That(rig.Gather());
                 bodies.Update(rig.Scene.Solids);
-                Assert.That(bodies.Count, Is.EqualTo(2), "what rubs alike is one body");
+                Assert.That(bodies.Count, Is.EqualTo(2), "what has the same friction is one body");
                 Assert.That(bodies.HoldLiquid);
                 rough.transform.position += Vector3.up;
                 rig.Gather();

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Points inside closed meshes and near any mesh are found, also where rays meet edges and vertices.</summary>
+    /// <summary>Points inside closed meshes and near any mesh are found, also where rays go through edges and vertices.</summary>
     public sealed class MeshObstacleTests
     {
         [Test]
@@ -41,13 +41,13 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void InwardRoomHoldsNoSolidAndHollowShellHoldsOnlyItsWall()
+        public void InwardFacesHoldNoSolidAndHollowShellHoldsOnlyItsWall()
         {
-            TriangleMesh room = Flipped(PrimitiveTessellator.Box(Matrix4x4.identity));
-            Assert.That(room.IsClosed);
-            Assert.That(new MeshObstacle(room).Contains(Vector3.zero), Is.False);
+            TriangleMesh hollow = Flipped(PrimitiveTessellator.Box(Matrix4x4.identity));
+            Assert.That(hollow.IsClosed);
+            Assert.That(new MeshObstacle(hollow).Contains(Vector3.zero), Is.False);
 
-            var shell = new MeshObstacle(Joined(PrimitiveTessellator.Box(Matrix4x4.Scale(new Vector3(2f, 2f, 2f))), room));
+            var shell = new MeshObstacle(Joined(PrimitiveTessellator.Box(Matrix4x4.Scale(new Vector3(2f, 2f, 2f))), hollow));
             Assert.That(shell.Contains(Vector3.zero), Is.False);
             Assert.That(shell.Contains(new Vector3(0.75f, 0f, 0f)));
         }

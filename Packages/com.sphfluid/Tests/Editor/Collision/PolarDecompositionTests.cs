@@ -48,7 +48,7 @@ namespace SphFluid.Tests
             Assert.That(AffineMap.Difference(half.Stretch, AffineMap.Identity), Is.LessThan(1e-12));
         }
 
-        // Of half a turn all but one of the four ways to the quaternion divide zero by zero.
+        // Of half a turn all but one of the four formulas of the quaternion divide zero by zero.
         [TestCase(1, -1, -1)]
         [TestCase(-1, 1, -1)]
         [TestCase(-1, -1, 1)]

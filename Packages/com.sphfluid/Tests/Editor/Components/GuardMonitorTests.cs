@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Each kind of guard is told once, with its figure.</summary>
+    /// <summary>Each kind of guard is reported once, with its figure.</summary>
     public sealed class GuardMonitorTests
     {
         [Test]
@@ -12,7 +12,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void EachKindIsToldOnce()
+        public void EachKindIsReportedOnce()
         {
             var monitor = new GuardMonitor();
             var counters = new FluidCounters { Squeezed = 2 };

@@ -26,7 +26,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void AMeshHoldsItsVolumeWhicheverWayItsFacesLook([Values] bool inward)
+        public void AMeshHoldsItsVolumeWhetherItsFacesLookInOrOut([Values] bool inward)
         {
             TriangleMesh ball = TestMeshes.Sphere(0.4f, 1e-3f).Transformed(Matrix4x4.Translate(new Vector3(0.2f, 0.1f, 0f)));
             if (inward) ball = new TriangleMesh(ball.Vertices, ball.Indices.Reverse().ToArray());
@@ -58,7 +58,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void OfASphereHalfOutsideHalfIsTold()
+        public void OfASphereHalfOutsideHalfIsReported()
         {
             SpawnResult result = Fill(new LiquidEllipsoid("drop", Matrix4x4.TRS(new Vector3(1f, 0f, 0f), Quaternion.identity, 0.8f * Vector3.one), Vector3.zero));
             Assert.That(result.Tallies[0].OutsideShare, Is.EqualTo(0.5).Within(0.01));

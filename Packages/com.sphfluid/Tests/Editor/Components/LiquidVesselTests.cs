@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>A cup of triangles is filled to its level; where it leaks, the place and the level that it holds are told.</summary>
+    /// <summary>A cup of triangles is filled to its level; where it leaks, the place and the level that it holds are reported.</summary>
     public sealed class LiquidVesselTests
     {
         const float Spacing = 0.04f, Radius = 0.3f, Depth = 0.6f;
@@ -45,7 +45,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void ALevelAboveTheRimIsTold()
+        public void ALevelAboveTheRimIsReported()
         {
             AddCup(Depth, Quaternion.identity);
             (LiquidVessel vessel, SpawnResult result) = Fill(0.7f);

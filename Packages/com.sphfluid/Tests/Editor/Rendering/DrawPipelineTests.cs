@@ -63,7 +63,7 @@ namespace SphFluid.Tests
         [TestCase("UniversalRenderPipelineAsset", false, true)]
         [TestCase("HDRenderPipelineAsset", true, false)]
         [TestCase("SomebodysPipelineAsset", false, true)]
-        public void PipelinesAreToldByTheirAsset(string assetClass, bool highDefinition, bool shadows)
+        public void PipelinesAreRecognisedByTheirAsset(string assetClass, bool highDefinition, bool shadows)
         {
             DrawPipelineKind kind = DrawPipeline.Of(assetClass);
             Assert.AreEqual(highDefinition, kind == DrawPipelineKind.HighDefinition);

@@ -59,7 +59,7 @@ namespace SphFluid.Tests
             Assert.Less(Vector3.Distance(Vector3.up, Apply().GetVector("_FluidLightDirection")), 1e-5f);
 
             RenderSettings.sun.enabled = false;
-            Assert.Less(Vector3.Distance(Vector3.back, Apply().GetVector("_FluidLightDirection")), 1e-5f, "a sun that is off gives way");
+            Assert.Less(Vector3.Distance(Vector3.back, Apply().GetVector("_FluidLightDirection")), 1e-5f, "a sun that is off does not count");
         }
 
         [Test]
@@ -77,7 +77,7 @@ namespace SphFluid.Tests
 
         [TestCase(false, 0.21404114f)]
         [TestCase(true, 0.5f)]
-        public void IntensityGoesTheWayOfThePipeline(bool linear, float expected)
+        public void IntensityFollowsThePipeline(bool linear, float expected)
         {
             if (QualitySettings.activeColorSpace != ColorSpace.Linear)
                 Assert.Ignore("The project is in gamma colour space, where the intensity is a plain factor.");
@@ -101,7 +101,7 @@ namespace SphFluid.Tests
 
         // As Unity 6 leaves it where the scene has no lighting data.
         [Test]
-        public void ABlackSkyGivesWayToTheColoursOfTheLightingSettings()
+        public void ABlackSkyYieldsToTheColoursOfTheLightingSettings()
         {
             RenderSettings.ambientMode = AmbientMode.Skybox;
             SphericalHarmonicsL2 probe = SceneLighting.Lit(default);

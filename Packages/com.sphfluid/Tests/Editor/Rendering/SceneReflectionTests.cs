@@ -87,7 +87,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void ProbeThatIsSwitchedOffGivesWayAtOnce()
+        public void ProbeThatIsSwitchedOffYieldsAtOnce()
         {
             ReflectionProbe near = NewProbe(map, Vector3.zero, 4f, 0);
             var reflection = new SceneReflection();

@@ -12,7 +12,7 @@ namespace SphFluid.Tests
         [TestCase(1, true, true, "opaque texture")]
         [TestCase(1, false, false, "Refraction is missing")]
         [TestCase(2, true, false, "Refraction, reflection probes and shadows are missing")]
-        public void EachPipelineIsToldWhatIsMissing(int kind, bool hasUniversal, bool isComplete, string said)
+        public void WhatIsMissingIsReportedForEachPipeline(int kind, bool hasUniversal, bool isComplete, string said)
         {
             WaterRoute route = WaterRoute.Of((DrawPipelineKind)kind, hasUniversal);
             Assert.AreEqual(isComplete, route.IsComplete);

@@ -151,7 +151,7 @@ namespace SphFluid.Tests
         // As Unity 6 hands it over where the scene has no lighting data; a black map of the user's is mirrored as it is.
         [TestCase(1f, Reflectance)]
         [TestCase(0f, 0f)]
-        public void AMapThatWasNeverBakedGivesWayToTheAmbientLight(float mayBeUnbaked, float expected)
+        public void AMapThatWasNeverBakedYieldsToTheAmbientLight(float mayBeUnbaked, float expected)
         {
             ReplaceScene((x, y) => Color.black);
             look.Visibility = 1e6f;

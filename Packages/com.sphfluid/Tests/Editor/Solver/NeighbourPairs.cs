@@ -60,7 +60,7 @@ namespace SphFluid.Tests
                     oneWay += pair != Bit(pairs, words, j, i) && !onTheBorder ? 1 : 0;
                 }
 
-                Assert.That(visits[i], Is.EqualTo(found), $"particle {i} meets each neighbour once");
+                Assert.That(visits[i], Is.EqualTo(found), $"particle {i} visits each neighbour once");
             }
         }
 

@@ -33,9 +33,9 @@ namespace SphFluid.Tests
             for (int axis = 0; axis < 3; axis++)
             {
                 float place = end.Position[axis];
-                double way = new[] { expected.X, expected.Y, expected.Z }[axis] - place;
+                double displacement = new[] { expected.X, expected.Y, expected.Z }[axis] - place;
                 Assert.That(Mathf.Abs(place), Is.LessThanOrEqualTo(0.5f), "inside");
-                Assert.That(way - System.Math.Round(way), Is.EqualTo(0.0).Within(5e-7), $"whole boxes along axis {axis}");
+                Assert.That(displacement - System.Math.Round(displacement), Is.EqualTo(0.0).Within(5e-7), $"whole boxes along axis {axis}");
             }
 
             Assert.That(end.VelT0, Is.EqualTo(start.VelT0));

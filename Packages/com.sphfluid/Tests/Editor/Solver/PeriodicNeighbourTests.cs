@@ -26,7 +26,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void BoxesOfTheLeastSizeMeetNoPairTwice([Values] bool octant, [Values(FluidAxes.X, FluidAxes.Z, FluidAxes.All)] FluidAxes periodic)
+        public void BoxesOfTheLeastSizeVisitNoPairTwice([Values] bool octant, [Values(FluidAxes.X, FluidAxes.Z, FluidAxes.All)] FluidAxes periodic)
         {
             float side = octant ? 0.2f : 0.15f; // 2 cells of 2R, 3 of R
             FluidSolverSettings settings = Settings(side * Vector3.one, octant, periodic);

@@ -82,7 +82,7 @@ namespace SphFluid.Tests
             Assert.That(FluidRules.Advise(viscous, 2.0).Largest, Is.EqualTo(3e-4).Within(1e-9));
 
             Assert.That(FluidRules.Advise(Example(), 5.0).Explain(2e-3), Does.Contain("fastest particle (5 m/s)").And.Contain("Particle Spacing would allow 3.18 ms."),
-                "twice the way, but sound allows no more than 3.18 ms");
+                "twice the displacement, but sound allows no more than 3.18 ms");
 
             FluidSolverSettings hard = Example();
             hard = hard.WithOwn((ref ThesisSettings own) => own.WallStiffness = 1e6f);

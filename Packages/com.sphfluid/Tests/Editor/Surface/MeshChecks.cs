@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     static class MeshChecks
     {
         /// <summary>
-        /// Each side of a triangle belongs to exactly one other triangle, which runs along it the other way.
+        /// Each side of a triangle belongs to exactly one other triangle, which runs along it in the other direction.
         /// </summary>
         public static void AssertClosed(SurfaceMesh mesh)
         {

@@ -146,9 +146,9 @@ namespace SphFluid.Tests
         static FluidGeometrySurfaceRenderer AddSurface(FluidSimulation simulation)
         {
             var drawing = simulation.gameObject.AddComponent<FluidGeometrySurfaceRenderer>();
-            string lack = drawing.MissingSupport();
-            if (lack != null)
-                Assert.Ignore(lack);
+            string shortfall = drawing.MissingSupport();
+            if (shortfall != null)
+                Assert.Ignore(shortfall);
             return drawing;
         }
     }

@@ -160,7 +160,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void ABudgetThatIsTooSmallIsToldOnce()
+        public void ABudgetThatIsTooSmallIsReportedOnce()
         {
             FluidSurfaceMesh handed = Start(rig.Create());
             handed.Surface.TriangleBudget = 50;

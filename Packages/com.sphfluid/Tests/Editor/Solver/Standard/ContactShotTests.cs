@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Shots at triangles through the contact kernels: no way that they let pass meets a triangle.</summary>
+    /// <summary>Shots at triangles through the contact kernels: no path that they let pass hits a triangle.</summary>
     public sealed class ContactShotTests
     {
         const float Spacing = 0.01f;
@@ -111,9 +111,9 @@ namespace SphFluid.Tests
                                     escapes++;
                                     break;
                                 }
-                            Vector3 way = to[i] - from[i];
+                            Vector3 displacement = to[i] - from[i];
                             from[i] = end[i];
-                            to[i] = end[i] + (Vector4)(Quaternion.AngleAxis(40f, Vector3.one) * way);
+                            to[i] = end[i] + (Vector4)(Quaternion.AngleAxis(40f, Vector3.one) * displacement);
                         }
                     }
                     Assert.That(rig.Solver.ReadCountersNow().Contacts, Is.GreaterThan(Shots / 10));

@@ -97,7 +97,7 @@ namespace SphFluid.Tests
         }
 
         // A small triangle in the corner of a long step's box, whose plane the step crosses, two R from where it does: box and plane do
-        // not tell it from one in the way, but no cell along the step lists it.
+        // not distinguish it from one in between, but no cell along the step lists it.
         [TestCase(0f, 0u)]
         [TestCase(1f, 1u)]
         public void OnlyTrianglesOfCellsAlongAStepMakeItAContact(float shift, uint expected)
@@ -159,7 +159,7 @@ namespace SphFluid.Tests
         [Test]
         public void InANarrowWedgeEachParticleGoesAsFarAsItIsFree()
         {
-            // Two sheets that meet at an angle of 2 degrees; no plane of either lets the step pass.
+            // Two sheets that join at an angle of 2 degrees; no plane of either lets the step pass.
             const int count = 61;
             float slope = Mathf.Tan(Mathf.Deg2Rad);
             var corners = new List<Vector3>();

@@ -37,7 +37,7 @@ namespace SphFluid.Tests
         [TestCase(0f, 0.5f)]
         [TestCase(1f, 0f)]
         [TestCase(0.3f, 1f)]
-        public void ATriangleRubsByItsCollidersFrictionOrTheDomains(float domain, float? own)
+        public void ATriangleHasItsCollidersFrictionOrTheDomains(float domain, float? own)
         {
             FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.1f);
             settings.Gravity = Vector3.zero;

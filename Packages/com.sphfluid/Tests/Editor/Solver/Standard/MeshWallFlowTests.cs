@@ -155,15 +155,15 @@ namespace SphFluid.Tests
 
         [TestCase(1f)]
         [TestCase(-1f)]
-        public void AWayThroughAPeriodicFaceMeetsWhatIsBehindIt(float side)
+        public void APathThroughAPeriodicFaceHitsWhatIsBehindIt(float side)
         {
             FluidSolverSettings settings = BodyRig.Water(12f * Spacing * Vector3.one, Spacing, 5f * Spacing);
             settings.Boundaries.Periodic = FluidAxes.X;
             using (var rig = new BodyRig(settings))
             {
                 rig.Add(new[] { new Vector3(-2f, 0f, -2f), new Vector3(0f, 0f, 2f), new Vector3(2f, 0f, -2f) }); // goes on beyond both faces
-                Vector3 way = Spacing * new Vector3(4f * side, -5f, 0f);
-                var start = new FluidParticle(new Vector3(5.9f * side * Spacing, 3f * Spacing, 0f), way / settings.TimeStep, 0u);
+                Vector3 displacement = Spacing * new Vector3(4f * side, -5f, 0f);
+                var start = new FluidParticle(new Vector3(5.9f * side * Spacing, 3f * Spacing, 0f), displacement / settings.TimeStep, 0u);
                 rig.Start(new[] { start });
                 rig.Frame(1);
                 FluidParticle end = rig.Particles()[0];

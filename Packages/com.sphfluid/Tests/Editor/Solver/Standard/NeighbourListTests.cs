@@ -57,7 +57,7 @@ namespace SphFluid.Tests
         [TestCase(2f, 51)]
         [TestCase(2.25f, 72)]
         [TestCase(2.5f, 99)]
-        public void TheListHasRoomForHalfAsManyAgain(float ratio, int length)
+        public void TheListHoldsHalfAsManyAgain(float ratio, int length)
         {
             FluidSolverSettings settings = BodyRig.Water(Domain, Spacing, 0.3f);
             settings.SupportRadius = ratio * Spacing;

@@ -7,7 +7,7 @@ using Object = UnityEngine.Object;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Shots at triangles that move, turn, scale and shear in the step: no way that the contact kernels let pass crosses one.</summary>
+    /// <summary>Shots at triangles that move, turn, scale and shear in the step: no path that the contact kernels let pass crosses one.</summary>
     public sealed class StretchShotTests
     {
         const float Spacing = 0.01f;

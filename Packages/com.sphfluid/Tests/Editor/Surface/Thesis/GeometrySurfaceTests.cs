@@ -78,7 +78,7 @@ namespace SphFluid.Tests
             }
         }
 
-        // One grid vertex inside: the edges of the eight cubes around it, seen from the front three lines each way over
+        // One grid vertex inside: the edges of the eight cubes around it, seen from the front three lines in each direction over
         // two cells.
         [Test]
         public void CubesAroundAVertexAreDrawnAsWires()

@@ -43,7 +43,7 @@ namespace SphFluid.Tests
         // Liquid at rest fills the lower half of the domain from wall to wall; its surface is flat, and as high at the
         // walls as amid.
         [Test]
-        public void SurfaceOfLiquidAtRestMeetsTheWallsLevel()
+        public void SurfaceOfLiquidAtRestEndsLevelAtTheWalls()
         {
             var domain = new Vector3(1f, 1f, 1f);
             FluidSolverSettings settings = TestSettings.ByRule(domain, Spacing);

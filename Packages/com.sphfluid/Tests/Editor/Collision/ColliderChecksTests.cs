@@ -5,7 +5,7 @@ using UnityEngine;
 namespace SphFluid.Tests
 {
     /// <summary>What colliders and the simulation's settings ask of each other is said once, with the cure.</summary>
-    public sealed class ColliderRulesTests
+    public sealed class ColliderChecksTests
     {
         ColliderRig rig;
         FluidSimulation simulation;
@@ -41,15 +41,15 @@ namespace SphFluid.Tests
         [TestCase(0f, 4f, true)]
         [TestCase(0f, 4.5f, false)]
         [TestCase(1f, 4.5f, true)]
-        public void AColliderThatEndsAtAPeriodicFaceIsNamed(float x, float length, bool told)
+        public void AColliderThatEndsAtAPeriodicFaceIsNamed(float x, float length, bool reported)
         {
             simulation.Boundaries = new FluidBoundaries { Periodic = FluidAxes.X };
             BoxCollider box = rig.Add<BoxCollider>("Weir");
             box.transform.position = new Vector3(x, 1.6f, 0f); // its end at the y face does not count
             box.size = new Vector3(length, 1f, 1f);
             FluidMessage[] messages = Messages();
-            Assert.That(messages.Length, Is.EqualTo(told ? 1 : 0));
-            if (!told) return;
+            Assert.That(messages.Length, Is.EqualTo(reported ? 1 : 0));
+            if (!reported) return;
             Assert.That(messages[0].Issue, Is.EqualTo(FluidIssue.ColliderAtPeriodicFace));
             Assert.That(messages[0].ToString(), Does.StartWith("[SPH Fluid] 'Weir': The BoxCollider ends at a periodic face of 'Fluid' along X").And.Contain("Keep it 0.225 m or more inside"));
             box.transform.position += 0.01f * Vector3.right;
