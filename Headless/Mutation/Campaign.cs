@@ -41,7 +41,7 @@ internal sealed class Campaign
     private string RecordedFile => Path.Combine(options.Folder, "recorded.txt");
     private string MapFile => Path.Combine(options.Folder, "coverage.txt");
     private string Cache => Path.Combine(options.Folder, "cache");
-    private string ShaderCache => Path.Combine(Cache, "sphplayer", "shaders");
+    private string ShaderCache => Path.Combine(Cache, "sphfluid", "shaders");
 
     public int Run()
     {

@@ -90,7 +90,7 @@ public sealed class HostileFileTests
         yield return Case("a word as index", Vertices + "f 1 2 x\n", @"M\.obj:4: 'x' is not a vertex index\. Correct it");
         yield return Case("a word as number", "v 0 abc 0\n", @"M\.obj:1: 'v' needs a finite number as its component 2, found 'abc'");
         yield return Case("2,000,000 triangles", Vertices + string.Concat(Enumerable.Repeat("f 1 2 3\n", 2_000_000)), "more than 1000000 triangles");
-        yield return Case("all corners at one point", string.Concat(Enumerable.Range(0, 60_000).Select(i => $"v {i} 0 0\n")) + string.Concat(Enumerable.Range(2, 50_000).Select(i => $"f 1 {i} {i + 1}\n")), "meet at \\(");
+        yield return Case("all corners at one point", string.Concat(Enumerable.Range(0, 60_000).Select(i => $"v {i} 0 0\n")) + string.Concat(Enumerable.Range(2, 50_000).Select(i => $"f 1 {i} {i + 1}\n")), "lie at \\(");
     }
 
     [TestCaseSource(nameof(Models))]

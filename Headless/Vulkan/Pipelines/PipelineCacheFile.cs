@@ -36,7 +36,7 @@ internal sealed unsafe class PipelineCacheFile : IDisposable
     {
         string? root = Environment.GetEnvironmentVariable("XDG_CACHE_HOME");
         root = string.IsNullOrEmpty(root) ? Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.UserProfile), ".cache") : root;
-        return Path.Combine(root, "sphplayer");
+        return Path.Combine(root, "sphfluid");
     }
 
     private static byte[] Load(string path)
