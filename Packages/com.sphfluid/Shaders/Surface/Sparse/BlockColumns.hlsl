@@ -50,7 +50,8 @@ uint ColumnNumber(int2 at)
 // Bits of the samples that are corners of polygonised cubes.
 uint UsedSamples(BlockCubes cubes, int2 at)
 {
-    const bool used = all(cubes.end > cubes.first) && all(at >= cubes.first.xy) && all(at <= cubes.end.xy);
+    const int3 size = cubes.end - cubes.first; // FXC leaves out all(cubes.end > cubes.first) where this stands
+    const bool used = min(size.x, min(size.y, size.z)) > 0 && all(at >= cubes.first.xy) && all(at <= cubes.end.xy);
     return used ? BitRange(cubes.first.z, cubes.end.z) : 0u;
 }
 
