@@ -92,11 +92,8 @@ namespace SphFluid.Editor
             return hidden.ToArray();
         }
 
-        static bool AnyRelaxes(SerializedObject edited) => Array.Exists(edited.targetObjects, t =>
-        {
-            FluidMethodKind kind = ((FluidSimulation)t).Method;
-            return FluidMethods.Has(kind) && FluidMethods.Of(kind).Has(FluidMethodFeatures.RelaxedStart);
-        });
+        static bool AnyRelaxes(SerializedObject edited) =>
+            Array.Exists(edited.targetObjects, t => FluidMethods.Has(((FluidSimulation)t).Method, FluidMethodFeatures.RelaxedStart));
 
         void DrawTimeStep(in FluidSolverSettings constants)
         {

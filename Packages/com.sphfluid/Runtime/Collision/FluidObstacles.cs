@@ -39,7 +39,7 @@ namespace SphFluid
         {
             this.settings = settings;
             this.scene = scene;
-            if (FluidMethods.Of(settings.Method).Has(FluidMethodFeatures.BodyContact)) bodies = new CollisionBodies(settings);
+            if (FluidMethods.Has(settings.Method, FluidMethodFeatures.BodyContact)) bodies = new CollisionBodies(settings);
         }
 
         /// <summary>What takes part, as of the last update.</summary>
@@ -152,7 +152,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">They were made for another one.</exception>
         internal void Check(in FluidSolverSettings liquid)
         {
-            bool takesBodies = FluidMethods.Of(liquid.Method).Has(FluidMethodFeatures.BodyContact);
+            bool takesBodies = FluidMethods.Has(liquid.Method, FluidMethodFeatures.BodyContact);
             if (takesBodies != (bodies != null) || liquid.DomainSize != settings.DomainSize || liquid.SupportRadius != settings.SupportRadius ||
                 liquid.Spacing != settings.Spacing || liquid.Boundaries.Periodic != settings.Boundaries.Periodic)
             {

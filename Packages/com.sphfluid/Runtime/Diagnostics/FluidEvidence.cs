@@ -49,7 +49,7 @@ namespace SphFluid
         public bool OmitsOwnDensity => FluidMethods.Of(settings.Method).OmitsOwnDensity(settings);
 
         /// <summary>Whether the liquid's method has a feature.</summary>
-        public bool Has(FluidMethodFeatures feature) => FluidMethods.Of(settings.Method).Has(feature);
+        public bool Has(FluidMethodFeatures feature) => FluidMethods.Has(settings.Method, feature);
 
         public double ClumpedShare => Share(Now.Clumped);
 

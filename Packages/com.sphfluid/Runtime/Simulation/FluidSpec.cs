@@ -68,7 +68,7 @@ namespace SphFluid
             DomainSize = DomainSize,
             Layers = ColliderLayers,
             Spacing = Spacing,
-            ColliderFriction = FluidMethods.Has(Method) && FluidMethods.Of(Method).Has(FluidMethodFeatures.ColliderFriction),
+            ColliderFriction = FluidMethods.Has(Method, FluidMethodFeatures.ColliderFriction),
             Periodic = Boundaries.Periodic,
             SupportRatio = HasProfile ? Profile.Rules.SupportRatio : FluidRuleInput.Water.SupportRatio,
         };

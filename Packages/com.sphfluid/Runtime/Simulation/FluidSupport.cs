@@ -82,18 +82,6 @@ namespace SphFluid
             return null;
         }
 
-        // Each once, the default method's first.
-        static IEnumerable<ShaderGroup> MethodGroups()
-        {
-            var groups = new List<ShaderGroup>();
-            foreach (FluidMethod method in FluidMethods.All)
-            {
-                if (!groups.Contains(method.Shaders)) groups.Insert(0, method.Shaders);
-            }
-
-            return groups;
-        }
-
         List<FluidMessage> AllMessages()
         {
             var messages = new List<FluidMessage>();
@@ -102,7 +90,7 @@ namespace SphFluid
             else
             {
                 FluidSeverity severity = Simulation ? FluidSeverity.Info : FluidSeverity.Error;
-                foreach (ShaderGroup needs in MethodGroups()) AddShortfalls(messages, severity, needs, CureFor(needs));
+                foreach (ShaderGroup needs in FluidMethods.ShaderGroups) AddShortfalls(messages, severity, needs, CureFor(needs));
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Surface, "Draw the liquid with a Fluid Particle Renderer.");
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Drawing, OtherDevice);
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.GeometrySurface, "Draw the liquid with a Fluid Surface Renderer.");

@@ -10,12 +10,7 @@ namespace SphFluid
         {
             get
             {
-                var groups = new List<ShaderGroup>();
-                foreach (FluidMethod method in FluidMethods.All)
-                {
-                    if (!groups.Contains(method.Shaders)) groups.Add(method.Shaders);
-                }
-
+                var groups = new List<ShaderGroup>(FluidMethods.ShaderGroups);
                 groups.AddRange(new[] { ShaderGroup.Surface, ShaderGroup.GeometrySurface, ShaderGroup.Drawing, ShaderGroup.Diagnostics });
                 return groups;
             }

@@ -24,7 +24,7 @@ namespace SphFluid
             in FluidSpec spec, FluidStart start, CollisionScene collision, StartWatch watch, Action<FluidMessage> report)
         {
             if (spec.StartRelaxation == FluidStartRelaxation.None) return start.Particles;
-            if (!FluidMethods.Of(spec.Method).Has(FluidMethodFeatures.RelaxedStart))
+            if (!FluidMethods.Has(spec.Method, FluidMethodFeatures.RelaxedStart))
             {
                 Report(spec, report, FluidSeverity.Warning, $"Start Relaxation needs the method Standard; with {spec.Method} the liquid starts from its lattice.",
                     "Set Start Relaxation to None, or use the method Standard.");

@@ -21,16 +21,34 @@ namespace SphFluid
     {
         static readonly FluidMethod[] Methods =
         {
+            new StandardMethod(),
             new ThesisMethod(FluidMethodKind.Thesis),
             new ThesisMethod(FluidMethodKind.ThesisPrinted),
-            new StandardMethod(),
         };
 
-        /// <summary>All methods.</summary>
+        /// <summary>All methods, the default one first.</summary>
         public static IReadOnlyList<FluidMethod> All => Methods;
 
         /// <summary>Whether there is such a method: a scene's number may be from another version of the package.</summary>
         public static bool Has(FluidMethodKind kind) => Find(kind) != null;
+
+        /// <summary>Whether a method has a feature; one that is not there has none.</summary>
+        public static bool Has(FluidMethodKind kind, FluidMethodFeatures feature) => Find(kind)?.Has(feature) ?? false;
+
+        /// <summary>The shaders of all methods, each group once.</summary>
+        public static IReadOnlyList<ShaderGroup> ShaderGroups
+        {
+            get
+            {
+                var groups = new List<ShaderGroup>();
+                foreach (FluidMethod method in Methods)
+                {
+                    if (!groups.Contains(method.Shaders)) groups.Add(method.Shaders);
+                }
+
+                return groups;
+            }
+        }
 
         /// <summary>A method.</summary>
         /// <exception cref="ArgumentException">There is none of that number.</exception>

@@ -49,6 +49,10 @@ namespace SphFluid
         /// <summary>The step in which a particle moves by <see cref="SpeedLimit"/> spacings [s]; infinite at rest.</summary>
         internal static double SpeedStep(double spacing, double speed) => speed > 0.0 ? SpeedLimit * spacing / speed : double.PositiveInfinity;
 
+        /// <summary>The step of ν dt/R² = <paramref name="limit"/> [s]; infinite without viscosity.</summary>
+        internal static double ViscousStep(double limit, double radius, double kinematic) =>
+            kinematic > 0.0 ? limit * radius * radius / kinematic : double.PositiveInfinity;
+
         /// <summary>The smallest of the limits [s].</summary>
         public double Largest => Math.Min(Math.Min(Acoustic, Speed), Math.Min(Viscosity, Walls));
 

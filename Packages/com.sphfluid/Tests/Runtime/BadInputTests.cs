@@ -51,6 +51,14 @@ namespace SphFluid.Tests
             Object.DestroyImmediate(set);
         }
 
+        [Test]
+        public void UnknownMethod()
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.Method = (FluidMethodKind)77;
+            Fails(simulation, FluidIssue.MethodUnknown, "'Fluid': There is no method 77");
+        }
+
         [TestCase(0f)]
         [TestCase(-1f)]
         [TestCase(float.NaN)]

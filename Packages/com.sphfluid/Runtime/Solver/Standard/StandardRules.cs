@@ -67,11 +67,8 @@ namespace SphFluid
             return new TimeStepAdvice(
                 AcousticBorder * radius / (sound / moment + speed),
                 TimeStepAdvice.SpeedStep(spacing, speed),
-                Viscous(ViscousLimit, moment, radius, kinematic), Viscous(ViscousBorder, moment, radius, kinematic),
+                TimeStepAdvice.ViscousStep(ViscousLimit * moment, radius, kinematic), TimeStepAdvice.ViscousStep(ViscousBorder * moment, radius, kinematic),
                 double.PositiveInfinity, sound, speed, kinematic);
         }
-
-        static double Viscous(double limit, double moment, double radius, double kinematic) =>
-            kinematic > 0.0 ? limit * moment * radius * radius / kinematic : double.PositiveInfinity;
     }
 }

@@ -120,11 +120,8 @@ namespace SphFluid
             new TimeStepAdvice(
                 AcousticBorder * radius / (Math.Sqrt(2.0 * sound * sound) * (1.0 + speed / sound)),
                 TimeStepAdvice.SpeedStep(spacing, speed),
-                Viscous(ViscousLimit, radius, kinematic), Viscous(ViscousBorder, radius, kinematic),
+                TimeStepAdvice.ViscousStep(ViscousLimit, radius, kinematic), TimeStepAdvice.ViscousStep(ViscousBorder, radius, kinematic),
                 WallStep(wallStiffness, wallDamping), sound, speed, kinematic);
-
-        static double Viscous(double limit, double radius, double kinematic) =>
-            kinematic > 0.0 ? limit * radius * radius / kinematic : double.PositiveInfinity;
 
         // Largest dt with k dt² = margin (4 − 2 c dt).
         static double WallStep(double stiffness, double damping)
