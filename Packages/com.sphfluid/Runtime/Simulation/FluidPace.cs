@@ -12,7 +12,7 @@ namespace SphFluid
         const double ShortestStep = 1e-6;
 
         readonly FluidSolver solver;
-        SpeedReadback speeds;
+        readonly SpeedReadback speeds;
         AdaptiveClock adaptive;
         double stepFraction;
 
@@ -20,6 +20,7 @@ namespace SphFluid
         public FluidPace(in FluidSpec spec, FluidSolver solver)
         {
             this.solver = solver;
+            speeds = new SpeedReadback(solver);
             Update(spec);
         }
 
@@ -35,23 +36,22 @@ namespace SphFluid
             if (spec.TimeStepMode != FluidTimeStepMode.Adaptive)
             {
                 adaptive = null;
-                speeds = null;
                 if (!(Clock is StepClock clock) || clock.TimeStep != step || clock.MaxSteps != most) Clock = new StepClock(step, most);
                 return;
             }
-            speeds ??= new SpeedReadback(solver);
             if (adaptive == null || adaptive.MaxSteps != most) Clock = adaptive = new AdaptiveClock(LongestStep(), most);
         }
 
         /// <summary>Steps to take for a frame's time [s].</summary>
         public int Advance(double deltaTime)
         {
+            solver.FlowSpeed = (float)(SpeedMargin * speeds.Speed);
             if (adaptive != null) adaptive.StableStep = LongestStep();
             return Clock.Advance(deltaTime);
         }
 
         /// <summary>To be called when the steps of a frame have been given to the GPU.</summary>
-        public void Stepped() => speeds?.Request();
+        public void Stepped() => speeds.Request();
 
         double LongestStep()
         {

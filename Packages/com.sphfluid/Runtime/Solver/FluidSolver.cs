@@ -18,6 +18,7 @@ namespace SphFluid
         readonly CounterReadback counters;
         FluidObstacles obstacles;
         float previousStep;
+        float? flowSpeed;
         bool loaded;
         bool neighboursFresh;
         bool published;
@@ -83,6 +84,21 @@ namespace SphFluid
 
         /// <summary>Length of the last recorded step [s]: velocities are half of it older than positions; 0 before the first.</summary>
         internal float LastTimeStep => previousStep;
+
+        /// <summary>
+        /// Speed at which bodies of the liquid move [m/s], for methods whose neighbour setup serves several steps: the faster, the fewer.
+        /// By default the speed that the settings are made for; whoever measures it gives a speed of a fixed age, so that equal runs stay equal.
+        /// </summary>
+        public float FlowSpeed
+        {
+            get => flowSpeed ?? state.Settings.MaxSpeed;
+            set => flowSpeed = value >= 0f
+                ? value
+                : throw new ArgumentOutOfRangeException(nameof(value), value, "The liquid's speed must be zero or more.");
+        }
+
+        /// <summary>Neighbour setups recorded since the start: no more than one a step, and one for drawing that the next step uses.</summary>
+        public long SetupCount { get; private set; }
 
         /// <summary>Events counted on the GPU, as of the last finished read-back.</summary>
         public FluidCounters Counters => counters.Counters;
@@ -182,11 +198,15 @@ namespace SphFluid
 
             counters.RecordReset(cmd);
             if (state.WallsChange()) neighboursFresh = false; // what drawing was given has the walls at rest
+            var blocks = new StepBlocks(steps, stepper.StepsPerSetup(steps, timeStep, FlowSpeed));
+            stepper.PlanSteps(blocks.LongestBlock, timeStep);
             for (int i = 0; i < steps; i++)
             {
                 state.BeginBodyStep(i, steps, timeStep);
                 RecordSetup(cmd);
-                stepper.RecordMotion(cmd, new FluidStep(timeStep, StepCount == 0 ? timeStep : previousStep, StepCount == 0));
+                bool keeps = !blocks.IsLast(i);
+                stepper.RecordMotion(cmd, new FluidStep(timeStep, StepCount == 0 ? timeStep : previousStep, StepCount == 0, keeps));
+                SetupCount += keeps ? 0 : 1;
                 previousStep = timeStep;
                 neighboursFresh = false;
                 StepCount++;

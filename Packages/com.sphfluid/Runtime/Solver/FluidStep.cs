@@ -10,8 +10,10 @@ namespace SphFluid
         /// <param name="length">Its length [s].</param>
         /// <param name="previous">Length of the step before [s]; its own for the first.</param>
         /// <param name="isFirst">True where the particles' velocities are still those of the start.</param>
-        public FluidStep(float length, float previous, bool isFirst)
+        /// <param name="keepsOrder">True where another step follows for which the order of particles found for this one may serve.</param>
+        public FluidStep(float length, float previous, bool isFirst, bool keepsOrder = false)
         {
+            KeepsOrder = keepsOrder;
             Length = length;
             Previous = previous;
             IsFirst = isFirst;
@@ -25,6 +27,9 @@ namespace SphFluid
 
         /// <summary>True where the particles' velocities are still those of the start.</summary>
         public bool IsFirst { get; }
+
+        /// <summary>True where another step follows for which the order of particles found for this one may serve.</summary>
+        public bool KeepsOrder { get; }
 
         /// <summary>How far the velocities go [s]: the mean of both lengths.</summary>
         public float Kick => 0.5f * (Previous + Length);

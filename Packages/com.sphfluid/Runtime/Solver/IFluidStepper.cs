@@ -17,6 +17,17 @@ namespace SphFluid
         /// <param name="cmd">Command buffer to record into.</param>
         void RecordNeighbourSetup(CommandBuffer cmd);
 
+        /// <summary>Most steps that one neighbour setup may serve; 1 for a method that sets up neighbours for every step.</summary>
+        /// <param name="steps">Steps that are to be taken at once.</param>
+        /// <param name="timeStep">Length of each [s].</param>
+        /// <param name="speed">Speed at which the liquid moves [m/s].</param>
+        int StepsPerSetup(int steps, float timeStep, float speed);
+
+        /// <summary>Announces how many steps the neighbour setups from now on serve.</summary>
+        /// <param name="steps">Number of steps.</param>
+        /// <param name="timeStep">Length of each [s].</param>
+        void PlanSteps(int steps, float timeStep);
+
         /// <summary>Records the neighbour setup with one of its passes left out, to measure what the pass is for.</summary>
         /// <param name="cmd">Command buffer to record into.</param>
         /// <param name="pass">Name of the pass.</param>

@@ -53,6 +53,9 @@ namespace SphFluid
         /// <summary>Grows whenever the set of bodies was made anew.</summary>
         public int Version { get; private set; }
 
+        /// <summary>Most that a point of any body goes in the frame's motion [m]; 0 when that was stepped through.</summary>
+        public float LongestDisplacement { get; private set; }
+
         /// <summary>Whether a body has a friction of its own that is not zero.</summary>
         public bool HoldLiquid { get; private set; }
 
@@ -90,6 +93,7 @@ namespace SphFluid
             if (outgrown) Rebuild(solids);
             bool wasUnderWay = IsUnderWay;
             IsUnderWay = HasStretch = false;
+            LongestDisplacement = 0f;
             for (int i = 0; i < bodies.Count; i++)
             {
                 if (motions[i] == null) continue;
@@ -100,6 +104,7 @@ namespace SphFluid
                 }
                 IsUnderWay |= !motions[i].IsAtRest;
                 HasStretch |= motions[i].IsStretched;
+                LongestDisplacement = Mathf.Max(LongestDisplacement, motions[i].LongestDisplacement(bodies[i].BoundsMin, bodies[i].BoundsMax));
             }
             if (IsUnderWay || wasUnderWay || stale) UploadBodies();
         }
@@ -109,6 +114,7 @@ namespace SphFluid
         {
             if (!IsUnderWay) return;
             IsUnderWay = false;
+            LongestDisplacement = 0f;
             stale = true; // the buffer is read by commands yet to run; at fraction 1 it is right
             foreach (BodyMotion motion in motions) motion?.Arrive();
         }

@@ -15,11 +15,12 @@ namespace SphFluid
             kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, StandardState state)
+        public void Record(CommandBuffer cmd, StandardState state, in FluidStep step)
         {
             using (Sample(cmd))
             {
-                MeshContact.SetStep(cmd, kernel, state);
+                MeshContact.SetStep(cmd, kernel, state, step);
+                kernel.Set(cmd, state.Walls.WallGap);
                 kernel.SetFloat(cmd, LongestDisplacement, ContactDistances.LongestDisplacement(state.Settings));
                 kernel.SetOut(cmd, state.Walls.ContactList);
                 kernel.SetOut(cmd, state.Walls.ContactArguments);

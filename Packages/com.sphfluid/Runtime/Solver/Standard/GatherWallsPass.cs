@@ -2,11 +2,12 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>The walls of triangles near each particle.</summary>
+    /// <summary>The walls of triangles near each particle, and how far it is free of triangles at rest.</summary>
     internal sealed class GatherWallsPass : ComputePass
     {
         static readonly int ParticleCount = Id("_ParticleCount");
         static readonly int TimeStep = Id("_TimeStep");
+        static readonly int GapScale = Id("_GapScale");
 
         readonly ComputeKernel kernel;
 
@@ -16,7 +17,10 @@ namespace SphFluid
             kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, StandardState state)
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="state">Buffers.</param>
+        /// <param name="positions">Where the particles are in the order of the last sort.</param>
+        public void Record(CommandBuffer cmd, StandardState state, FluidBuffer positions)
         {
             using (Sample(cmd))
             {
@@ -25,10 +29,11 @@ namespace SphFluid
                 state.Bodies.Bind(cmd, kernel, state.BodyStep.x, state.BodyStep.y);
                 kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
                 kernel.SetFloat(cmd, TimeStep, state.BodyStep.z);
-                kernel.Set(cmd, state.Buffers.Positions);
+                kernel.SetFloat(cmd, GapScale, state.Bodies.IsUnderWay ? 0f : 0.999f);
+                kernel.SetBuffer(cmd, state.Buffers.Positions.Id, positions);
                 kernel.SetOut(cmd, state.Walls.WallSlot);
                 kernel.SetOut(cmd, state.Walls.NearWalls);
-                kernel.SetOut(cmd, state.Walls.ContactArguments);
+                kernel.SetOut(cmd, state.Walls.WallGap);
                 kernel.DispatchThreads(cmd, state.ParticleCount);
             }
         }

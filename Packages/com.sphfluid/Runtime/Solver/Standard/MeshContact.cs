@@ -23,17 +23,15 @@ namespace SphFluid
         }
 
         /// <summary>What both passes over a step's contacts need.</summary>
-        public static void SetStep(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
+        public static void SetStep(CommandBuffer cmd, ComputeKernel kernel, StandardState state, in FluidStep step)
         {
             StandardBindings.SetSearch(cmd, kernel, state);
             DomainBindings.SetFaces(cmd, kernel, state.Settings, ContactDistances.Rest(state.Settings));
             kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
             Set(cmd, kernel, state.Settings);
             state.Bodies.Bind(cmd, kernel, state.BodyStep.x, state.BodyStep.y);
-            kernel.Set(cmd, state.Buffers.Positions);
-            kernel.SetOut(cmd, state.Buffers.NewPositions);
-            kernel.Set(cmd, state.Buffers.CellCount);
-            kernel.SetOut(cmd, state.Buffers.Rank);
+            kernel.Set(cmd, state.Buffers.PositionTerms);
+            StandardBindings.SetCounting(cmd, kernel, state, step);
             kernel.Set(cmd, state.Published.Counters);
         }
 

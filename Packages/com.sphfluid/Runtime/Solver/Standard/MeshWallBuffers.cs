@@ -6,13 +6,16 @@ namespace SphFluid
     internal sealed class MeshWallBuffers : BufferSet
     {
         /// <summary>Bytes of PackedWall in Shaders/Solver/Standard/NearWall.hlsl.</summary>
-        public const int WallStride = 48;
+        public const int WallStride = 44;
 
         /// <summary>Of each particle 1 + the place of its walls in <see cref="NearWalls"/>, or 0.</summary>
         public readonly FluidBuffer WallSlot;
 
         /// <summary>PackedWall each.</summary>
         public readonly FluidBuffer NearWalls;
+
+        /// <summary>Distance to which each particle surely has no triangle at rest near it [m], 0 where that is not known.</summary>
+        public readonly FluidBuffer WallGap;
 
         /// <summary>Particles whose step is not free.</summary>
         public readonly FluidBuffer ContactList;
@@ -24,6 +27,7 @@ namespace SphFluid
         {
             WallSlot = Add("WallSlot", particleCount, 4);
             NearWalls = Add("NearWalls", particleCount, WallStride);
+            WallGap = Add("WallGap", particleCount, 4);
             ContactList = Add("ContactList", particleCount, 4);
             // With Direct3D 11 Unity gives a buffer of indirect arguments typed and raw views, never structured ones.
             ContactArguments = Add("ContactArguments", 4, 4, GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw);

@@ -16,6 +16,7 @@ namespace SphFluid
         static readonly int WallViscosity = Id("_WallViscosity");
         static readonly int NoSlipViscosity = Id("_NoSlipViscosity");
         static readonly int ShellDistance = Id("_ShellDistance");
+        static readonly int LeastSeparation = Id("_LeastSeparation");
         static readonly int Gravity = Id("_Gravity");
         static readonly int TimeStep = Id("_TimeStep");
         static readonly int KickStep = Id("_KickStep");
@@ -50,16 +51,15 @@ namespace SphFluid
                 kernel.SetFloat(cmd, WallViscosity, friction * viscosity);
                 kernel.SetFloat(cmd, NoSlipViscosity, isHeld ? viscosity : 0f);
                 kernel.SetFloat(cmd, ShellDistance, Shell * settings.Spacing);
+                kernel.SetFloat(cmd, LeastSeparation, 1e-3f * settings.SupportRadius);
                 kernel.SetVector(cmd, Gravity, settings.Gravity);
                 kernel.SetFloat(cmd, TimeStep, step.Length);
                 kernel.SetFloat(cmd, KickStep, step.IsFirst ? 0.5f * step.Length : step.Kick);
                 kernel.Set(cmd, state.Buffers.Positions);
                 kernel.Set(cmd, state.Buffers.Velocities);
-                kernel.Set(cmd, state.Buffers.DensityTerms);
-                kernel.SetOut(cmd, state.Buffers.NewPositions);
+                kernel.Set(cmd, state.Buffers.PositionTerms);
                 kernel.SetOut(cmd, state.Buffers.NewVelocities);
-                kernel.Set(cmd, state.Buffers.CellCount);
-                kernel.SetOut(cmd, state.Buffers.Rank);
+                StandardBindings.SetCounting(cmd, kernel, state, step);
                 kernel.Set(cmd, state.Published.Counters);
                 kernel.DispatchThreads(cmd, state.ParticleCount);
             }

@@ -5,8 +5,8 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Neighbours that a step's density pass finds, kept for its motion pass (Shaders/Solver/Standard/NeighbourList.hlsl): force then looks
-    /// at neighbours only, not at all particles of the cells around. Whoever has more than the list holds searches the cells again.
+    /// Neighbours that a step's density pass finds, kept for its motion pass and for later steps (Shaders/Solver/Standard/NeighbourList.hlsl):
+    /// they look at neighbours only, not at all particles of the cells around. Whoever has more than the list holds searches the cells again.
     /// </summary>
     internal sealed class NeighbourList : BufferSet
     {
@@ -16,7 +16,13 @@ namespace SphFluid
         // Entries over a full lattice's neighbours, for compression and clumps.
         const double Reserve = 1.5;
 
+        // Of a full lattice's neighbours: whoever has fewer stands at a surface.
+        const double Surface = 0.75;
+
         static readonly int ListLength = Shader.PropertyToID("_ListLength");
+        static readonly int InverseSupport = Shader.PropertyToID("_InverseSupport");
+        static readonly int Ahead = Shader.PropertyToID("_Ahead");
+        static readonly int FewNeighbours = Shader.PropertyToID("_FewNeighbours");
 
         /// <summary>Indices, 32 particles side by side; ListPlace in the shader.</summary>
         public readonly FluidBuffer Neighbours;
@@ -39,7 +45,7 @@ namespace SphFluid
 
         /// <summary>Entries a particle by κ = R/dx: 4π κ³/3 neighbours on a lattice, and half as many again. 51, 72, 99 for κ = 2, 2.25, 2.5.</summary>
         public static int LengthFor(in FluidSolverSettings settings) =>
-            (int)Math.Ceiling(Reserve * 4.0 / 3.0 * Math.PI * Math.Pow(settings.SupportRadius / (double)settings.Spacing, 3.0));
+            (int)Math.Ceiling(Reserve * Expected(settings));
 
         /// <summary>Whether one buffer of the device holds the list; a step does without where it does not.</summary>
         public static bool Fits(int particleCount, int length) => EntryCount(particleCount, length) * sizeof(uint) <= SystemInfo.maxGraphicsBufferSize;
@@ -59,6 +65,19 @@ namespace SphFluid
             kernel.Set(cmd, Neighbours);
             kernel.Set(cmd, Counts);
         }
+
+        /// <summary>Records MeetingReach.hlsl for the sort: who stands at a surface, and how long the lists are to serve.</summary>
+        public void SetMeeting(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
+        {
+            FluidSolverSettings settings = state.Settings;
+            kernel.SetFloat(cmd, InverseSupport, 1f / settings.SupportRadius);
+            kernel.SetFloat(cmd, Ahead, state.ListTime);
+            kernel.SetInt(cmd, FewNeighbours, (int)(Surface * Expected(settings)));
+            kernel.Set(cmd, Counts);
+        }
+
+        static double Expected(in FluidSolverSettings settings) =>
+            4.0 / 3.0 * Math.PI * Math.Pow(settings.SupportRadius / (double)settings.Spacing, 3.0);
 
         static long EntryCount(int particleCount, int length) => ((long)particleCount + Lanes - 1) / Lanes * Lanes * length;
     }

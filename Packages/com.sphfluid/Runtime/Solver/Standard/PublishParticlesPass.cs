@@ -20,10 +20,12 @@ namespace SphFluid
         {
             using (Sample(cmd))
             {
+                StandardBindings.SetCells(cmd, particles, state.Cells, state.Buffers.CellStart);
                 particles.SetInt(cmd, ParticleCount, state.ParticleCount);
                 particles.Set(cmd, state.Buffers.Positions);
                 particles.Set(cmd, state.Buffers.Velocities);
-                particles.Set(cmd, state.Buffers.DensityTerms);
+                particles.Set(cmd, state.Buffers.Densities);
+                particles.Set(cmd, state.Buffers.PositionTerms);
                 particles.SetOut(cmd, state.Published.Particles);
                 particles.Set(cmd, state.Published.Density);
                 particles.Set(cmd, state.Published.Pressure);

@@ -15,12 +15,12 @@ namespace SphFluid
             kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, StandardState state, float timeStep)
+        public void Record(CommandBuffer cmd, StandardState state, in FluidStep step)
         {
             using (Sample(cmd))
             {
-                MeshContact.SetStep(cmd, kernel, state);
-                kernel.SetFloat(cmd, TimeStep, timeStep);
+                MeshContact.SetStep(cmd, kernel, state, step);
+                kernel.SetFloat(cmd, TimeStep, step.Length);
                 kernel.Set(cmd, state.Walls.ContactList);
                 kernel.Set(cmd, state.Walls.ContactArguments);
                 kernel.SetOut(cmd, state.Buffers.NewVelocities);

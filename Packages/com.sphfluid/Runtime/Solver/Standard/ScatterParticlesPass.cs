@@ -52,6 +52,7 @@ namespace SphFluid
 
         static void BindTarget(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
         {
+            state.List.SetMeeting(cmd, kernel, state);
             kernel.SetOut(cmd, state.Buffers.Positions);
             kernel.SetOut(cmd, state.Buffers.Velocities);
         }

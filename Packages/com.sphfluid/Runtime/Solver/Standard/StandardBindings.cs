@@ -12,6 +12,7 @@ namespace SphFluid
         static readonly int CellsPerMetre = Shader.PropertyToID("_CellsPerMetre");
         static readonly int CellCounts = Shader.PropertyToID("_CellCounts");
         static readonly int CellStart = Shader.PropertyToID("_CellStart");
+        static readonly int KeepsOrder = Shader.PropertyToID("_KeepsOrder");
         static readonly int InverseSupport = Shader.PropertyToID("_InverseSupport");
         static readonly int SupportRatio = Shader.PropertyToID("_SupportRatio");
         static readonly int MirrorSpacing = Shader.PropertyToID("_MirrorSpacing");
@@ -45,6 +46,15 @@ namespace SphFluid
         {
             SetCells(cmd, kernel, state.Cells, state.Buffers.CellStart);
             DomainBindings.SetPeriodic(cmd, kernel, state.Settings);
+        }
+
+        /// <summary>CellCounting.hlsl: where a step leaves the particles, and their count if the next one sorts.</summary>
+        public static void SetCounting(CommandBuffer cmd, ComputeKernel kernel, StandardState state, in FluidStep step)
+        {
+            kernel.SetBool(cmd, KeepsOrder, step.KeepsOrder);
+            kernel.SetOut(cmd, state.Buffers.NewPositions);
+            kernel.Set(cmd, state.Buffers.CellCount);
+            kernel.SetOut(cmd, state.Buffers.Rank);
         }
 
         /// <summary>Wendland.hlsl and StandardWalls.hlsl: the kernel, and what the faces of the domain add to its sums.</summary>

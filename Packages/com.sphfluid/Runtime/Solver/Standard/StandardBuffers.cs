@@ -2,14 +2,14 @@ namespace SphFluid
 {
     /// <summary>
     /// Buffers of the Standard method: positions and velocities lie apart as float4 (a velocity's w is the id), once in the order of
-    /// the last sort and once as the step left them, in that order but at their new places.
+    /// the last sort and once as the step left them, in that order but at their new places. Steps that keep the order go on from there.
     /// </summary>
     internal sealed class StandardBuffers : BufferSet
     {
-        /// <summary>Positions in the order of the last sort [m].</summary>
+        /// <summary>Positions at and in the order of the last sort [m]; w: MeetingReach in Shaders/Solver/Standard/MeetingReach.hlsl.</summary>
         public readonly FluidBuffer Positions;
 
-        /// <summary>Velocities in the order of the last sort [m/s]; w: the id's bits.</summary>
+        /// <summary>Velocities with which the step begins [m/s]; w: the id's bits.</summary>
         public readonly FluidBuffer Velocities;
 
         /// <summary>Positions after the step [m].</summary>
@@ -18,8 +18,11 @@ namespace SphFluid
         /// <summary>Velocities after the step [m/s]; w: the id's bits.</summary>
         public readonly FluidBuffer NewVelocities;
 
-        /// <summary>ρ [kg/m³] and p/ρ² in the order of the last sort, float2.</summary>
-        public readonly FluidBuffer DensityTerms;
+        /// <summary>ρ [kg/m³].</summary>
+        public readonly FluidBuffer Densities;
+
+        /// <summary>Positions with which the step begins [m]; w: p/ρ².</summary>
+        public readonly FluidBuffer PositionTerms;
 
         /// <summary>Place of each particle within its cell.</summary>
         public readonly FluidBuffer Rank;
@@ -42,7 +45,8 @@ namespace SphFluid
             Velocities = Add("Velocities", particleCount, 16);
             NewPositions = Add("NewPositions", particleCount, 16);
             NewVelocities = Add("NewVelocities", particleCount, 16);
-            DensityTerms = Add("DensityTerms", particleCount, 8);
+            Densities = Add("Densities", particleCount, 4);
+            PositionTerms = Add("PositionTerms", particleCount, 16);
             Rank = Add("Rank", particleCount, 4);
             Order = Add("Order", particleCount, 4);
             CellCount = Add("CellCount", cellCount + 1L, 4);

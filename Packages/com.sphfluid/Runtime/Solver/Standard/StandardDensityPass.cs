@@ -9,32 +9,59 @@ namespace SphFluid
         static readonly int InverseMoment = Id("_InverseMoment");
         static readonly int SoundSpeedSquared = Id("_SoundSpeedSquared");
         static readonly int SuctionFloor = Id("_SuctionFloor");
+        static readonly int SupportSquared = Id("_SupportSquared");
+        static readonly int Ahead = Id("_Ahead");
 
-        readonly ComputeKernel kernel;
+        readonly ComputeKernel search, listed;
 
         public StandardDensityPass(FluidShaderSet shaders)
             : base(shaders, "StandardDensity")
         {
-            kernel = Kernel();
+            search = Kernel();
+            listed = Kernel("ListedDensity");
         }
 
+        /// <summary>Sums over the cells around each particle of the last sort, and lists its neighbours.</summary>
         public void Record(CommandBuffer cmd, StandardState state)
         {
-            FluidSolverSettings settings = state.Settings;
             using (Sample(cmd))
             {
-                StandardBindings.SetSearch(cmd, kernel, state);
-                StandardBindings.SetWalls(cmd, kernel, state);
-                state.List.SetOut(cmd, kernel);
-                kernel.SetFloat(cmd, DensityFactor, (float)(settings.ParticleMass * WendlandKernel.Factor(settings.SupportRadius)));
-                kernel.SetFloat(cmd, InverseMoment, (float)(1.0 / WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing)));
-                kernel.SetFloat(cmd, SoundSpeedSquared, settings.SoundSpeed * settings.SoundSpeed);
-                kernel.SetFloat(cmd, SuctionFloor, settings.PressureClamp ? 0f : -settings.RestDensity);
-                kernel.Set(cmd, state.Buffers.Positions);
-                kernel.SetOut(cmd, state.Buffers.DensityTerms);
-                kernel.Set(cmd, state.Published.Counters);
-                kernel.DispatchThreads(cmd, state.ParticleCount);
+                Bind(cmd, search, state);
+                state.List.SetOut(cmd, search);
+                search.SetFloat(cmd, Ahead, state.ListTime);
+                search.Set(cmd, state.Buffers.Positions);
+                search.Set(cmd, state.Buffers.Velocities);
+                search.DispatchThreads(cmd, state.ParticleCount);
             }
+        }
+
+        /// <summary>Sums over the neighbours that an earlier step listed, where the last step left them.</summary>
+        public void RecordListed(CommandBuffer cmd, StandardState state)
+        {
+            using (Sample(cmd))
+            {
+                Bind(cmd, listed, state);
+                state.List.Set(cmd, listed);
+                listed.Set(cmd, state.Buffers.Positions);
+                listed.Set(cmd, state.Buffers.NewPositions);
+                listed.DispatchThreads(cmd, state.ParticleCount);
+            }
+        }
+
+        static void Bind(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
+        {
+            FluidSolverSettings settings = state.Settings;
+            StandardBindings.SetSearch(cmd, kernel, state);
+            StandardBindings.SetWalls(cmd, kernel, state);
+            kernel.SetFloat(cmd, SupportSquared, settings.SupportRadius * settings.SupportRadius);
+            kernel.SetFloat(cmd, DensityFactor, (float)(settings.ParticleMass * WendlandKernel.Factor(settings.SupportRadius)));
+            kernel.SetFloat(cmd, InverseMoment, (float)(1.0 / WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing)));
+            kernel.SetFloat(cmd, SoundSpeedSquared, settings.SoundSpeed * settings.SoundSpeed);
+            kernel.SetFloat(cmd, SuctionFloor, settings.PressureClamp ? 0f : -settings.RestDensity);
+            kernel.SetOut(cmd, state.Buffers.Densities);
+            kernel.SetOut(cmd, state.Buffers.PositionTerms);
+            kernel.Set(cmd, state.Published.Counters);
+            if (state.HasBodies) kernel.SetOut(cmd, state.Walls.ContactArguments);
         }
     }
 }

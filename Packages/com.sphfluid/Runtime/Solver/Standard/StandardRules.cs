@@ -53,6 +53,7 @@ namespace SphFluid
                 SoundSpeed = (float)Math.Sqrt((float)(sound * sound)),
                 StableOrder = true,
                 NeighbourList = true,
+                StepsPerSort = ListReuse.MostSteps,
             });
         }
 

@@ -1,4 +1,4 @@
-using UnityEngine;
+using System;
 
 namespace SphFluid
 {
@@ -20,6 +20,12 @@ namespace SphFluid
         /// </summary>
         public bool NeighbourList;
 
+        /// <summary>
+        /// Most steps for which an order of particles and the lists of their neighbours serve, 1 or more; fewer where the liquid is fast.
+        /// 1: every step sorts and searches anew.
+        /// </summary>
+        public int StepsPerSort;
+
         /// <inheritdoc/>
         float IMethodSettings.SoundSpeed => SoundSpeed;
 
@@ -32,6 +38,11 @@ namespace SphFluid
         }
 
         /// <inheritdoc/>
-        public void Validate() => FluidSolverSettings.RequirePositive(SoundSpeed, nameof(SoundSpeed));
+        public void Validate()
+        {
+            FluidSolverSettings.RequirePositive(SoundSpeed, nameof(SoundSpeed));
+            if (StepsPerSort < 1)
+                throw new ArgumentException($"StepsPerSort is {StepsPerSort}; it must be 1 or more.");
+        }
     }
 }

@@ -36,6 +36,12 @@ namespace SphFluid
         /// <inheritdoc/>
         public override bool ListsNeighbours => List != null && List.Length > 0;
 
+        /// <summary>Whether settings and device allow lists of neighbours.</summary>
+        public bool MayListNeighbours => Own.NeighbourList && NeighbourList.Fits(ParticleCount, NeighbourList.LengthFor(Settings));
+
+        /// <summary>How long the next lists of neighbours are to serve, from the first step that uses them to the last [s].</summary>
+        public float ListTime { get; set; }
+
         /// <summary>The constants that only this method has.</summary>
         public StandardSettings Own => Settings.Own<StandardSettings>();
 
@@ -48,8 +54,7 @@ namespace SphFluid
         /// <summary>Makes <see cref="List"/>, with entries or without as the settings and the device have it.</summary>
         public void RequireList()
         {
-            int length = Own.NeighbourList ? NeighbourList.LengthFor(Settings) : 0;
-            if (!NeighbourList.Fits(ParticleCount, length)) length = 0;
+            int length = MayListNeighbours ? NeighbourList.LengthFor(Settings) : 0;
             if (List != null && List.Length > 0 == length > 0) return;
             List?.Dispose();
             List = null;

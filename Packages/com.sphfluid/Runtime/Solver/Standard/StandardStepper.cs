@@ -6,7 +6,7 @@ namespace SphFluid
     /// <summary>
     /// Steps a liquid by the Standard method in five dependent dispatches: ScanReduce, ScanApply, Scatter, StandardDensity, MoveParticles;
     /// the stable order makes Scatter two. Triangles add three: GatherWalls before the density, FindContacts and ResolveContacts after
-    /// the motion.
+    /// the motion. A step that keeps the order and lists of an earlier one has two, ListedDensity and MoveParticles, and the two of contact.
     /// </summary>
     internal sealed class StandardStepper : IFluidStepper
     {
@@ -20,7 +20,19 @@ namespace SphFluid
         readonly FindContactsPass findContacts;
         readonly ResolveContactsPass resolveContacts;
         readonly PublishParticlesPass publishParticles;
-        bool sorted;
+        Order order;
+        bool isLoaded;
+        float listTime;
+
+        // What the buffers hold: particles counted into cells, sorted, as a step left them in the order of the sort, the same where the
+        // next step has begun.
+        enum Order
+        {
+            Counted,
+            Sorted,
+            Left,
+            Kept,
+        }
 
         public StandardStepper(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount)
         {
@@ -45,27 +57,43 @@ namespace SphFluid
         public void RecordLoad(CommandBuffer cmd)
         {
             loadParticles.Record(cmd, state);
-            sorted = false;
+            order = Order.Counted;
+            isLoaded = false;
         }
+
+        /// <inheritdoc/>
+        public int StepsPerSetup(int steps, float timeStep, float speed) => ListReuse.Steps(state, steps, timeStep, speed);
+
+        /// <inheritdoc/>
+        public void PlanSteps(int steps, float timeStep) => listTime = (steps - 1) * timeStep;
 
         /// <inheritdoc/>
         public void RecordNeighbourSetup(CommandBuffer cmd)
         {
-            if (!sorted) // the scan uses up the counts
+            state.RequireList();
+            if (order == Order.Counted) // the scan uses up the counts
             {
+                state.ListTime = isLoaded ? listTime : 0f; // of particles just loaded nobody knows who stands at a surface
                 scanCells.Record(cmd, state);
                 scatterParticles.Record(cmd, state);
-                sorted = true;
+                order = Order.Sorted;
+                isLoaded = true;
+            }
+            else if (order == Order.Left) // what the last step left is what this one begins with
+            {
+                FluidBuffer.Exchange(state.Buffers.Velocities, state.Buffers.NewVelocities);
+                order = Order.Kept;
             }
 
-            if (state.HasBodies)
+            bool isKept = order == Order.Kept;
+            if (state.HasBodies && (!isKept || state.Bodies.IsUnderWay))
             {
                 state.RequireWalls();
-                gatherWalls.Record(cmd, state);
+                gatherWalls.Record(cmd, state, isKept ? state.Buffers.NewPositions : state.Buffers.Positions);
             }
 
-            state.RequireList();
-            density.Record(cmd, state);
+            if (isKept) density.RecordListed(cmd, state);
+            else density.Record(cmd, state);
         }
 
         /// <inheritdoc/>
@@ -78,11 +106,11 @@ namespace SphFluid
             moveParticles.Record(cmd, state, step);
             if (state.HasBodies)
             {
-                findContacts.Record(cmd, state);
-                resolveContacts.Record(cmd, state, step.Length);
+                findContacts.Record(cmd, state, step);
+                resolveContacts.Record(cmd, state, step);
             }
 
-            sorted = false;
+            order = step.KeepsOrder ? Order.Left : Order.Counted;
         }
 
         /// <inheritdoc/>

@@ -52,6 +52,14 @@ namespace SphFluid
         public void RecordNeighbourSetup(CommandBuffer cmd) => RecordNeighbourSetup(cmd, true);
 
         /// <inheritdoc/>
+        public int StepsPerSetup(int steps, float timeStep, float speed) => 1;
+
+        /// <inheritdoc/>
+        public void PlanSteps(int steps, float timeStep)
+        {
+        }
+
+        /// <inheritdoc/>
         public void RecordNeighbourSetupWithout(CommandBuffer cmd, string pass)
         {
             if (pass != OptionalPass)

@@ -35,6 +35,13 @@ uint LiveCount()
     return _CellStart[RemovedCell()];
 }
 
+// A switch of 0 or 1 that some drivers would else translate the kernel anew for: Mesa's llvmpipe does with every dispatch of a kernel
+// whose branch hangs on constants alone.
+bool Switched(uint value)
+{
+    return (value & (LiveCount() | 1u)) != 0u;
+}
+
 #if defined(FLUID_PERIODIC)
 
 // Along a periodic axis the row continues behind the opposite face: a row of three cells is then two runs.

@@ -5,15 +5,49 @@
 // "#pragma multi_compile_local _ FLUID_MESH_WALLS".
 
 #include "NearWall.hlsl"
+#include "StandardWalls.hlsl"
 
 #if defined(FLUID_MESH_WALLS)
 
 StructuredBuffer<uint> _WallSlot;      // 0: none; else 1 + place in _NearWalls
 StructuredBuffer<PackedWall> _NearWalls;
 
-NearWall WallOf(uint slot)
+NearWall WallOf(uint slot, float3 position)
 {
-    return UnpackWall(_NearWalls[max(slot, 1u) - 1u]);
+    return UnpackWall(_NearWalls[max(slot, 1u) - 1u], position);
+}
+
+// 1 - L = product over the planes of 1 - weight L(d); the gradient is exact but for the weights.
+WallDensity DensityOf(NearWall wall)
+{
+    float2 profile[WALL_PLANES];
+    float open = 1.0;
+    WallDensity density;
+    density.Gradient = float3(0.0, 0.0, 0.0);
+    [unroll]
+    for (int k = 0; k < WALL_PLANES; k++)
+    {
+        profile[k] = wall.Weights[k] * MirrorProfile(wall.Planes[k].w);
+        open *= 1.0 - profile[k].x;
+    }
+    [unroll]
+    for (int m = 0; m < WALL_PLANES; m++)
+    {
+        const float others = open / max(1.0 - profile[m].x, 1e-6);
+        density.Gradient -= profile[m].y * _InverseSupport * others * wall.Planes[m].xyz;
+    }
+    density.Value = 1.0 - open;
+    return density;
+}
+
+// What a particle's walls add; off is what it has without any. Loops that end at once are skipped where branches may not be.
+WallDensity MeshDensity(uint slot, float3 position, WallDensity off)
+{
+    for (bool there = slot != 0u; there; there = false)
+    {
+        off = DensityOf(WallOf(slot, position));
+    }
+    return off;
 }
 
 // Whether a segment from a particle, -d, goes through a face that it sees.
@@ -30,14 +64,13 @@ bool PassesFace(NearWall wall, float3 d)
 
 // Liquid on the other side of a thin sheet: both see a face between them. Symmetric, so momentum is kept. The other's walls
 // are read only where the own ones are passed, which elsewhere no neighbour does.
-bool IsCut(NearWall wall, uint other, float3 d)
+bool IsCut(NearWall wall, uint other, float3 otherPosition, float3 d)
 {
     bool cut = false;
-    [branch]
-    if (PassesFace(wall, d))
+    for (bool passes = PassesFace(wall, d); passes; passes = false)
     {
         const uint otherSlot = _WallSlot[other];
-        cut = otherSlot != 0u && PassesFace(WallOf(otherSlot), -d);
+        cut = otherSlot != 0u && PassesFace(WallOf(otherSlot, otherPosition), -d);
     }
     return cut;
 }

@@ -1,32 +1,28 @@
 #ifndef SPHFLUID_NEAR_WALL
 #define SPHFLUID_NEAR_WALL
 
-#include "Wendland.hlsl"
-
 #define WALL_PLANES 3
-#define NO_PLANE_DISTANCE 6e4 // over R: as far as a half float goes
+#define NO_PLANE_DISTANCE 1e30 // m
 
-// The walls that a particle sees.
+// The walls that a particle sees, from a place.
 struct NearWall
 {
-    float3 Gradient;   // of the walls' density over rho0, 1/m; the domain's faces included
-    float Value;       // that density over rho0
-    float4 Planes[WALL_PLANES]; // unit normal towards the particle, distance [m]; no plane: far away
+    float4 Planes[WALL_PLANES]; // unit normal towards the particle, distance of the place [m]; no plane: far away
+    float3 Weights;    // of each plane's density, 0 to 1; 0: no plane
     float3 Approach;   // speed of each plane along its normal, m/s
     float Friction;    // of the first triangle's wall, 0 free slip to 1 no slip; negative: that of the domain's faces
     float3 Velocity;   // of the first triangle's wall, m/s
     uint Flags;        // bits 0 to 2: the plane is a face's, not one beyond an edge; bits 4 and 5: the first triangle's plane, 3 for none
 };
 
-// The same as it is stored: density and force in full, what only holds velocities back to 3 digits, normals to 3e-5.
-// Mirrored by MeshWallBuffers.WallStride; 48 bytes.
+// The same as it is stored, for any place of the particle until the walls are gathered again: a plane's distance is n.x - offset.
+// Weights to 1e-5, normals to 3e-5, what only holds velocities back to 3 digits. Mirrored by MeshWallBuffers.WallStride; 44 bytes.
 struct PackedWall
 {
-    float3 Gradient;
-    float Value;
-    uint3 Normals;   // octahedral, 16 bits a coordinate; axes are exact
-    uint3 Distances; // half floats: distance over R, speed along the normal
-    uint2 Motion;    // half floats: velocity x, y; z and below it friction in thousandths, 1023 for the domain's, and flags
+    uint3 Normals;     // octahedral, 16 bits a coordinate; axes are exact
+    float3 Offsets;    // m
+    uint3 Planes;      // weight in 16 bits, speed along the normal as a half float
+    uint2 Motion;      // half floats: velocity x, y; z and below it friction in thousandths, 1023 for the domain's, and flags
 };
 
 #define DOMAIN_FRICTION 1023u
@@ -58,33 +54,38 @@ float2 UnpackHalves(uint packed)
     return float2(f16tof32(packed & 0xffffu), f16tof32(packed >> 16u));
 }
 
-PackedWall PackWall(NearWall wall)
+// A plane at a distance from a place, for PackedWall: the offset fits the normal as it is stored.
+void PackPlane(inout PackedWall packed, uint k, float3 position, float3 normal, float distance, float weight, float approach)
 {
-    PackedWall packed;
-    packed.Gradient = wall.Gradient;
-    packed.Value = wall.Value;
-    [unroll]
-    for (int k = 0; k < WALL_PLANES; k++)
-    {
-        packed.Normals[k] = PackNormal(wall.Planes[k].xyz);
-        packed.Distances[k] = PackHalves(min(wall.Planes[k].w * _InverseSupport, NO_PLANE_DISTANCE), wall.Approach[k]);
-    }
-    const uint friction = wall.Friction < 0.0 ? DOMAIN_FRICTION : uint(round(wall.Friction * 1000.0));
-    packed.Motion = uint2(PackHalves(wall.Velocity.x, wall.Velocity.y), (f32tof16(wall.Velocity.z) << 16u) | (friction << 6u) | wall.Flags);
+    const uint bits = PackNormal(normal);
+    packed.Normals[k] = bits;
+    packed.Offsets[k] = dot(UnpackNormal(bits), position) - distance;
+    packed.Planes[k] = uint(round(saturate(weight) * 65535.0)) | (f32tof16(approach) << 16u);
+}
+
+PackedWall NoWall()
+{
+    PackedWall packed = (PackedWall)0;
+    packed.Offsets = float3(-NO_PLANE_DISTANCE, -NO_PLANE_DISTANCE, -NO_PLANE_DISTANCE);
     return packed;
 }
 
-NearWall UnpackWall(PackedWall packed)
+uint2 PackMotion(float3 velocity, float friction, uint flags)
+{
+    const uint thousandths = friction < 0.0 ? DOMAIN_FRICTION : uint(round(friction * 1000.0));
+    return uint2(PackHalves(velocity.x, velocity.y), (f32tof16(velocity.z) << 16u) | (thousandths << 6u) | flags);
+}
+
+NearWall UnpackWall(PackedWall packed, float3 position)
 {
     NearWall wall;
-    wall.Gradient = packed.Gradient;
-    wall.Value = packed.Value;
     [unroll]
     for (int k = 0; k < WALL_PLANES; k++)
     {
-        const float2 halves = UnpackHalves(packed.Distances[k]);
-        wall.Planes[k] = float4(UnpackNormal(packed.Normals[k]), halves.x / _InverseSupport);
-        wall.Approach[k] = halves.y;
+        const float3 normal = UnpackNormal(packed.Normals[k]);
+        wall.Planes[k] = float4(normal, dot(normal, position) - packed.Offsets[k]);
+        wall.Weights[k] = float(packed.Planes[k] & 0xffffu) / 65535.0;
+        wall.Approach[k] = f16tof32(packed.Planes[k] >> 16u);
     }
     const uint friction = (packed.Motion.y >> 6u) & 1023u;
     wall.Velocity = float3(UnpackHalves(packed.Motion.x), UnpackHalves(packed.Motion.y).y);

@@ -92,13 +92,14 @@ namespace SphFluid.Tests
                     for (int round = 0; round < 2; round++) // the second from where the first came to rest
                     {
                         state.Buffers.Positions.SetData(from);
+                        state.Buffers.PositionTerms.SetData(from);
                         state.Buffers.NewPositions.SetData(to);
                         state.Buffers.NewVelocities.SetData(from.Select((p, i) => (to[i] - p) / settings.TimeStep).ToArray());
                         GpuTest.Run(cmd =>
                         {
-                            walls.Record(cmd, state);
-                            find.Record(cmd, state);
-                            resolve.Record(cmd, state, settings.TimeStep);
+                            walls.Record(cmd, state, state.Buffers.Positions);
+                            find.Record(cmd, state, new FluidStep(settings.TimeStep, settings.TimeStep, false));
+                            resolve.Record(cmd, state, new FluidStep(settings.TimeStep, settings.TimeStep, false));
                         });
                         Vector4[] end = GpuTest.Read<Vector4>(state.Buffers.NewPositions, Shots);
                         for (int i = 0; i < Shots; i++)

@@ -46,13 +46,15 @@ namespace SphFluid.Tests
             StandardState state = rig.State;
             float timeStep = rig.Settings.TimeStep;
             state.Buffers.Positions.SetData(from.Select(p => (Vector4)p).ToArray());
+            state.Buffers.PositionTerms.SetData(from.Select(p => (Vector4)p).ToArray());
+            var step = new FluidStep(timeStep, timeStep, false);
             state.Buffers.NewPositions.SetData(to.Select(p => (Vector4)p).ToArray());
             state.Buffers.NewVelocities.SetData(from.Select((p, i) => (Vector4)((to[i] - p) / timeStep)).ToArray());
             GpuTest.Run(cmd =>
             {
-                new GatherWallsPass(set).Record(cmd, state);
-                new FindContactsPass(set).Record(cmd, state);
-                new ResolveContactsPass(set).Record(cmd, state, timeStep);
+                new GatherWallsPass(set).Record(cmd, state, state.Buffers.Positions);
+                new FindContactsPass(set).Record(cmd, state, step);
+                new ResolveContactsPass(set).Record(cmd, state, step);
             });
             return GpuTest.Read<Vector4>(state.Buffers.NewPositions, from.Length).Select(p => (Vector3)p).ToArray();
         }

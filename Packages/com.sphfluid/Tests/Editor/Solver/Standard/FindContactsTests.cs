@@ -125,20 +125,63 @@ namespace SphFluid.Tests
             }
         }
 
+        // What GatherWalls said of the distance is trusted, so a triangle across the path is found only where the gap is used up.
+        [TestCase(0.5f, 0)]
+        [TestCase(2.05f, 0)]
+        [TestCase(2.3f, 1)]
+        public void WithinTheGapNothingIsLookedUp(float gapOverDisplacement, int far)
+        {
+            FluidSolverSettings settings = StandardStateRig.Water(2f * Vector3.one, Spacing);
+            using (var rig = new StandardStateRig(settings, 1))
+            using (CollisionBodies bodies = Bodies(settings, AcrossTriangle))
+            {
+                rig.State.Bodies = bodies;
+                const float displacement = 0.5f * Spacing;
+                rig.FillSorted(new[] { new FluidParticle(Vector3.zero, Vector3.zero, 0u) });
+                float gap = gapOverDisplacement * displacement;
+                bool free = gap > displacement + 1.02f * Rest;
+                Assert.That(Find(rig, new[] { displacement * Vector3.up }, gap).Length, Is.EqualTo(free ? 0 : 1));
+                float left = GpuTest.Read<float>(rig.State.Walls.WallGap, 1)[0];
+                Assert.That(left, Is.EqualTo(free ? gap - displacement : 0f).Within(0.2f).Percent.Or.EqualTo(0f).And.EqualTo(free ? left : 0f));
+                rig.FillSorted(new[] { new FluidParticle(Vector3.zero, Vector3.zero, 0u) });
+                if (free) Assert.That(Find(rig, new[] { displacement * Vector3.up }, left).Length, Is.EqualTo(1 - far), "the next step");
+            }
+        }
+
+        [Test]
+        public void ThroughAPeriodicFaceTheGapIsLost()
+        {
+            FluidSolverSettings settings = StandardStateRig.Water(2f * Vector3.one, Spacing, FluidAxes.X);
+            using (var rig = new StandardStateRig(settings, 1))
+            using (CollisionBodies bodies = Bodies(settings, FarTriangle))
+            {
+                rig.State.Bodies = bodies;
+                rig.FillSorted(new[] { new FluidParticle(new Vector3(0.9995f, 0f, 0f), Vector3.zero, 0u) });
+                Find(rig, new[] { new Vector3(-0.9995f, 0f, 0f) }, Spacing);
+                Assert.That(GpuTest.Read<float>(rig.State.Walls.WallGap, 1)[0], Is.Zero);
+            }
+        }
+
+        static List<Vector3> AcrossTriangle => new List<Vector3>
+        {
+            new Vector3(-0.1f, 0.2f * Spacing, -0.1f), new Vector3(0.1f, 0.2f * Spacing, -0.1f), new Vector3(0f, 0.2f * Spacing, 0.2f),
+        };
+
         static List<Vector3> FarTriangle => new List<Vector3>
         {
             new Vector3(0f, -0.9f, 0f), new Vector3(0.01f, -0.9f, 0f), new Vector3(0f, -0.9f, 0.01f),
         };
 
         // Runs the pass and returns the list, its arguments checked.
-        int[] Find(StandardStateRig rig, Vector3[] to)
+        int[] Find(StandardStateRig rig, Vector3[] to, float gap = 0f)
         {
             StandardState state = rig.State;
             state.RequireWalls();
             state.Buffers.NewPositions.SetData(to.Select(p => (Vector4)p).ToArray());
-            state.Walls.ContactArguments.SetData(new[] { 0u, 1u, 1u, 0u }); // as GatherWalls leaves them
+            state.Walls.ContactArguments.SetData(new[] { 0u, 1u, 1u, 0u }); // as the density pass leaves them
+            state.Walls.WallGap.SetData(Enumerable.Repeat(gap, state.ParticleCount).ToArray());
             var pass = new FindContactsPass(shaders);
-            GpuTest.Run(cmd => pass.Record(cmd, state));
+            GpuTest.Run(cmd => pass.Record(cmd, state, new FluidStep(1e-3f, 1e-3f, false)));
             uint[] arguments = GpuTest.Read<uint>(state.Walls.ContactArguments, 4);
             uint listed = arguments[3];
             uint groups = (listed + 63u) / 64u;

@@ -14,21 +14,58 @@ namespace SphFluid.Tests
 
         // PackedWall of NearWall.hlsl.
         [StructLayout(LayoutKind.Sequential)]
-        struct Wall
+        struct Packed
         {
-            public Vector3 Gradient;
-            public float Value;
             public uint Normal0, Normal1, Normal2;
-            public uint Distance0, Distance1, Distance2;
+            public float Offset0, Offset1, Offset2;
+            public uint Plane0, Plane1, Plane2;
             public uint VelocityXY, VelocityZ;
+        }
 
-            // Of the first plane; the distance over R.
-            public Vector3 Normal => Octahedral(Normal0);
-            public float Distance => Half(Distance0);
-            public float Approach => Half(Distance0 >> 16);
-            public Vector3 Velocity => new Vector3(Half(VelocityXY), Half(VelocityXY >> 16), Half(VelocityZ >> 16));
-            public uint Flags => VelocityZ & 63u;
-            public uint Friction => (VelocityZ >> 6) & 1023u;
+        // What is stored, seen from a particle's place.
+        readonly struct Wall
+        {
+            readonly Packed packed;
+            readonly Vector3 position;
+            readonly FluidSolverSettings settings;
+
+            public Wall(Packed packed, Vector3 position, FluidSolverSettings settings)
+            {
+                this.packed = packed;
+                this.position = position;
+                this.settings = settings;
+            }
+
+            // Of the first plane; the distance in metres.
+            public Vector3 Normal => Octahedral(packed.Normal0);
+            public double Distance => Away(position, 0);
+            public float Approach => Half(packed.Plane0 >> 16);
+            public Vector3 Velocity => new Vector3(Half(packed.VelocityXY), Half(packed.VelocityXY >> 16), Half(packed.VelocityZ >> 16));
+            public uint Flags => packed.VelocityZ & 63u;
+            public uint Friction => (packed.VelocityZ >> 6) & 1023u;
+            public double Value => packed.Plane0 == 0u ? 0.0 : ValueAt(position);
+
+            public double Gradient(int axis)
+            {
+                const double step = 1e-5;
+                var e = new Double3(axis == 0 ? step : 0, axis == 1 ? step : 0, axis == 2 ? step : 0);
+                return packed.Plane0 == 0u ? 0.0 : (ValueAt((Double3)position + e) - ValueAt((Double3)position - e)) / (2.0 * step);
+            }
+
+            double ValueAt(Double3 x)
+            {
+                double open = 1.0;
+                uint[] planes = { packed.Plane0, packed.Plane1, packed.Plane2 };
+                for (int k = 0; k < 3; k++)
+                    open *= 1.0 - (planes[k] & 0xffffu) / 65535.0 * StandardReference.Mirror(Away(x, k), settings.SupportRadius, settings.Spacing);
+                return 1.0 - open;
+            }
+
+            double Away(Double3 x, int k)
+            {
+                Vector3 n = Octahedral(k == 0 ? packed.Normal0 : k == 1 ? packed.Normal1 : packed.Normal2);
+                return x.X * n.x + x.Y * n.y + x.Z * n.z - (k == 0 ? packed.Offset0 : k == 1 ? packed.Offset1 : packed.Offset2);
+            }
 
             static float Half(uint bits) => Mathf.HalfToFloat((ushort)bits);
 
@@ -38,6 +75,17 @@ namespace SphFluid.Tests
                 if (z < 0f) (x, y) = ((1f - Mathf.Abs(y)) * (x < 0f ? -1f : 1f), (1f - Mathf.Abs(x)) * (y < 0f ? -1f : 1f));
                 return new Vector3(x, y, z).normalized;
             }
+        }
+
+        // The walls of each particle in the order of the last sort.
+        static Wall[] Read(StandardState state)
+        {
+            int count = state.ParticleCount;
+            uint[] slots = GpuTest.Read<uint>(state.Walls.WallSlot, count);
+            Packed[] packed = GpuTest.Read<Packed>(state.Walls.NearWalls, count);
+            Vector4[] positions = GpuTest.Read<Vector4>(state.Buffers.Positions, count);
+            return Enumerable.Range(0, count).Select(i =>
+                new Wall(slots[i] == 0u ? default : packed[slots[i] - 1], positions[i], state.Settings)).ToArray();
         }
 
         static List<Vector3> Box(Vector3 size, int cuts)
@@ -66,18 +114,15 @@ namespace SphFluid.Tests
             rig.Start(points.Select((p, i) => new FluidParticle(p, Vector3.zero, (uint)i)).ToArray());
             rig.Setup();
             uint[] ids = rig.Particles().Select(p => p.Id).ToArray();
-            MeshWallBuffers buffers = rig.State.Walls;
-            uint[] slots = GpuTest.Read<uint>(buffers.WallSlot, points.Length);
-            Wall[] walls = GpuTest.Read<Wall>(buffers.NearWalls, points.Length), result = new Wall[points.Length];
-            for (int i = 0; i < points.Length; i++)
-                result[ids[i]] = slots[i] == 0 ? default : walls[slots[i] - 1];
+            Wall[] walls = Read(rig.State), result = new Wall[points.Length];
+            for (int i = 0; i < points.Length; i++) result[ids[i]] = walls[i];
             return result;
         }
 
         static Vector3[] Points(int count, Vector3 size, int seed) => ParticleSets.Random(count, size, 0f, seed).Select(p => p.Position).ToArray();
 
         [Test]
-        public void WallStrideIsTheSizeOfTheStruct() => Assert.That(Marshal.SizeOf<Wall>(), Is.EqualTo(MeshWallBuffers.WallStride));
+        public void WallStrideIsTheSizeOfTheStruct() => Assert.That(Marshal.SizeOf<Packed>(), Is.EqualTo(MeshWallBuffers.WallStride));
 
         [TestCase(1)]
         [TestCase(5)]
@@ -104,7 +149,7 @@ namespace SphFluid.Tests
                     {
                         Double3 e = new Double3(axis == 0 ? step : 0, axis == 1 ? step : 0, axis == 2 ? step : 0);
                         double gradient = (StandardReference.Walls((Double3)points[i] + e, inner) - StandardReference.Walls((Double3)points[i] - e, inner)) / (2.0 * step);
-                        Assert.That(walls[i].Gradient[axis], Is.EqualTo(gradient).Within(2e-4 * slope), $"at {points[i]}");
+                        Assert.That(walls[i].Gradient(axis), Is.EqualTo(gradient).Within(2e-4 * slope), $"at {points[i]}");
                     }
                 }
                 Assert.That(felt, Is.GreaterThan(200));
@@ -128,10 +173,9 @@ namespace SphFluid.Tests
                 MeshWallBuffers buffers = rig.State.Walls;
                 rig.State.Buffers.Positions.SetData(points.Select(p => (Vector4)p).ToArray());
                 buffers.WallSlot.SetData(Enumerable.Repeat(4242u, count).ToArray());
-                buffers.ContactArguments.SetData(new[] { 9u, 9u, 9u, 9u });
-                GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.State));
+                GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.State, rig.State.Buffers.Positions));
                 uint[] slots = GpuTest.Read<uint>(buffers.WallSlot, count);
-                Wall[] walls = GpuTest.Read<Wall>(buffers.NearWalls, count);
+                Wall[] walls = Read(rig.State);
                 for (int i = 0; i < count; i++)
                 {
                     double near = double.MaxValue;
@@ -139,13 +183,40 @@ namespace SphFluid.Tests
                         near = Math.Min(near, 0.5 * size[axis] - Math.Abs(points[i][axis]));
                     if (Math.Abs(near / settings.SupportRadius - 1.0) > 3e-5)
                         Assert.That(slots[i] != 0u, Is.EqualTo(near < settings.SupportRadius), $"whether {i} has a wall");
-                    double value = slots[i] == 0u ? 0.0 : walls[slots[i] - 1].Value;
+                    double value = walls[i].Value;
                     Assert.That(value, Is.EqualTo(StandardReference.Walls(points[i], inner)).Within(1e-5), $"walls of {i}");
                 }
-                Assert.That(GpuTest.Read<uint>(buffers.ContactArguments, 4), Is.EqualTo(new[] { 0u, 1u, 1u, 0u }),
-                    "emptied for FindContacts");
             }
             UnityEngine.Object.DestroyImmediate(set);
+        }
+
+        // To any triangle, of a body at rest.
+        [Test]
+        public void TheGapIsTheDistanceToTheNearestTriangle([Values(1, 63, 64, 65, 257, 1009)] int count)
+        {
+            FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f);
+            var random = new System.Random(count);
+            var corners = new List<Vector3>();
+            for (int t = 0; t < 12; t++)
+            {
+                Vector3 at = 0.6f * ParticleSets.RandomVector(random);
+                for (int k = 0; k < 3; k++) corners.Add(at + 0.3f * ParticleSets.RandomVector(random));
+            }
+            using (var rig = new BodyRig(settings))
+            {
+                rig.Add(corners);
+                rig.Start(ParticleSets.Random(count, 0.9f * Vector3.one, 0f, 2));
+                rig.Setup();
+                Vector4[] at = GpuTest.Read<Vector4>(rig.State.Buffers.Positions, count);
+                float[] gaps = GpuTest.Read<float>(rig.State.Walls.WallGap, count);
+                for (int i = 0; i < count; i++)
+                {
+                    double nearest = settings.SupportRadius;
+                    for (int t = 0; t < corners.Count; t += 3)
+                        nearest = Math.Min(nearest, ExactGeometry.Distance(at[i], corners[t], corners[t + 1], corners[t + 2]));
+                    Assert.That(gaps[i], Is.LessThanOrEqualTo(nearest).And.GreaterThan(0.998 * nearest - 1e-6), $"particle {i}");
+                }
+            }
         }
 
         [Test]
@@ -166,7 +237,7 @@ namespace SphFluid.Tests
                     double expected = StandardReference.Mirror(distances[i / 2], settings.SupportRadius, Spacing);
                     Assert.That(walls[i].Value, Is.EqualTo(expected).Within(1e-5));
                     Assert.That((walls[i].Normal - (i % 2 == 0 ? normal : -normal)).magnitude, Is.LessThan(5e-5f));
-                    Assert.That(walls[i].Distance * settings.SupportRadius, Is.EqualTo(distances[i / 2]).Within(0.1).Percent);
+                    Assert.That(walls[i].Distance, Is.EqualTo(distances[i / 2]).Within(0.1).Percent);
                     Assert.That(walls[i].Friction, Is.EqualTo(1023u), "the domain's");
                     Assert.That(walls[i].Flags, Is.EqualTo(1u), "one face, which is a triangle's");
                 }
@@ -226,21 +297,21 @@ namespace SphFluid.Tests
                 Assert.That(rig.Bodies.HasStretch, Is.True);
                 rig.Solver.State.BeginBodyStep(0, 1, settings.TimeStep);
                 FluidShaderSet set = TestShaders.CreateSet();
-                GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.State));
+                GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.State, rig.State.Buffers.Positions));
                 UnityEngine.Object.DestroyImmediate(set);
                 Vector4[] at = GpuTest.Read<Vector4>(rig.State.Buffers.Positions, points.Length);
                 MeshWallBuffers buffers = rig.State.Walls;
                 uint[] slots = GpuTest.Read<uint>(buffers.WallSlot, points.Length);
-                Wall[] walls = GpuTest.Read<Wall>(buffers.NearWalls, points.Length);
+                Wall[] walls = Read(rig.State);
                 inner.DomainSize = 0.4f * new Vector3(0.9f, 1.3f, 1.1f); // where the step begins
                 int felt = 0;
                 for (int i = 0; i < points.Length; i++)
                 {
                     double expected = StandardReference.Walls((Vector3)at[i], inner);
-                    double value = slots[i] == 0 ? 0.0 : walls[slots[i] - 1].Value;
+                    double value = walls[i].Value;
                     Assert.That(value, Is.EqualTo(expected).Within(2e-5), $"at {at[i]}");
                     if (slots[i] == 0) continue;
-                    Wall wall = walls[slots[i] - 1];
+                    Wall wall = walls[i];
                     int axis = Mathf.Abs(wall.Normal.x) > 0.5f ? 0 : Mathf.Abs(wall.Normal.y) > 0.5f ? 1 : 2;
                     float speed = (axis == 0 ? -0.02f : 0.02f) / settings.TimeStep; // half of 0.4 m by 0.1 a step, into the box along x
                     Assert.That(wall.Approach, Is.EqualTo(-speed).Within(1).Percent, $"of axis {axis}");
@@ -286,9 +357,9 @@ namespace SphFluid.Tests
                     sheet.localRotation = Quaternion.Euler(0f, 0f, 60f);
                     rig.UpdateBodies();
                     rig.Solver.State.BeginBodyStep(1, 2, settings.TimeStep);
-                    GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.State));
+                    GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.State, rig.State.Buffers.Positions));
                     rig.Solver.State.EndBodySteps();
-                    Wall wall = GpuTest.Read<Wall>(rig.State.Walls.NearWalls, 1)[0];
+                    Wall wall = Read(rig.State)[0];
                     Assert.That((wall.Normal - normal).magnitude, Is.LessThan(1e-4f), $"{wall.Normal}");
                 }
             }
@@ -355,7 +426,7 @@ namespace SphFluid.Tests
                 rig.UpdateBodies();
                 Assert.That(rig.Bodies.IsUnderWay, Is.True);
                 GpuTest.Run(cmd => rig.Solver.RecordSteps(cmd, 4));
-                Wall wall = GpuTest.Read<Wall>(rig.State.Walls.NearWalls, 1)[0];
+                Wall wall = Read(rig.State)[0];
                 float time = 4f * settings.TimeStep;
                 Assert.That(wall.Velocity.x, Is.EqualTo(0.02f / time).Within(0.2).Percent);
                 Assert.That(wall.Velocity.y, Is.EqualTo(0.004f / time).Within(0.2).Percent);

@@ -154,7 +154,7 @@ namespace SphFluid.Tests
             {
                 FluidParticle[] start = rig.FillSorted(all);
                 int live = start.Count(p => !p.IsRemoved);
-                StandardStateRig.Fill(rig.State.Buffers.DensityTerms, new Vector2[count]);
+                rig.SetTerms(new Vector2[count]);
                 FillList(rig, start, false);
                 FluidParticle[] end = Move(rig, new FluidStep(TimeStep, TimeStep, false), out Vector4[] places);
                 float face = 0.5f * Domain.x;
@@ -227,7 +227,7 @@ namespace SphFluid.Tests
             using (var rig = new StandardStateRig(settings, 1))
             {
                 rig.FillSorted(new[] { new FluidParticle(position, velocity, 5u) });
-                rig.State.Buffers.DensityTerms.SetData(new[] { new Vector2(settings.RestDensity, 0f) });
+                rig.SetTerms(new[] { new Vector2(settings.RestDensity, 0f) });
                 rig.State.List.Counts.SetData(new uint[1]);
                 FluidParticle end = Move(rig, step, out _)[0];
                 counters = rig.Counters();
@@ -261,7 +261,7 @@ namespace SphFluid.Tests
                 terms[i] = new Vector2((float)density[i], (float)(pressure / (density[i] * density[i])));
             }
 
-            rig.State.Buffers.DensityTerms.SetData(terms);
+            rig.SetTerms(terms);
             return density;
         }
 

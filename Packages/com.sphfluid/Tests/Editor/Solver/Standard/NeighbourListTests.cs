@@ -42,7 +42,7 @@ namespace SphFluid.Tests
             FluidParticle[] Run(bool list)
             {
                 FluidSolverSettings settings = BodyRig.Water(Domain, Spacing, 0.3f);
-                settings = settings.WithOwn((ref StandardSettings own) => own.NeighbourList = list);
+                settings = With(settings, list);
                 using (var rig = new BodyRig(settings))
                 {
                     rig.Add(new[] { new Vector3(0.01f, -0.5f, -0.5f), new Vector3(0.01f, 1.5f, -0.5f), new Vector3(0.01f, -0.5f, 1.5f) });
@@ -84,9 +84,13 @@ namespace SphFluid.Tests
             }
         }
 
+        // Every step sorts anew.
+        static FluidSolverSettings With(in FluidSolverSettings settings, bool list) =>
+            settings.WithOwn((ref StandardSettings own) => (own.NeighbourList, own.StepsPerSort) = (list, 1));
+
         static FluidParticle[] Run(FluidSolverSettings settings, bool list, FluidParticle[] start, int steps)
         {
-            settings = settings.WithOwn((ref StandardSettings own) => own.NeighbourList = list);
+            settings = With(settings, list);
             using (var rig = new StandardRig(settings, start))
             {
                 rig.Steps(steps);

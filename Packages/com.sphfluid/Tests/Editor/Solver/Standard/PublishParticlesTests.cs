@@ -21,14 +21,15 @@ namespace SphFluid.Tests
                 StandardBuffers held = rig.State.Buffers;
                 Vector4[] positions = GpuTest.Read<Vector4>(held.Positions, count), velocities = GpuTest.Read<Vector4>(held.Velocities, count);
                 float[] densities = rig.Densities(), pressures = rig.Pressures();
-                Vector2[] density = GpuTest.Read<Vector2>(held.DensityTerms, count);
+                float[] density = GpuTest.Read<float>(held.Densities, count);
+                Vector4[] terms = GpuTest.Read<Vector4>(held.PositionTerms, count);
                 for (int i = 0; i < count; i++)
                 {
                     Assert.That(particles[i].Position, Is.EqualTo((Vector3)positions[i]), $"position {i}");
                     Assert.That(particles[i].VelT0, Is.EqualTo((Vector3)velocities[i]), $"velocity {i}");
                     Assert.That(particles[i].VelT1, Is.EqualTo((Vector3)velocities[i]), $"second velocity {i}");
-                    Assert.That(densities[i], Is.EqualTo(density[i].x), $"density {i}");
-                    Assert.That(pressures[i], Is.EqualTo(density[i].y * density[i].x * density[i].x).Within(1e-3).Percent, $"pressure {i}");
+                    Assert.That(densities[i], Is.EqualTo(density[i]), $"density {i}");
+                    Assert.That(pressures[i], Is.EqualTo(terms[i].w * density[i] * density[i]).Within(1e-3).Percent, $"pressure {i}");
                 }
                 Assert.That(particles.Select(p => p.Id).OrderBy(id => id), Is.EqualTo(Enumerable.Range(0, count).Select(i => (uint)i)));
             }

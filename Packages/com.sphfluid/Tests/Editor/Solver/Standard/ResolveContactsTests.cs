@@ -133,7 +133,7 @@ namespace SphFluid.Tests
         {
             StandardState state = rig.State;
             int count = from.Length;
-            state.Buffers.Positions.SetData(from.Select(p => (Vector4)p).ToArray());
+            state.Buffers.PositionTerms.SetData(from.Select(p => (Vector4)p).ToArray());
             state.Buffers.NewPositions.SetData(to.Select(p => (Vector4)p).ToArray());
             state.Buffers.NewVelocities.SetData(from.Select((p, i) =>
                 StandardStateRig.WithW((to[i] - p) / TimeStep, StandardStateRig.FromBits(7u * (uint)i))).ToArray());
@@ -142,7 +142,7 @@ namespace SphFluid.Tests
             state.Walls.ContactArguments.SetData(new[] { (uint)(list.Length + 63) / 64u, 1u, 1u, (uint)list.Length });
             FluidShaderSet shaders = TestShaders.CreateSet();
             var pass = new ResolveContactsPass(shaders);
-            GpuTest.Run(cmd => pass.Record(cmd, state, TimeStep));
+            GpuTest.Run(cmd => pass.Record(cmd, state, new FluidStep(TimeStep, TimeStep, false)));
             Object.DestroyImmediate(shaders);
             Vector4[] moved = GpuTest.Read<Vector4>(state.Buffers.NewVelocities, count);
             for (int i = 0; i < count; i++)

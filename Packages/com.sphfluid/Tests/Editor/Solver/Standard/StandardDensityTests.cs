@@ -95,9 +95,10 @@ namespace SphFluid.Tests
                 var records = new List<uint[]>();
                 for (int i = 0; i < count; i++)
                 {
-                    float value = i % 2 == 0 ? 0.01f * i : 0f;
-                    records.Add(Record(value, 0u, 0f, false));
+                    float distance = 0.01f * i * Spacing;
+                    records.Add(Record(particles[i].Position, 32767u, distance, 1f, false));
                     if (i % 2 != 0) continue;
+                    double value = StandardReference.Mirror(distance, settings.SupportRadius, Spacing);
                     double domain = StandardReference.Walls(particles[i].Position, settings);
                     expected[i] += settings.RestDensity * (value - domain) / StandardReference.Response(settings);
                 }
@@ -121,12 +122,12 @@ namespace SphFluid.Tests
             using (StandardStateRig rig = WithAWall(settings, count, out CollisionBodies bodies))
             {
                 FluidParticle[] all = ParticleSets.Random(count, 0.5f * Domain, 1f, 6);
-                for (int i = 0; i < count; i++) // clear of the distance's rounding to half
+                for (int i = 0; i < count; i++) // clear of the distance's rounding
                     all[i].Position.x += (all[i].Position.x < 0f ? -0.02f : 0.02f) * Spacing;
 
                 FluidParticle[] particles = rig.FillSorted(all);
-                SetWalls(rig, particles.Select(p => Record(0f, p.Position.x > 0f ? alongX : againstX,
-                    Mathf.Abs(p.Position.x) / settings.SupportRadius, true)).ToList(), _ => true);
+                SetWalls(rig, particles.Select(p => Record(p.Position, p.Position.x > 0f ? alongX : againstX,
+                    Mathf.Abs(p.Position.x), 0f, true)).ToList(), _ => true);
                 Vector2[] terms = Record(rig);
                 bodies.Dispose();
                 for (int i = 0; i < count; i++)
@@ -142,13 +143,58 @@ namespace SphFluid.Tests
             }
         }
 
+        // Steps after the sort each particle is elsewhere; the pairs are still those of the sort.
+        [Test]
+        public void ListedDensityIsTheSumOverTheListAtPresentPlaces(
+            [Values(1, 63, 64, 65, 257, 1009)] int count, [Values(FluidAxes.None, FluidAxes.X | FluidAxes.Z)] FluidAxes periodic)
+        {
+            FluidSolverSettings settings = StandardStateRig.Water(Domain, Spacing, periodic);
+            using (var rig = new StandardStateRig(settings, count))
+            {
+                FluidParticle[] all = ParticleSets.Random(count, Domain, 1f, 3);
+                for (int i = 0; i < count / 5; i++) all[i].Position *= 0.15f; // more than a list holds
+                FluidParticle[] sorted = rig.FillSorted(all);
+                Record(rig);
+                uint[] counts = GpuTest.Read<uint>(rig.State.List.Counts, count);
+                var random = new System.Random(count);
+                FluidParticle[] moved = sorted.Select(p =>
+                {
+                    p.Position += 0.05f * Spacing * ParticleSets.RandomVector(random);
+                    p.Position = Vector3.Max(Vector3.Min(p.Position, 0.5f * Domain), -0.5f * Domain);
+                    return p;
+                }).ToArray();
+                StandardStateRig.Fill(rig.State.Buffers.NewPositions, moved.Select(p => (Vector4)p.Position).ToArray());
+                GpuTest.Run(cmd => new StandardDensityPass(rig.Shaders).RecordListed(cmd, rig.State));
+                Vector2[] terms = rig.Terms();
+                Vector4[] places = GpuTest.Read<Vector4>(rig.State.Buffers.PositionTerms, count);
+                Assert.That(places.Select(p => (Vector3)p), Is.EqualTo(moved.Select(p => p.Position)));
+
+                // Who came within R since the sort is missing; of a listed particle that is all that is.
+                double rest = settings.RestDensity;
+                for (int i = 0; i < count; i++)
+                {
+                    double late = 0.0;
+                    bool isListed = counts[i] <= rig.State.List.Length;
+                    for (int j = 0; j < count && isListed; j++)
+                    {
+                        double before = ThesisReference.Separation(sorted[i], sorted[j], settings.PeriodLength).Length;
+                        double now = ThesisReference.Separation(moved[i], moved[j], settings.PeriodLength).Length;
+                        if (j != i && before >= settings.SupportRadius && now < settings.SupportRadius)
+                            late += settings.ParticleMass * StandardReference.Kernel(now, settings.SupportRadius);
+                    }
+                    double expected = StandardReference.Density(moved, i, settings) - late / StandardReference.Response(settings);
+                    Assert.That(terms[i].x, Is.EqualTo(expected).Within(3e-5 * Math.Max(rest, expected)), $"density of {i}");
+                }
+            }
+        }
+
         static Vector2[] Record(StandardStateRig rig)
         {
             int count = rig.State.ParticleCount;
-            rig.State.Buffers.DensityTerms.SetData(Enumerable.Repeat(Canary, count).ToArray());
+            rig.SetTerms(Enumerable.Repeat(Canary, count).ToArray());
             var pass = new StandardDensityPass(rig.Shaders);
             GpuTest.Run(cmd => pass.Record(cmd, rig.State));
-            return GpuTest.Read<Vector2>(rig.State.Buffers.DensityTerms, count);
+            return rig.Terms();
         }
 
         static void AssertTerms(Vector2[] terms, FluidParticle[] particles, in FluidSolverSettings settings)
@@ -188,16 +234,15 @@ namespace SphFluid.Tests
             return rig;
         }
 
-        // PackedWall of NearWall.hlsl with one plane, the others far away.
-        static uint[] Record(float value, uint normal, float distanceOverSupport, bool isFace)
+        // PackedWall of NearWall.hlsl with one plane along x or against it, the others far away; a weight of 0 only hides.
+        static uint[] Record(Vector3 position, uint normal, float distance, float weight, bool isFace)
         {
-            uint far = Mathf.FloatToHalf(6e4f);
             var words = new uint[MeshWallBuffers.WallStride / 4];
-            words[3] = StandardStateRig.ToBits(value);
-            words[4] = normal;
-            words[7] = isFace ? Mathf.FloatToHalf(distanceOverSupport) : far;
-            words[8] = words[9] = far;
-            words[11] = isFace ? 1u : 0u;
+            words[0] = normal;
+            words[3] = StandardStateRig.ToBits(position.x * ((short)normal > 0 ? 1f : -1f) - distance);
+            words[4] = words[5] = StandardStateRig.ToBits(-1e30f);
+            words[6] = (uint)(65535f * weight);
+            words[10] = isFace ? 1u : 0u;
             return words;
         }
 

@@ -82,7 +82,8 @@ namespace SphFluid.Tests
             for (int i = 1; i < starts.Length; i++) starts[i] += starts[i - 1];
             State.Buffers.CellStart.SetData(starts);
             State.Buffers.CellCount.SetData(new uint[removed + 1]);
-            Fill(State.Buffers.Positions, sorted.Select(p => WithW(p.Position, p.Removed)).ToArray());
+            Fill(State.Buffers.Positions, sorted.Select(p => WithW(p.Position, 0f)).ToArray());
+            Fill(State.Buffers.PositionTerms, sorted.Select(p => WithW(p.Position, 0f)).ToArray());
             Fill(State.Buffers.Velocities, sorted.Select(p => WithW(p.VelT0, FromBits(p.Id))).ToArray());
             return sorted;
         }
@@ -112,6 +113,23 @@ namespace SphFluid.Tests
                 uint[] own = cell.Select(i => ranks[i]).ToArray();
                 Assert.That(own, Is.Unique.And.All.LessThan(count), $"ranks in cell {cell.Key}");
             }
+        }
+
+        /// <summary>Gives the particles densities and p/ρ².</summary>
+        public void SetTerms(Vector2[] terms)
+        {
+            int count = State.ParticleCount;
+            Vector4[] places = GpuTest.Read<Vector4>(State.Buffers.PositionTerms, count);
+            State.Buffers.Densities.SetData(terms.Select(t => t.x).ToArray());
+            State.Buffers.PositionTerms.SetData(places.Zip(terms, (p, t) => WithW(p, t.y)).ToArray());
+        }
+
+        /// <summary>Densities and p/ρ² of the particles.</summary>
+        public Vector2[] Terms()
+        {
+            int count = State.ParticleCount;
+            return GpuTest.Read<float>(State.Buffers.Densities, count)
+                .Zip(GpuTest.Read<Vector4>(State.Buffers.PositionTerms, count), (density, place) => new Vector2(density, place.w)).ToArray();
         }
 
         /// <summary>The counters on the GPU.</summary>

@@ -61,14 +61,15 @@ namespace SphFluid.Tests
                     motion.MoveTo(rig.Solids.Single().State);
 
                     state.Buffers.Positions.SetData(from);
+                    state.Buffers.PositionTerms.SetData(from);
                     state.Buffers.NewPositions.SetData(to);
                     state.Buffers.NewVelocities.SetData(from.Select((p, i) => (to[i] - p) / settings.TimeStep).ToArray());
                     state.BeginBodyStep(0, 1, settings.TimeStep);
                     GpuTest.Run(cmd =>
                     {
-                        walls.Record(cmd, state);
-                        find.Record(cmd, state);
-                        resolve.Record(cmd, state, settings.TimeStep);
+                        walls.Record(cmd, state, state.Buffers.Positions);
+                        find.Record(cmd, state, new FluidStep(settings.TimeStep, settings.TimeStep, false));
+                        resolve.Record(cmd, state, new FluidStep(settings.TimeStep, settings.TimeStep, false));
                     });
                     state.EndBodySteps();
                     Vector4[] end = GpuTest.Read<Vector4>(state.Buffers.NewPositions, Shots);

@@ -1,0 +1,173 @@
+using System;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Steps that keep the order of particles and their lists of neighbours, against steps that sort and search anew.</summary>
+    public sealed class ListReuseTests
+    {
+        const float Spacing = 0.05f;
+
+        static readonly Vector3 Domain = new Vector3(0.6f, 0.7f, 0.5f);
+
+        static FluidSolverSettings Water(int stepsPerSort, FluidAxes periodic = FluidAxes.None)
+        {
+            FluidSolverSettings settings = BodyRig.Water(Domain, Spacing, 0.3f);
+            settings.Boundaries.Periodic = periodic;
+            return settings.WithOwn((ref StandardSettings own) => own.StepsPerSort = stepsPerSort);
+        }
+
+        static FluidParticle[] Run(FluidSolverSettings settings, FluidParticle[] start, int steps, out long setups)
+        {
+            using (var rig = new StandardRig(settings, start))
+            {
+                rig.Solver.FlowSpeed = 0f; // as many steps a list as the settings allow
+                rig.Steps(steps);
+                setups = rig.Solver.SetupCount;
+                return rig.Particles().OrderBy(p => p.Id).ToArray();
+            }
+        }
+
+        // Pairs that come within R between two sorts are found late: their weight is next to none.
+        [TestCase(FluidAxes.None)]
+        [TestCase(FluidAxes.All)]
+        public void AListThatServesEightStepsMovesTheLiquidAsOneThatServesOne(FluidAxes periodic)
+        {
+            FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(9, 8, 7), Spacing, 0.1f * Spacing, 3);
+            FluidParticle[] kept = Run(Water(8, periodic), start, 24, out long few), fresh = Run(Water(1, periodic), start, 24, out long many);
+            Assert.That(few, Is.EqualTo(3));
+            Assert.That(many, Is.EqualTo(24));
+            float fastest = fresh.Max(p => p.VelT0.magnitude);
+            double error = Math.Sqrt(kept.Zip(fresh, (a, b) => (double)(a.VelT0 - b.VelT0).sqrMagnitude).Average());
+            Assert.That(fastest, Is.GreaterThan(0.05f), "it moves");
+            Assert.That(error, Is.LessThan(0.01 * fastest));
+        }
+
+        // Each pair is in both lists or in none, and is computed from the same places.
+        [Test]
+        public void MomentumStays([Values(63, 257, 1009)] int count)
+        {
+            FluidSolverSettings settings = Water(8, FluidAxes.All);
+            settings.Gravity = Vector3.zero;
+            FluidParticle[] start = ParticleSets.Random(count, Domain, 0.5f, 11);
+            FluidParticle[] end = Run(settings, start, 8, out _);
+            Double3 Sum(FluidParticle[] particles) => particles.Aggregate(default(Double3), (sum, p) => sum + p.VelT0);
+            double fastest = end.Max(p => p.VelT0.magnitude);
+            Assert.That(end.Zip(start, (a, b) => (a.VelT0 - b.VelT0).magnitude).Max(), Is.GreaterThan(0.01 * fastest), "they push each other");
+            Assert.That((Sum(end) - Sum(start)).Length, Is.LessThan(2e-6 * count * fastest));
+        }
+
+        [Test]
+        public void EqualRunsAreEqualToTheLastBit()
+        {
+            FluidParticle[] start = ParticleSets.Random(1009, Domain, 0.5f, 2);
+            Assert.That(Run(Water(4), start, 30, out _), Is.EqualTo(Run(Water(4), start, 30, out _)));
+        }
+
+        // 200 particles within R of each other: no list holds them, so steps that keep the order search among those of the cells at the sort.
+        [Test]
+        public void WhoHasMoreNeighboursThanTheListHoldsIsPushedAsByASearch()
+        {
+            FluidParticle[] start = ParticleSets.Random(200, Vector3.one * (0.9f * Spacing), 0f, 7);
+            FluidSolverSettings Slow(int steps)
+            {
+                FluidSolverSettings settings = Water(steps);
+                settings.TimeStep *= 1e-3f;
+                return settings;
+            }
+            FluidParticle[] kept = Run(Slow(4), start, 4, out _), fresh = Run(Slow(1), start, 4, out _);
+            float fastest = fresh.Max(p => p.VelT0.magnitude);
+            Assert.That(fastest, Is.GreaterThan(0f));
+            for (int i = 0; i < start.Length; i++)
+                Assert.That((kept[i].VelT0 - fresh[i].VelT0).magnitude, Is.LessThan(1e-3f * fastest), $"particle {i}");
+        }
+
+        // Two slabs a little farther apart than R that close by 0.8 R in the steps of one list: seen only at the next sort they would go on
+        // as if they were alone.
+        [Test]
+        public void BodiesThatMeetBetweenTwoSortsAreSeenAhead()
+        {
+            FluidSolverSettings Meeting(int steps)
+            {
+                FluidSolverSettings settings = Water(steps);
+                settings.Gravity = Vector3.zero;
+                return settings;
+            }
+            FluidSolverSettings water = Meeting(8);
+            float radius = water.SupportRadius, speed = 0.4f * radius / (7f * water.TimeStep);
+            FluidParticle[] slab = ParticleSets.Lattice(new Vector3Int(2, 6, 6), Spacing, 0f, 1);
+            float half = slab.Max(p => p.Position.x) + 0.51f * radius;
+            FluidParticle[] start = slab.Select(p => new FluidParticle(p.Position - half * Vector3.right, speed * Vector3.right, p.Id))
+                .Concat(slab.Select(p => new FluidParticle(p.Position + half * Vector3.right, speed * Vector3.left, p.Id + (uint)slab.Length))).ToArray();
+            FluidParticle[] fresh = After(Meeting(1)), kept = After(water);
+            double Momentum(FluidParticle[] particles) => particles.Take(slab.Length).Sum(p => (double)p.VelT0.x) / slab.Length;
+            double stopped = speed - Momentum(fresh);
+            Assert.That(stopped, Is.GreaterThan(0.01 * speed), "they have met");
+            Assert.That(speed - Momentum(kept), Is.EqualTo(stopped).Within(20).Percent);
+
+            // The first lists are of particles just loaded, which look nowhere ahead: a step before the block.
+            FluidParticle[] After(FluidSolverSettings settings)
+            {
+                using (var rig = new StandardRig(settings, start))
+                {
+                    rig.Solver.FlowSpeed = 0f;
+                    GpuTest.Run(cmd => rig.Solver.RecordSteps(cmd, 1));
+                    rig.Steps(8);
+                    return rig.Particles().OrderBy(p => p.Id).ToArray();
+                }
+            }
+        }
+
+        [Test]
+        public void TheFasterTheLiquidTheFewerStepsAListServes()
+        {
+            FluidSolverSettings settings = Water(8);
+            using (var rig = new StandardStateRig(settings, 64))
+            {
+                int Steps(float speed) => ListReuse.Steps(rig.State, 10, settings.TimeStep, speed);
+                Assert.That(Steps(0f), Is.EqualTo(8));
+                Assert.That(Steps(float.MaxValue), Is.EqualTo(1));
+                float once = 0.3f * settings.SupportRadius / settings.TimeStep; // two bodies at this speed close 0.6 R a step
+                Assert.That(Steps(1.01f * once), Is.EqualTo(1));
+                Assert.That(Steps(0.99f * once), Is.EqualTo(2));
+                Assert.That(Steps(0.49f * once), Is.EqualTo(3));
+            }
+        }
+
+        [Test]
+        public void WithoutListsEveryStepSorts()
+        {
+            FluidSolverSettings settings = Water(8).WithOwn((ref StandardSettings own) => own.NeighbourList = false);
+            Run(settings, ParticleSets.Random(65, Domain, 0.1f, 1), 6, out long setups);
+            Assert.That(setups, Is.EqualTo(6));
+        }
+
+        // Beyond an open face a particle goes on freely until the next sort, and is taken out then.
+        [Test]
+        public void LiquidLeavesThroughOpenFacesAtTheNextSort()
+        {
+            FluidSolverSettings settings = Water(8);
+            settings.Boundaries.Open = FluidFaces.LowY;
+            FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(5, 5, 5), Spacing, 0.02f * Spacing, 5);
+            using (var rig = new StandardRig(settings, start))
+            {
+                rig.Solver.FlowSpeed = 0f;
+                for (int turn = 0; turn < 60 && rig.Solver.ReadCountersNow().Removed < start.Length; turn++)
+                {
+                    rig.Steps(16);
+                    FluidParticle[] particles = rig.Particles();
+                    Assert.That(particles.Select(p => p.Id).OrderBy(id => id), Is.EqualTo(start.Select(p => p.Id)));
+                    Assert.That(particles.All(p => p.IsRemoved || p.Position.y >= -0.5f * Domain.y), "at a sort nobody is beyond an open face");
+                }
+                Assert.That(rig.Solver.ReadCountersNow().Removed, Is.EqualTo(start.Length));
+            }
+        }
+
+        [TestCase(0)]
+        [TestCase(-3)]
+        public void ANumberOfStepsBelowOneIsNamed(int steps) => Assert.That(() => Water(steps).Own<StandardSettings>().Validate(),
+            Throws.ArgumentException.With.Message.Contains("StepsPerSort"));
+    }
+}
