@@ -25,5 +25,8 @@ namespace SphFluid
 
         /// <summary>Density and force have different kernels, which feeds energy in and makes particles pair.</summary>
         TwoKernels = 32,
+
+        /// <summary>The speed of sound can change while the liquid runs.</summary>
+        FollowingSoundSpeed = 64,
     }
 }

@@ -13,7 +13,7 @@ namespace SphFluid
         public override FluidMethodKind Kind => FluidMethodKind.Standard;
 
         public override FluidMethodFeatures Features => FluidMethodFeatures.OpenFaces | FluidMethodFeatures.BodyContact |
-            FluidMethodFeatures.ColliderFriction | FluidMethodFeatures.RelaxedStart;
+            FluidMethodFeatures.ColliderFriction | FluidMethodFeatures.RelaxedStart | FluidMethodFeatures.FollowingSoundSpeed;
 
         public override ShaderGroup Shaders => Group;
 
