@@ -8,15 +8,21 @@ namespace SphFluid
     /// </summary>
     internal sealed class SleepWatch
     {
-        // Over √(g dx) and over dx.
+        // Over √(g dx).
         const double QuietSpeed = 0.2;
-        const double QuietDistance = 0.25;
+
+        // Over dx. Particles of a pool at rest stay where they are but for a few that find a better place.
+        const double QuietDistance = 0.15;
+        const double LongestDistance = 0.75;
+
+        // ν over c R by rule: below it motion that is left is noise, above it the liquid is meant to creep.
+        const double ThinViscosity = 0.001;
 
         // Over the longest period, and s.
         const double Periods = 1.25;
-        const double LeastTime = 1.0;
+        const double LeastTime = 2.0;
 
-        double speedLimit, distanceLimit, holdTime;
+        double speedLimit, distanceLimit, farthestLimit, holdTime;
         double quiet;
         int kept;
 
@@ -33,7 +39,10 @@ namespace SphFluid
         {
             double acceleration = LiquidPotential.Acceleration(settings);
             speedLimit = QuietSpeed * Math.Sqrt(acceleration * settings.Spacing);
-            distanceLimit = QuietDistance * settings.Spacing;
+            double viscosity = settings.Viscosity / settings.RestDensity;
+            double thin = Math.Min(1.0, ThinViscosity * settings.SoundSpeed * settings.SupportRadius / Math.Max(viscosity, 1e-12));
+            distanceLimit = QuietDistance * thin * settings.Spacing;
+            farthestLimit = LongestDistance * thin * settings.Spacing;
             holdTime = Math.Max(LeastTime, Periods * LiquidPotential.LongestPeriod(settings, depth));
         }
 
@@ -58,7 +67,7 @@ namespace SphFluid
                 quiet = 0.0;
                 kept = 0;
             }
-            else if (kept == 0 || sample.Kept == kept && !(sample.Distance < distanceLimit))
+            else if (kept == 0 || sample.Kept == kept && !(sample.Distance < distanceLimit && sample.Farthest < farthestLimit))
             {
                 quiet = 0.0;
                 kept = keepPlaces();

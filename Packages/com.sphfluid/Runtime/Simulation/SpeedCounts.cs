@@ -65,10 +65,13 @@ namespace SphFluid
         /// <summary>Fastest particle at the end of the frame, up to 6 % too much [m/s].</summary>
         public float Present;
 
-        /// <summary>Farthest distance of a particle from where it was when its place was kept, up to 6 % too much [m].</summary>
+        /// <summary>Distance from where they were when their places were kept that all but a hundredth do not exceed, up to 6 % too much [m].</summary>
         public float Distance;
 
-        /// <summary>Number of the keeping of places that <see cref="Distance"/> is from; 0: none.</summary>
+        /// <summary>The farthest of these distances, up to 6 % too much [m].</summary>
+        public float Farthest;
+
+        /// <summary>Number of the keeping of places that the distances are from; 0: none.</summary>
         public int Kept;
 
         /// <summary>From the numbers of a measurement.</summary>
@@ -77,7 +80,8 @@ namespace SphFluid
             Fastest = Finite(BitConverter.Int32BitsToSingle(unchecked((int)counts[SpeedCounts.Fastest]))),
             Head = SpeedCounts.Quantile(counts, SpeedCounts.Heads, Bulk),
             Present = SpeedCounts.Quantile(counts, SpeedCounts.Speeds, 1.0),
-            Distance = SpeedCounts.Quantile(counts, SpeedCounts.Distances, 1.0),
+            Distance = SpeedCounts.Quantile(counts, SpeedCounts.Distances, Bulk),
+            Farthest = SpeedCounts.Quantile(counts, SpeedCounts.Distances, 1.0),
             Kept = kept,
         };
 

@@ -50,8 +50,8 @@ namespace SphFluid.Tests
         {
             FluidSimulation simulation = Pool();
             GameObject box = rig.NewObject("Box");
-            box.AddComponent<BoxCollider>().size = new Vector3(0.06f, 0.06f, 0.06f);
-            box.transform.position = new Vector3(0.1f, 0.1f, 0f);
+            box.AddComponent<BoxCollider>().size = new Vector3(0.05f, 0.05f, 0.05f);
+            box.transform.position = new Vector3(0.06f, 0.1f, 0f);
             yield return UntilAsleep(simulation);
             foreach ((string what, Action touch) in Touches(simulation, box))
             {
@@ -81,7 +81,7 @@ namespace SphFluid.Tests
         public IEnumerator SloshingLiquidAndLiquidThatMayNotDoNotSleep()
         {
             FluidSimulation sloshing = Pool("Sloshing");
-            sloshing.VelocityField = position => new Vector3(0.25f * Mathf.Cos(Mathf.PI * position.x / 0.4f), 0f, 0f);
+            sloshing.VelocityField = position => new Vector3(0.25f * Mathf.Cos(Mathf.PI * position.x / 0.2f), 0f, 0f);
             FluidSimulation never = Pool("Never", new Vector3(0f, 5f, 0f));
             never.SleepsAtRest = false;
             for (int frame = 0; frame < 75; frame++)
@@ -141,13 +141,16 @@ namespace SphFluid.Tests
             ("a script wakes it", simulation.Wake),
         };
 
-        // 0.4 m wide and 0.1 m deep.
+        // 0.2 m wide and 0.1 m deep, 256 particles.
         FluidSimulation Pool(string name = "Pool", Vector3 position = default)
         {
             FluidSimulation simulation = rig.Create(name, false, position);
+            simulation.DomainSize = new Vector3(0.2f, 0.3f, 0.2f);
+            simulation.Spacing = 0.025f;
+            simulation.StartRelaxation = FluidStartRelaxation.Hydrostatic;
             FluidVolume volume = rig.AddVolume(simulation);
-            volume.Size = new Vector3(0.4f, 0.1f, 0.4f);
-            volume.transform.localPosition = new Vector3(0f, -0.15f, 0f);
+            volume.Size = new Vector3(0.2f, 0.1f, 0.2f);
+            volume.transform.localPosition = new Vector3(0f, -0.1f, 0f);
             return simulation;
         }
 
