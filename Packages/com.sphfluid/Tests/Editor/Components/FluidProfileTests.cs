@@ -50,6 +50,7 @@ namespace SphFluid.Tests
         }
 
         [TestCase("WaterProfile", 2.25f)]
+        [TestCase("FastWaterProfile", 2.25f)]
         [TestCase("ThesisWaterProfile", 2f)]
         public void ShippedAssetsAreComplete(string name, float supportRatio)
         {
