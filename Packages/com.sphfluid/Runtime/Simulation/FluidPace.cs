@@ -23,6 +23,7 @@ namespace SphFluid
         AdaptiveClock adaptive;
         SpeedReference reference;
         SleepWatch sleep;
+        bool yields;
 
         /// <summary>The pace of a solver with its first settings.</summary>
         /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
@@ -51,6 +52,7 @@ namespace SphFluid
         public void Update(in FluidSpec now)
         {
             FluidSolverSettings rule = FluidConstants.Derive(now, start, startGravity);
+            yields = false;
             TakeLimits(now, rule);
             solver.ApplySettings(reference == null ? rule : AtReference());
             TakeClock();
@@ -67,20 +69,33 @@ namespace SphFluid
         public void Restart()
         {
             Wake();
-            speeds?.Restart((float)(reference?.Most ?? solver.Settings.MaxSpeed));
+            float speed = (float)(reference?.Most ?? solver.Settings.MaxSpeed);
+            speeds?.Restart(speed, speed);
             reference?.Restart();
-            if (reference != null) solver.ApplySettings(AtReference());
+            if (reference != null && !yields) solver.ApplySettings(AtReference());
         }
 
-        /// <summary>Steps to take for a frame's time [s].</summary>
-        public int Advance(double deltaTime)
+        /// <summary>A script gave the solver settings of its own: they stay until a setting of the simulation changes.</summary>
+        public void Yield() => yields = true;
+
+        /// <summary>Steps to take for a frame.</summary>
+        /// <param name="deltaTime">Its time [s].</param>
+        /// <param name="bodyMotion">How far the fastest collider goes in it [m].</param>
+        public int Advance(double deltaTime, double bodyMotion)
         {
             if (adaptive != null)
             {
-                if (reference != null && reference.Follow(speeds.Sample.Head, deltaTime)) solver.ApplySettings(AtReference());
+                if (deltaTime > 0.0) Follow(deltaTime, bodyMotion / deltaTime);
                 adaptive.StableStep = LongestStep();
             }
             return Clock.Advance(deltaTime);
+        }
+
+        // A collider that moves is known before it hits.
+        void Follow(double deltaTime, double bodySpeed)
+        {
+            if (reference == null || yields) return;
+            if (reference.Follow(Math.Max(speeds.Sample.Head, bodySpeed), deltaTime)) solver.ApplySettings(AtReference());
         }
 
         /// <summary>Records what the next frames go by, after a frame's steps and the neighbour setup.</summary>
@@ -105,7 +120,7 @@ namespace SphFluid
             spec = now;
             TakeReference(Follows(now), rule);
             TakeSleep(now, rule);
-            if (IsAdaptive || sleep != null) speeds ??= new SpeedReadback(solver, now.Profile.Shaders);
+            if (IsAdaptive || sleep != null) speeds ??= new SpeedReadback(solver, now.Profile.Shaders, FirstSpeed());
             else DropSpeeds();
         }
 
@@ -149,6 +164,10 @@ namespace SphFluid
             spec.TimeStepMode != FluidTimeStepMode.Fixed && FluidMethods.Has(spec.Method, FluidMethodFeatures.FollowingSoundSpeed);
 
         FluidSolverSettings AtReference() => FluidConstants.Derive(spec, start, startGravity, reference.Speed);
+
+        // Liquid that starts at rest takes long steps until it falls.
+        float FirstSpeed() =>
+            spec.TimeStepMode == FluidTimeStepMode.Automatic && solver.StepCount == 0 ? start.InitialSpeed : solver.Settings.MaxSpeed;
 
         // Faster particles than the constants are made for shorten the steps where the mode asks for it.
         double LongestStep()

@@ -16,7 +16,7 @@ namespace SphFluid
         FluidLiveKey live;
         Vector3 position;
         Quaternion rotation;
-        int knownChanges, knownParticles;
+        int knownChanges, knownParticles, knownSettings;
         double restedTime;
 
         /// <summary>Starts; takes over <paramref name="collision"/>, which has been gathered.</summary>
@@ -38,7 +38,7 @@ namespace SphFluid
                 FollowBodies();
                 Solver.SetObstacles(obstacles);
                 Execute(0);
-                knownChanges = Solver.Changes;
+                Know();
             }
             catch
             {
@@ -81,17 +81,17 @@ namespace SphFluid
 
         void Advance(in FluidSpec spec, float deltaTime)
         {
-            if (ApplyChanges(spec) | GatherColliders(spec) | Moved(spec) | WasChanged()) pace.Wake();
+            if (WasChanged() | ApplyChanges(spec) | GatherColliders(spec) | Moved(spec)) pace.Wake();
             if (pace.IsAsleep)
             {
                 Rest(deltaTime);
                 return;
             }
             FollowBodies();
-            int steps = pace.Advance(deltaTime);
+            int steps = pace.Advance(deltaTime, obstacles.Bodies?.LongestMotion ?? 0f);
             Execute(steps);
             if (steps > 0) pace.Stepped(steps * pace.Clock.TimeStep);
-            knownChanges = Solver.Changes;
+            Know();
             if (substeps.Note(pace.Clock, steps, deltaTime) is string text)
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.SubstepCap, spec.Owner, text,
                     "Raise Max Substeps Per Frame, use a larger Particle Spacing, or lower the profile's Sound Speed Ratio."));
@@ -147,14 +147,21 @@ namespace SphFluid
                 pace.Restart();
                 return true;
             }
+            if (Solver.SettingsChanges != knownSettings) pace.Yield();
             return Solver.Changes != knownChanges;
+        }
+
+        void Know()
+        {
+            knownChanges = Solver.Changes;
+            knownSettings = Solver.SettingsChanges;
         }
 
         void Rest(double deltaTime)
         {
             restedTime += deltaTime;
             substeps.Rest(deltaTime);
-            knownChanges = Solver.Changes;
+            Know();
         }
 
         void FollowBodies()

@@ -20,15 +20,17 @@ namespace SphFluid
         int next, keepings;
         bool keeps, hasPlaces;
 
-        /// <summary>Starts with the speed that the constants are made for, or the present one where that is faster.</summary>
+        /// <summary>Starts with a speed of the particles, or the present one where that is faster, and the head that the constants are made for.</summary>
+        /// <param name="solver">The liquid.</param>
+        /// <param name="shaders">The shaders.</param>
+        /// <param name="speed">Fastest particle until a measurement is there [m/s].</param>
         /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
-        public SpeedReadback(FluidSolver solver, FluidShaderSet shaders)
+        public SpeedReadback(FluidSolver solver, FluidShaderSet shaders, float speed)
         {
             this.solver = solver;
             pass = new MeasureSpeedsPass(shaders);
             counts = GpuBuffers.Create("Speed Counts", SpeedCounts.Size, sizeof(uint));
-            float speed = Mathf.Max(solver.Settings.MaxSpeed, SpeedSample.Finite(solver.ReadCountersNow().MaxSpeed));
-            Restart(speed);
+            Restart(Mathf.Max(speed, SpeedSample.Finite(solver.ReadCountersNow().MaxSpeed)), solver.Settings.MaxSpeed);
         }
 
         /// <summary>The liquid of <see cref="Delay"/> frames ago.</summary>
@@ -57,12 +59,13 @@ namespace SphFluid
         public void ForgetPlaces() => keeps = hasPlaces = false;
 
         /// <summary>The liquid is another one: what was measured before does not count.</summary>
-        /// <param name="speed">Speed to start with [m/s].</param>
-        public void Restart(float speed)
+        /// <param name="speed">Fastest particle until a measurement is there [m/s].</param>
+        /// <param name="head">What it would have at the domain's lowest place [m/s].</param>
+        public void Restart(float speed, float head)
         {
             ForgetPlaces();
             for (int i = 0; i < Delay; i++)
-                slots[i] = new Slot { Known = true, Sample = new SpeedSample { Fastest = speed, Head = speed, Present = speed } };
+                slots[i] = new Slot { Known = true, Sample = new SpeedSample { Fastest = speed, Head = head, Present = head } };
         }
 
         /// <summary>Records the measurement of a frame's end, after its steps and the neighbour setup.</summary>

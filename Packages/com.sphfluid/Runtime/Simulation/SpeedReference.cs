@@ -8,9 +8,9 @@ namespace SphFluid
     /// </summary>
     internal sealed class SpeedReference
     {
-        // s, in which the speed changes by a factor e at most. Down, a deep pool sinks by 1 % over many swings of its compression.
+        // s, in which the speed changes by a factor e at most: down in many swings of a pool's compression, up in one or two.
         const double FallTime = 1.0;
-        const double RiseTime = 0.2;
+        const double RiseTime = 0.1;
 
         // A bin's edge is no change: the fall begins below a bin's width.
         const double Slack = 1.07;

@@ -93,6 +93,9 @@ namespace SphFluid
         /// <summary>Grows with each change of physics, obstacles or particles from outside the steps.</summary>
         internal int Changes { get; private set; }
 
+        /// <summary>Grows when other settings are applied.</summary>
+        internal int SettingsChanges { get; private set; }
+
         /// <summary>Grows when particles are put in the place of the present ones.</summary>
         internal int ParticleChanges { get; private set; }
 
@@ -152,6 +155,7 @@ namespace SphFluid
             }
 
             Changes++;
+            SettingsChanges++;
             state.Settings = prepared;
             counters.RestDensity = settings.RestDensity;
             neighboursFresh = false;

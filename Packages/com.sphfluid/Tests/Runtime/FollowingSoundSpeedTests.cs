@@ -90,6 +90,42 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator AColliderThatMovesFastRaisesIt()
+        {
+            FluidSimulation simulation = Falling("Stirred");
+            GameObject paddle = rig.NewObject("Paddle");
+            paddle.AddComponent<BoxCollider>().size = new Vector3(0.02f, 0.1f, 0.1f);
+            paddle.transform.position = new Vector3(-0.1f, 0.1f, 0f);
+            yield return null;
+            yield return null;
+            float rule = simulation.Solver.Settings.SoundSpeed;
+            for (int frame = 0; frame < 150; frame++) yield return null;
+            float calm = simulation.Solver.Settings.SoundSpeed;
+            for (int frame = 0; frame < 5; frame++)
+            {
+                paddle.transform.position += new Vector3(0.05f, 0f, 0f); // 2.5 m/s, in the air
+                yield return null;
+            }
+            Assert.That(calm, Is.LessThan(0.65f * rule));
+            Assert.That(simulation.Solver.Settings.SoundSpeed, Is.InRange(1.4f * calm, rule));
+        }
+
+        [UnityTest]
+        public IEnumerator SettingsThatAScriptGivesStay()
+        {
+            FluidSimulation simulation = Falling("Script");
+            yield return null;
+            yield return null;
+            simulation.Solver.ApplySettings(simulation.Solver.Settings.WithSoundSpeed(33f));
+            for (int frame = 0; frame < 30; frame++) yield return null;
+            Assert.That(simulation.Solver.Settings.SoundSpeed, Is.EqualTo(33f));
+            Assert.That(simulation.TimeStep, Is.LessThanOrEqualTo(0.7501f * (float)FluidRules.Advise(simulation.Solver.Settings, 0.0).Acoustic));
+            rig.Profile.RestDensity = 900f;
+            yield return null;
+            Assert.That(simulation.Solver.Settings.SoundSpeed, Is.LessThan(33f));
+        }
+
+        [UnityTest]
         public IEnumerator OtherMethodsAndFixedStepsKeepTheRule()
         {
             FluidSimulation thesis = Falling("Thesis"), stepped = Falling("Fixed", new Vector3(0f, 5f, 0f));

@@ -68,6 +68,9 @@ namespace SphFluid
         /// <summary>Whether a body is still moving: the steps have not gone through all of its motion of the frame.</summary>
         public bool IsUnderWay { get; private set; }
 
+        /// <summary>Farthest that a point of a body goes in the motion of the frame, or of a corner of its box [m].</summary>
+        public float LongestMotion { get; private set; }
+
         /// <summary>Times a body's motion could not be followed, since the start; it was put at its new place at once.</summary>
         public int Jumps { get; private set; }
 
@@ -90,6 +93,7 @@ namespace SphFluid
             if (outgrown) Rebuild(solids);
             bool wasUnderWay = IsUnderWay;
             IsUnderWay = HasStretch = false;
+            LongestMotion = 0f;
             for (int i = 0; i < bodies.Count; i++)
             {
                 if (motions[i] == null) continue;
@@ -99,6 +103,7 @@ namespace SphFluid
                     motions[i].Arrive();
                 }
                 IsUnderWay |= !motions[i].IsAtRest;
+                if (!motions[i].IsAtRest) LongestMotion = Mathf.Max(LongestMotion, motions[i].LongestDisplacement(bodies[i].BoundsMin, bodies[i].BoundsMax));
                 HasStretch |= motions[i].IsStretched;
             }
             if (IsUnderWay || wasUnderWay || stale) UploadBodies();

@@ -29,7 +29,7 @@ namespace SphFluid.Tests
             var reference = new SpeedReference(4.0);
             for (int frame = 0; frame < 300; frame++) reference.Follow(1.0, Frame);
             Assert.That(reference.Follow(100.0, Frame));
-            Assert.That(reference.Speed, Is.EqualTo(Math.Exp(5.0 * Frame)).Within(1e-12));
+            Assert.That(reference.Speed, Is.EqualTo(Math.Exp(10.0 * Frame)).Within(1e-12));
             for (int frame = 0; frame < 300; frame++) reference.Follow(double.PositiveInfinity, Frame);
             Assert.That(reference.Speed, Is.EqualTo(4.0));
         }
