@@ -121,7 +121,7 @@ namespace SphFluid.Editor
             FluidSimulation simulation = Simulation;
             EditorGUILayout.Space();
             EditorGUILayout.LabelField("Status", EditorStyles.boldLabel);
-            EditorGUILayout.LabelField("State", simulation.IsRunning ? "running" : "stopped");
+            EditorGUILayout.LabelField("State", simulation.IsAsleep ? "asleep" : simulation.IsRunning ? "running" : "stopped");
             if (simulation.IsRunning)
             {
                 FluidCounters counters = simulation.Solver.Counters;

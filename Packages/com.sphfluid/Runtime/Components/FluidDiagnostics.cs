@@ -73,6 +73,7 @@ namespace SphFluid
                 return;
             }
             if (meter == null || meter.Solver != solver) Begin(solver);
+            if (simulation.IsAsleep && MeasurementCount > 0) return;
             if (meter == null || --countdown > 0 || meter.UnderWay >= MostUnderWay) return;
             countdown = Interval;
             Measure();

@@ -34,11 +34,15 @@ namespace SphFluid
             "halving the compression needs 1.4 times as many steps.")]
         float soundSpeedRatio = 5f;
 
+        [SerializeField, Tooltip("Fixed By Rule: the speed of sound is that of the start. Follows Liquid: it falls once the liquid has come down and is calm, " +
+            "and rises in time when it is lifted or stirred, so that calm liquid takes fewer steps. Standard method; not with a fixed time step.")]
+        FluidSoundSpeedMode soundSpeedMode = FluidSoundSpeedMode.FollowsLiquid;
+
         [SerializeField, Range(0.001f, 0.2f), Tooltip("Compression allowed at the bottom of the liquid at rest, g·depth/c². 0.04 is 4 %.")]
         float maxCompression = 0.04f;
 
         [SerializeField, Range(0.05f, 1f), Tooltip("Time step as a fraction of the method's stability limit, which the speed of sound sets.")]
-        float timeStepFraction = 0.6f;
+        float timeStepFraction = 0.75f;
 
         [SerializeField, Range(0f, 0.05f), Tooltip("Least kinematic viscosity that keeps the liquid calm, as a multiple of " +
             "speed of sound times support radius. The Standard method takes a tenth of it.")]
@@ -79,6 +83,9 @@ namespace SphFluid
         /// <summary>c_eff / v_max: effective speed of sound over the fastest expected speed.</summary>
         public float SoundSpeedRatio { get => soundSpeedRatio; set { soundSpeedRatio = value; Touch(); } }
 
+        /// <summary>Whether the speed of sound stays as the start has it or follows the liquid; method Standard.</summary>
+        public FluidSoundSpeedMode SoundSpeedMode { get => soundSpeedMode; set { soundSpeedMode = value; Touch(); } }
+
         /// <summary>Compression allowed at the bottom of the liquid at rest, g D/c².</summary>
         public float MaxCompression { get => maxCompression; set { maxCompression = value; Touch(); } }
 
@@ -118,6 +125,7 @@ namespace SphFluid
             Asset = this,
             Revision = Revision,
             Rules = Rules,
+            SoundSpeedMode = soundSpeedMode,
             MaxParticles = maxParticles,
             Shaders = shaders,
         };
@@ -157,7 +165,7 @@ namespace SphFluid
             supportRatio = ClampFinite(supportRatio, 1.5f, 4f, 2.25f);
             soundSpeedRatio = ClampFinite(soundSpeedRatio, 3f, 20f, 5f);
             maxCompression = ClampFinite(maxCompression, 0.001f, 0.2f, 0.04f);
-            timeStepFraction = ClampFinite(timeStepFraction, 0.05f, 1f, 0.6f);
+            timeStepFraction = ClampFinite(timeStepFraction, 0.05f, 1f, 0.75f);
             viscosityRatio = ClampFinite(viscosityRatio, 0f, 0.05f, 0.01f);
             wallDistanceRatio = ClampFinite(wallDistanceRatio, 0.1f, 1f, 0.5f);
             wallStiffnessRatio = ClampFinite(wallStiffnessRatio, 0.05f, 4f, 1f);

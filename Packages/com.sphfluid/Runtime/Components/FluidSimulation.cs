@@ -40,6 +40,9 @@ namespace SphFluid
         [SerializeField, Min(0f), Tooltip("Time step in seconds when Time Step Mode is Fixed.")]
         float fixedTimeStep = 0.0005f;
 
+        [SerializeField, Tooltip("Liquid that rests takes no steps until something touches it: a collider that moves, a changed setting, a script.")]
+        bool sleepsAtRest = true;
+
         [SerializeField, Range(1, 1000), Tooltip("Most steps a frame. Where more are needed the liquid moves slower than time, and the console says so.")]
         int maxSubstepsPerFrame = 64;
 
@@ -119,6 +122,9 @@ namespace SphFluid
         /// <summary>Most steps a frame, at least 1.</summary>
         public int MaxSubstepsPerFrame { get => Mathf.Max(1, maxSubstepsPerFrame); set => maxSubstepsPerFrame = value; }
 
+        /// <summary>Whether liquid that rests takes no steps until something touches it; see <see cref="IsAsleep"/>.</summary>
+        public bool SleepsAtRest { get => sleepsAtRest; set => sleepsAtRest = value; }
+
         /// <summary>Fastest speed to be ready for beyond the fall's [m/s]; 0: the fall decides.</summary>
         public float ExpectedSpeed { get => expectedSpeed; set => expectedSpeed = value; }
 
@@ -158,16 +164,22 @@ namespace SphFluid
         /// <summary>Whether the liquid exists.</summary>
         public bool IsRunning => run != null;
 
+        /// <summary>
+        /// Whether the liquid rests and takes no steps. It wakes in the frame in which a collider in its domain comes, goes, moves or changes, the
+        /// transform or a setting changes, or particles are given to the <see cref="Solver"/>. A script that moves particles on the GPU calls <see cref="Wake"/>.
+        /// </summary>
+        public bool IsAsleep => run != null && run.IsAsleep;
+
         /// <summary>Number of particles at the start; 0 when stopped.</summary>
         public int ParticleCount => run?.Solver.ParticleCount ?? 0;
 
         /// <summary>Particles that have left the domain through an open face since, as of a few frames ago; see <see cref="FluidBoundaries.Open"/>.</summary>
         public long RemovedParticles => run?.Solver.Counters.Removed ?? 0;
 
-        /// <summary>Time since the start [s], as far as the liquid has come.</summary>
-        public double SimulatedTime => run?.Solver.SimulatedTime ?? 0.0;
+        /// <summary>Time since the start [s], as far as the liquid has come; goes on while it is asleep.</summary>
+        public double SimulatedTime => run?.SimulatedTime ?? 0.0;
 
-        /// <summary>Steps since the start.</summary>
+        /// <summary>Steps since the start; none while the liquid is asleep.</summary>
         public long StepCount => run?.Solver.StepCount ?? 0;
 
         /// <summary>Time step in use [s], in adaptive mode that of the last frame; 0 when stopped.</summary>
@@ -210,6 +222,7 @@ namespace SphFluid
             FixedTimeStep = fixedTimeStep,
             MaxSubstepsPerFrame = MaxSubstepsPerFrame,
             ExpectedSpeed = expectedSpeed,
+            SleepsAtRest = sleepsAtRest,
             Gravity = EffectiveGravity,
             BodyForce = bodyForce,
             Boundaries = boundaries,
@@ -251,6 +264,9 @@ namespace SphFluid
         /// <summary>Puts the liquid back to its start; a stopped one starts.</summary>
         /// <returns>Whether it runs.</returns>
         public bool ResetSimulation() => StartSimulation();
+
+        /// <summary>Ends the liquid's sleep: it takes steps until it has rested again.</summary>
+        public void Wake() => run?.Wake();
 
         /// <summary>Reads all collision meshes again, after an edit that left a mesh's counts and bounds as they were.</summary>
         public void RefreshColliders() => run?.InvalidateColliders();

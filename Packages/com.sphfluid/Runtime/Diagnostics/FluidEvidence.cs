@@ -79,7 +79,7 @@ namespace SphFluid
         {
             if (Advice.SoundSpeed > 0.0 && Same(now, settings)) return false;
             bool energyStays = now.Gravity == settings.Gravity && now.BodyForce.Equals(settings.BodyForce) &&
-                now.ParticleMass == settings.ParticleMass && now.SoundSpeed == settings.SoundSpeed && now.RestDensity == settings.RestDensity;
+                now.ParticleMass == settings.ParticleMass && now.SoundSpeed <= settings.SoundSpeed && now.RestDensity == settings.RestDensity;
             if (!energyStays) Rebase();
             settings = now;
             TimeStep = now.TimeStep;

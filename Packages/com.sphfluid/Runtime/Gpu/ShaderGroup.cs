@@ -25,6 +25,11 @@ namespace SphFluid
             groupThreads: 0, buffers: 0, writableBuffers: 0, groupMemory: 0, vertexBuffers: 1,
             "SPH Fluid/Particles", "SPH Fluid/Surface", "SPH Fluid/Water", "Hidden/SPH Fluid/Water Thickness", "Hidden/SPH Fluid/Water Depth");
 
+        /// <summary>What a running simulation goes by.</summary>
+        public static readonly ShaderGroup Simulation = new ShaderGroup("the simulation", "Shaders/Simulation",
+            groupThreads: 256, buffers: 3, writableBuffers: 2, groupMemory: 4096, vertexBuffers: 0,
+            "MeasureSpeeds");
+
         /// <summary>Measurements of a whole liquid.</summary>
         public static readonly ShaderGroup Diagnostics = new ShaderGroup("the diagnostics", "Shaders/Diagnostics",
             groupThreads: 256, buffers: 5, writableBuffers: 1, groupMemory: 4096, vertexBuffers: 0,

@@ -9,8 +9,9 @@ namespace SphFluid
         /// <param name="spec">What is to start, with a profile.</param>
         /// <param name="start">Where the liquid starts.</param>
         /// <param name="startGravity">Gravity at the start in simulation space [m/s²]: a domain that turns keeps the fall height it started with.</param>
+        /// <param name="speed">Speed that the liquid has or will have at the domain's lowest place [m/s]; NaN: that of the start, which is never exceeded.</param>
         /// <exception cref="System.ArgumentException">A constant is out of range.</exception>
-        public static FluidSolverSettings Derive(in FluidSpec spec, FluidStart start, Vector3 startGravity)
+        public static FluidSolverSettings Derive(in FluidSpec spec, FluidStart start, Vector3 startGravity, double speed = double.NaN)
         {
             Vector3 gravity = spec.LocalGravity;
             Vector3 fall = startGravity.sqrMagnitude > 0f ? startGravity : gravity;
@@ -25,6 +26,11 @@ namespace SphFluid
             input.InitialSpeed = Hypotenuse(start.InitialSpeed, start.Extent.SpeedBy(spec.BodyForce));
             input.MinSpeed = Mathf.Max(input.MinSpeed, Mathf.Max(spec.ExpectedSpeed, FastestWall(spec.Boundaries)));
             input.FixedTimeStep = spec.TimeStepMode == FluidTimeStepMode.Fixed ? spec.FixedTimeStep : 0f;
+            if (!double.IsNaN(speed))
+            {
+                input.InitialSpeed = (float)speed;
+                input.LiquidHeight = 0f;
+            }
             FluidSolverSettings settings = FluidRules.Derive(input);
             settings.Boundaries = spec.Boundaries;
             settings.BodyForce = spec.BodyForce;
@@ -39,8 +45,8 @@ namespace SphFluid
 
         static float Hypotenuse(float a, float b) => b > 0f ? (float)System.Math.Sqrt((double)a * a + (double)b * b) : a;
 
-        // Liquid volume over the domain's cross-section across gravity, domain volume / domain height.
-        static float DepthAtRest(in FluidSpec spec, FluidStart start, Vector3 gravity)
+        /// <summary>Liquid volume over the domain's cross-section across gravity, domain volume / domain height [m].</summary>
+        public static float DepthAtRest(in FluidSpec spec, FluidStart start, Vector3 gravity)
         {
             Vector3 size = spec.DomainSize;
             Vector3 up = gravity.normalized;

@@ -1,9 +1,11 @@
 using System;
+using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>How long the steps of a running simulation are and how many a frame takes.</summary>
-    internal sealed class FluidPace
+    /// <summary>How a running simulation spends its steps: how long they are, how many a frame takes, and whether the liquid rests and needs none.</summary>
+    internal sealed class FluidPace : IDisposable
     {
         // The measured speed is a few frames old; liquid that hits something is faster by now.
         const double SpeedMargin = 1.25;
@@ -12,51 +14,169 @@ namespace SphFluid
         const double ShortestStep = 1e-6;
 
         readonly FluidSolver solver;
-        readonly SpeedReadback speeds;
+        readonly FluidStart start;
+        readonly Vector3 startGravity;
+        readonly Func<int> keepPlaces;
+        readonly Action forgetPlaces;
+        FluidSpec spec;
+        SpeedReadback speeds;
         AdaptiveClock adaptive;
-        double stepFraction;
+        SpeedReference reference;
+        SleepWatch sleep;
+        bool yields;
 
         /// <summary>The pace of a solver with its first settings.</summary>
-        public FluidPace(in FluidSpec spec, FluidSolver solver)
+        /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
+        public FluidPace(in FluidSpec spec, FluidStart start, FluidSolver solver)
         {
             this.solver = solver;
-            speeds = new SpeedReadback(solver);
-            Update(spec);
+            this.start = start;
+            startGravity = spec.LocalGravity;
+            keepPlaces = () => speeds.KeepPlaces();
+            forgetPlaces = () => speeds.ForgetPlaces();
+            TakeLimits(spec, solver.Settings);
+            TakeClock();
         }
 
         /// <summary>The clock in use.</summary>
         public IStepClock Clock { get; private set; }
 
-        /// <summary>Takes over changed settings. A clock that still fits goes on with the rest it holds.</summary>
-        public void Update(in FluidSpec spec)
+        /// <summary>Whether the liquid rests and takes no steps.</summary>
+        public bool IsAsleep => sleep != null && sleep.IsAsleep;
+
+        /// <summary>Bytes of GPU memory.</summary>
+        public long GpuBytes => speeds?.GpuBytes ?? 0;
+
+        /// <summary>Takes over changed settings and gives the solver its constants. A clock that still fits goes on with the rest it holds.</summary>
+        /// <exception cref="ArgumentException">A constant is out of range.</exception>
+        public void Update(in FluidSpec now)
         {
-            stepFraction = spec.Profile.Rules.TimeStepFraction;
-            double step = solver.Settings.TimeStep;
-            int most = spec.MaxSubstepsPerFrame;
-            if (spec.TimeStepMode != FluidTimeStepMode.Adaptive)
-            {
-                adaptive = null;
-                if (!(Clock is StepClock clock) || clock.TimeStep != step || clock.MaxSteps != most) Clock = new StepClock(step, most);
-                return;
-            }
-            if (adaptive == null || adaptive.MaxSteps != most) Clock = adaptive = new AdaptiveClock(LongestStep(), most);
+            FluidSolverSettings rule = FluidConstants.Derive(now, start, startGravity);
+            yields = false;
+            TakeLimits(now, rule);
+            solver.ApplySettings(reference == null ? rule : AtReference());
+            TakeClock();
         }
 
-        /// <summary>Steps to take for a frame's time [s].</summary>
-        public int Advance(double deltaTime)
+        /// <summary>Something touched the liquid: it takes steps again.</summary>
+        public void Wake()
         {
-            solver.FlowSpeed = (float)(SpeedMargin * speeds.Speed);
-            if (adaptive != null) adaptive.StableStep = LongestStep();
+            sleep?.Wake();
+            speeds?.ForgetPlaces();
+        }
+
+        /// <summary>The liquid was put elsewhere: what was measured before does not count.</summary>
+        public void Restart()
+        {
+            Wake();
+            float speed = (float)(reference?.Most ?? solver.Settings.MaxSpeed);
+            speeds?.Restart(speed, speed);
+            reference?.Restart();
+            if (reference != null && !yields) solver.ApplySettings(AtReference());
+        }
+
+        /// <summary>A script gave the solver settings of its own: they stay until a setting of the simulation changes.</summary>
+        public void Yield() => yields = true;
+
+        /// <summary>Steps to take for a frame.</summary>
+        /// <param name="deltaTime">Its time [s].</param>
+        /// <param name="bodyMotion">How far the fastest collider goes in it [m].</param>
+        public int Advance(double deltaTime, double bodyMotion)
+        {
+            if (speeds != null) solver.FlowSpeed = (float)(SpeedMargin * speeds.Sample.Bulk);
+            if (adaptive != null)
+            {
+                if (deltaTime > 0.0) Follow(deltaTime, bodyMotion / deltaTime);
+                adaptive.StableStep = LongestStep();
+            }
             return Clock.Advance(deltaTime);
         }
 
-        /// <summary>To be called when the steps of a frame have been given to the GPU.</summary>
-        public void Stepped() => speeds.Request();
+        // A collider that moves is known before it hits.
+        void Follow(double deltaTime, double bodySpeed)
+        {
+            if (reference == null || yields) return;
+            if (reference.Follow(Math.Max(speeds.Sample.Head, bodySpeed), deltaTime)) solver.ApplySettings(AtReference());
+        }
 
+        /// <summary>Records what the next frames go by, after a frame's steps and the neighbour setup.</summary>
+        public void Record(CommandBuffer cmd) => speeds?.Record(cmd);
+
+        /// <summary>To be called when the steps of a frame have been given to the GPU.</summary>
+        /// <param name="time">Their time [s].</param>
+        public void Stepped(double time)
+        {
+            if (speeds == null) return;
+            if (sleep != null) sleep.Note(speeds.Sample, time, keepPlaces, forgetPlaces);
+            speeds.Request();
+        }
+
+        /// <inheritdoc/>
+        public void Dispose() => speeds?.Dispose();
+
+        bool IsAdaptive => reference != null || spec.TimeStepMode == FluidTimeStepMode.Adaptive;
+
+        void TakeLimits(in FluidSpec now, in FluidSolverSettings rule)
+        {
+            spec = now;
+            TakeReference(Follows(now), rule);
+            TakeSleep(now, rule);
+            if (IsAdaptive || sleep != null || FluidMethods.Has(now.Method, FluidMethodFeatures.KeptNeighbours)) speeds ??= new SpeedReadback(solver, now.Profile.Shaders, FirstSpeed());
+            else DropSpeeds();
+        }
+
+        void TakeClock()
+        {
+            double step = solver.Settings.TimeStep;
+            int most = spec.MaxSubstepsPerFrame;
+            if (!IsAdaptive)
+            {
+                adaptive = null;
+                if (!(Clock is StepClock clock) || clock.TimeStep != step || clock.MaxSteps != most) Clock = new StepClock(step, most);
+            }
+            else if (adaptive == null || adaptive.MaxSteps != most)
+            {
+                Clock = adaptive = new AdaptiveClock(LongestStep(), most);
+            }
+        }
+
+        void TakeReference(bool follows, in FluidSolverSettings rule)
+        {
+            if (!follows) reference = null;
+            else if (reference == null) reference = new SpeedReference(rule.MaxSpeed);
+            else reference.Limit(rule.MaxSpeed);
+        }
+
+        void TakeSleep(in FluidSpec now, in FluidSolverSettings rule)
+        {
+            double depth = FluidConstants.DepthAtRest(now, start, startGravity);
+            if (!now.SleepsAtRest) sleep = null;
+            else if (sleep == null) sleep = new SleepWatch(rule, depth);
+            else sleep.Take(rule, depth);
+        }
+
+        void DropSpeeds()
+        {
+            speeds?.Dispose();
+            speeds = null;
+        }
+
+        static bool Follows(in FluidSpec spec) => spec.Profile.SoundSpeedMode == FluidSoundSpeedMode.FollowsLiquid &&
+            spec.TimeStepMode != FluidTimeStepMode.Fixed && FluidMethods.Has(spec.Method, FluidMethodFeatures.FollowingSoundSpeed);
+
+        FluidSolverSettings AtReference() => FluidConstants.Derive(spec, start, startGravity, reference.Speed);
+
+        // Liquid that starts at rest takes long steps until it falls.
+        float FirstSpeed() =>
+            spec.TimeStepMode == FluidTimeStepMode.Automatic && solver.StepCount == 0 ? start.InitialSpeed : solver.Settings.MaxSpeed;
+
+        // Faster particles than the constants are made for shorten the steps where the mode asks for it.
         double LongestStep()
         {
             FluidSolverSettings settings = solver.Settings;
-            double step = FluidRules.Advise(settings, SpeedMargin * speeds.Speed).Step(stepFraction);
+            double speed = SpeedMargin * speeds.Sample.Fastest;
+            if (spec.TimeStepMode != FluidTimeStepMode.Adaptive) speed = Math.Min(speed, settings.MaxSpeed);
+            double step = FluidRules.Advise(settings, speed).Step(spec.Profile.Rules.TimeStepFraction);
             return Math.Max(step, ShortestStep * settings.TimeStep);
         }
     }

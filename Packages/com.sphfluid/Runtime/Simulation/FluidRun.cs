@@ -8,14 +8,16 @@ namespace SphFluid
     internal sealed class FluidRun : IDisposable
     {
         readonly Action<FluidMessage> report;
-        readonly FluidStart start;
-        readonly Vector3 startGravity;
         readonly FluidObstacles obstacles;
         readonly CommandBuffer commands;
         readonly SubstepMonitor substeps = new SubstepMonitor();
         readonly GuardMonitor guards = new GuardMonitor();
         readonly FluidPace pace;
         FluidLiveKey live;
+        Vector3 position;
+        Quaternion rotation;
+        int knownChanges, knownParticles, knownSettings;
+        double restedTime;
 
         /// <summary>Starts; takes over <paramref name="collision"/>, which has been gathered.</summary>
         /// <exception cref="ArgumentException">A setting cannot be computed with.</exception>
@@ -23,20 +25,20 @@ namespace SphFluid
         public FluidRun(in FluidSpec spec, FluidStart start, CollisionScene collision, in StartWatch watch, Action<FluidMessage> report)
         {
             this.report = report;
-            this.start = start;
-            startGravity = spec.LocalGravity;
             Key = FluidStartKey.Of(spec);
             live = FluidLiveKey.Of(spec);
+            (position, rotation) = (spec.Position, spec.Rotation);
             Solver = new FluidSolver(start.Constants, spec.Profile.Shaders, RelaxedStart.Particles(spec, start, collision, watch, report));
             commands = new CommandBuffer { name = "SPH Fluid" };
             try
             {
                 obstacles = new FluidObstacles(Solver.Settings, collision);
-                pace = new FluidPace(spec, Solver);
+                pace = new FluidPace(spec, start, Solver);
                 obstacles.Share();
                 FollowBodies();
                 Solver.SetObstacles(obstacles);
                 Execute(0);
+                Know();
             }
             catch
             {
@@ -50,7 +52,11 @@ namespace SphFluid
         public float TimeStep => (float)pace.Clock.TimeStep;
         public long CapHits => substeps.CapHits;
         public double RealTimeFactor => substeps.RealTimeFactor;
-        public long GpuBytes => Solver.GpuBytes + obstacles.GpuBytes;
+        public long GpuBytes => Solver.GpuBytes + obstacles.GpuBytes + pace.GpuBytes;
+        public bool IsAsleep => pace.IsAsleep;
+
+        /// <summary>Time since the start [s], that of rest without steps included.</summary>
+        public double SimulatedTime => Solver.SimulatedTime + restedTime;
         public CollisionScene Collision => obstacles.Scene;
 
         /// <summary>Advances by a frame.</summary>
@@ -75,16 +81,17 @@ namespace SphFluid
 
         void Advance(in FluidSpec spec, float deltaTime)
         {
-            ApplyChanges(spec);
-            if (Collision.Gather(spec.Query()))
+            if (WasChanged() | ApplyChanges(spec) | GatherColliders(spec) | Moved(spec)) pace.Wake();
+            if (pace.IsAsleep)
             {
-                obstacles.Share();
-                foreach (FluidMessage message in Collision.Messages) report(message);
+                Rest(deltaTime);
+                return;
             }
             FollowBodies();
-            int steps = pace.Advance(deltaTime);
+            int steps = pace.Advance(deltaTime, obstacles.Bodies?.LongestMotion ?? 0f);
             Execute(steps);
-            if (steps > 0) pace.Stepped();
+            if (steps > 0) pace.Stepped(steps * pace.Clock.TimeStep);
+            Know();
             if (substeps.Note(pace.Clock, steps, deltaTime) is string text)
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.SubstepCap, spec.Owner, text,
                     "Raise Max Substeps Per Frame, use a larger Particle Spacing, or lower the profile's Sound Speed Ratio."));
@@ -93,24 +100,68 @@ namespace SphFluid
                     "Lower the profile's Time Step Fraction, or raise Expected Speed or set Time Step Mode to Adaptive when colliders or forces move the liquid faster than its fall."));
         }
 
+        /// <summary>Ends the liquid's sleep.</summary>
+        public void Wake() => pace.Wake();
+
         /// <summary>Reads all meshes again with the next frame.</summary>
         public void InvalidateColliders() => Collision.Invalidate();
 
         public void Dispose()
         {
             Solver.Dispose();
+            pace?.Dispose();
             obstacles?.Dispose();
             commands.Dispose();
         }
 
-        void ApplyChanges(in FluidSpec spec)
+        bool ApplyChanges(in FluidSpec spec)
         {
             FluidLiveKey now = FluidLiveKey.Of(spec);
-            if (now.Equals(live)) return;
+            if (now.Equals(live)) return false;
             live = now;
-            FluidSolverSettings settings = FluidConstants.Derive(spec, start, startGravity);
-            Solver.ApplySettings(settings);
             pace.Update(spec);
+            return true;
+        }
+
+        bool GatherColliders(in FluidSpec spec)
+        {
+            if (!Collision.Gather(spec.Query())) return false;
+            obstacles.Share();
+            foreach (FluidMessage message in Collision.Messages) report(message);
+            return true;
+        }
+
+        bool Moved(in FluidSpec spec)
+        {
+            bool same = position.Equals(spec.Position) && rotation.Equals(spec.Rotation);
+            (position, rotation) = (spec.Position, spec.Rotation);
+            return !same;
+        }
+
+        // By a script that has the solver.
+        bool WasChanged()
+        {
+            if (Solver.ParticleChanges != knownParticles)
+            {
+                knownParticles = Solver.ParticleChanges;
+                pace.Restart();
+                return true;
+            }
+            if (Solver.SettingsChanges != knownSettings) pace.Yield();
+            return Solver.Changes != knownChanges;
+        }
+
+        void Know()
+        {
+            knownChanges = Solver.Changes;
+            knownSettings = Solver.SettingsChanges;
+        }
+
+        void Rest(double deltaTime)
+        {
+            restedTime += deltaTime;
+            substeps.Rest(deltaTime);
+            Know();
         }
 
         void FollowBodies()
@@ -123,6 +174,7 @@ namespace SphFluid
             commands.Clear();
             Solver.RecordSteps(commands, steps, (float)pace.Clock.TimeStep);
             Solver.RecordNeighbourSetup(commands);
+            if (steps > 0) pace.Record(commands);
             Graphics.ExecuteCommandBuffer(commands);
         }
     }

@@ -33,6 +33,9 @@ namespace SphFluid
         public int MaxSubstepsPerFrame;
         public float ExpectedSpeed;
 
+        /// <summary>Whether liquid at rest takes no steps.</summary>
+        public bool SleepsAtRest;
+
         /// <summary>Gravity that acts, in world space [m/s²].</summary>
         public Vector3 Gravity;
 

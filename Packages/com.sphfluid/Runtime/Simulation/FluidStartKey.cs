@@ -55,6 +55,7 @@ namespace SphFluid
     {
         readonly Vector3 gravity;
         readonly FluidTimeStepMode mode;
+        readonly bool sleeps;
         readonly float fixedTimeStep, expectedSpeed;
         readonly int maxSubsteps, revision;
         readonly FluidBoundaries boundaries;
@@ -64,6 +65,7 @@ namespace SphFluid
         {
             this.gravity = gravity;
             mode = spec.TimeStepMode;
+            sleeps = spec.SleepsAtRest;
             fixedTimeStep = spec.FixedTimeStep;
             expectedSpeed = spec.ExpectedSpeed;
             maxSubsteps = spec.MaxSubstepsPerFrame;
@@ -79,7 +81,7 @@ namespace SphFluid
         public static FluidLiveKey AsGiven(in FluidSpec spec) => new FluidLiveKey(spec, spec.Gravity);
 
         public bool Equals(FluidLiveKey other) =>
-            AffineMath.Same(gravity, other.gravity) && mode == other.mode && fixedTimeStep.Equals(other.fixedTimeStep) &&
+            AffineMath.Same(gravity, other.gravity) && mode == other.mode && sleeps == other.sleeps && fixedTimeStep.Equals(other.fixedTimeStep) &&
             expectedSpeed.Equals(other.expectedSpeed) && maxSubsteps == other.maxSubsteps && revision == other.revision &&
             boundaries.Equals(other.boundaries) && bodyForce.Equals(other.bodyForce);
 

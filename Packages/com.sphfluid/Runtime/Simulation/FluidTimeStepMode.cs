@@ -3,7 +3,10 @@ namespace SphFluid
     /// <summary>Where a simulation's time step comes from.</summary>
     public enum FluidTimeStepMode
     {
-        /// <summary>By rule from spacing, stiffness and viscosity: one length, stable up to the fastest expected speed.</summary>
+        /// <summary>
+        /// By rule from spacing, stiffness and viscosity, stable up to the fastest expected speed: one length, or equal parts of each frame where
+        /// the speed of sound follows the liquid (<see cref="FluidSoundSpeedMode"/>).
+        /// </summary>
         Automatic = 0,
 
         /// <summary>A number of seconds given by the user.</summary>

@@ -17,6 +17,9 @@ namespace SphFluid
         /// <summary>Density, viscosity, accuracy and walls as the rules take them; sizes, heights and method are the scene's.</summary>
         public FluidRuleInput Rules;
 
+        /// <summary>Whether the speed of sound follows the running liquid.</summary>
+        public FluidSoundSpeedMode SoundSpeedMode;
+
         public int MaxParticles;
         public FluidShaderSet Shaders;
 

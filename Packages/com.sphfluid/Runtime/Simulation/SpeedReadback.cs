@@ -1,73 +1,129 @@
+using System;
 using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace SphFluid
 {
     /// <summary>
-    /// The liquid's fastest speed, always that of the same number of stepped frames ago: however fast the read-backs arrive, the same
+    /// How fast the liquid is, always as of the same number of stepped frames ago: however fast the read-backs arrive, the same
     /// liquid takes the same steps. By then the GPU has done that frame; where it has not, this waits for it.
     /// </summary>
-    internal sealed class SpeedReadback
+    internal sealed class SpeedReadback : IDisposable
     {
-        /// <summary>Age of the speed in frames with steps.</summary>
+        /// <summary>Age of the sample in frames with steps.</summary>
         public const int Delay = 3;
 
         readonly FluidSolver solver;
+        readonly MeasureSpeedsPass pass;
         readonly Slot[] slots = new Slot[Delay];
-        int next;
+        GraphicsBuffer counts, places;
+        int next, keepings;
+        bool keeps, hasPlaces;
 
-        /// <summary>Starts with the speed that the constants are made for, or the present one where that is faster.</summary>
-        public SpeedReadback(FluidSolver solver)
+        /// <summary>Starts with a speed of the particles, or the present one where that is faster, and the head that the constants are made for.</summary>
+        /// <param name="solver">The liquid.</param>
+        /// <param name="shaders">The shaders.</param>
+        /// <param name="speed">Fastest particle until a measurement is there [m/s].</param>
+        /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
+        public SpeedReadback(FluidSolver solver, FluidShaderSet shaders, float speed)
         {
             this.solver = solver;
-            float speed = Mathf.Max(solver.Settings.MaxSpeed, Finite(solver.ReadCountersNow().MaxSpeed));
-            for (int i = 0; i < Delay; i++) slots[i] = new Slot { Speed = speed, Known = true };
+            pass = new MeasureSpeedsPass(shaders);
+            counts = GpuBuffers.Create("Speed Counts", SpeedCounts.Size, sizeof(uint));
+            Restart(Mathf.Max(speed, SpeedSample.Finite(solver.ReadCountersNow().MaxSpeed)), solver.Settings.MaxSpeed);
         }
 
-        /// <summary>Speed of <see cref="Delay"/> frames ago [m/s].</summary>
-        public float Speed
+        /// <summary>The liquid of <see cref="Delay"/> frames ago.</summary>
+        public SpeedSample Sample
         {
             get
             {
                 Slot oldest = slots[next];
                 if (!oldest.Known) oldest.Wait();
-                return oldest.Speed;
+                return oldest.Sample;
             }
         }
 
-        /// <summary>Asks for the speed of a frame whose steps have been given to the GPU.</summary>
-        public void Request()
+        /// <summary>Bytes of GPU memory.</summary>
+        public long GpuBytes => Bytes(counts) + Bytes(places);
+
+        /// <summary>Keeps the places of the next recorded frame, for distances from there on.</summary>
+        /// <returns>The number that samples with such distances have.</returns>
+        public int KeepPlaces()
         {
-            var slot = new Slot { Speed = Speed };
-            slots[next] = slot;
-            next = (next + 1) % Delay;
-            if (SystemInfo.supportsAsyncGPUReadback)
-                slot.Request = AsyncGPUReadback.Request(solver.State.Published.Counters, sizeof(float), CounterReadback.MaxSpeed * sizeof(float), slot.Take);
-            else
-                slot.Take(solver.ReadCountersNow().MaxSpeed);
+            keeps = true;
+            return ++keepings;
         }
 
-        // A liquid at a speed without a number has flown apart; the guards report it.
-        static float Finite(float speed) => speed >= 0f && speed < float.PositiveInfinity ? speed : float.MaxValue;
+        /// <summary>No distances from the next frame on.</summary>
+        public void ForgetPlaces() => keeps = hasPlaces = false;
+
+        /// <summary>The liquid is another one: what was measured before does not count.</summary>
+        /// <param name="speed">Fastest particle until a measurement is there [m/s].</param>
+        /// <param name="head">What it would have at the domain's lowest place [m/s].</param>
+        public void Restart(float speed, float head)
+        {
+            ForgetPlaces();
+            for (int i = 0; i < Delay; i++)
+                slots[i] = new Slot { Known = true, Sample = new SpeedSample { Fastest = speed, Bulk = speed, Head = head, Present = head } };
+        }
+
+        /// <summary>Records the measurement of a frame's end, after its steps and the neighbour setup.</summary>
+        public void Record(CommandBuffer cmd)
+        {
+            pass.Record(cmd, solver, counts);
+            if (keeps)
+            {
+                GpuBuffers.Reserve(ref places, "Kept Places", solver.ParticleCount, 4 * sizeof(float));
+                pass.RecordPlaces(cmd, solver, places);
+                keeps = false;
+                hasPlaces = true;
+            }
+            if (hasPlaces) pass.RecordDistances(cmd, solver, places, counts);
+        }
+
+        /// <summary>Asks for the measurement when it has been given to the GPU.</summary>
+        public void Request()
+        {
+            var slot = new Slot { Sample = Sample, Kept = hasPlaces ? keepings : 0 };
+            slots[next] = slot;
+            next = (next + 1) % Delay;
+            if (SystemInfo.supportsAsyncGPUReadback) slot.Request = AsyncGPUReadback.Request(counts, slot.Take);
+            else slot.Take(counts);
+        }
+
+        /// <inheritdoc/>
+        public void Dispose()
+        {
+            GpuBuffers.Dispose(ref counts);
+            GpuBuffers.Dispose(ref places);
+        }
+
+        static long Bytes(GraphicsBuffer buffer) => buffer == null ? 0 : (long)buffer.count * buffer.stride;
 
         sealed class Slot
         {
+            static readonly uint[] Numbers = new uint[SpeedCounts.Size];
+
             public AsyncGPUReadbackRequest Request;
-            public float Speed;
+            public SpeedSample Sample;
             public bool Known;
+            public int Kept;
 
             public void Take(AsyncGPUReadbackRequest request)
             {
                 if (Known) return;
                 Known = true;
                 if (request.hasError) return;
-                Speed = Finite(request.GetData<float>()[0]);
+                request.GetData<uint>().CopyTo(Numbers);
+                Sample = SpeedSample.Of(Numbers, Kept);
             }
 
-            public void Take(float speed)
+            public void Take(GraphicsBuffer counts)
             {
-                Speed = Finite(speed);
                 Known = true;
+                counts.GetData(Numbers);
+                Sample = SpeedSample.Of(Numbers, Kept);
             }
 
             public void Wait()

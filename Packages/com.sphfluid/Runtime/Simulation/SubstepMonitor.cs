@@ -32,6 +32,15 @@ namespace SphFluid
         /// <summary>Simulated time over frame time, smoothed; 1 keeps up.</summary>
         public double RealTimeFactor { get; private set; } = 1.0;
 
+        /// <summary>Takes note of a frame in which the liquid rests and needs no steps.</summary>
+        /// <param name="deltaTime">Frame time [s].</param>
+        public void Rest(double deltaTime)
+        {
+            if (!(deltaTime > 0.0)) return;
+            RealTimeFactor += (1.0 - RealTimeFactor) * Smoothing;
+            NoteQuiet(deltaTime);
+        }
+
         /// <summary>Takes note of a frame.</summary>
         /// <param name="clock">Clock after its Advance.</param>
         /// <param name="steps">Steps that it gave.</param>
@@ -46,10 +55,7 @@ namespace SphFluid
             RealTimeFactor += (factor - RealTimeFactor) * Smoothing;
             if (!hit)
             {
-                quiet += deltaTime;
-                if (quiet < QuietTime) return null;
-                lagging = false;
-                capped = 0.0;
+                NoteQuiet(deltaTime);
                 return null;
             }
             CapHits++;
@@ -63,6 +69,14 @@ namespace SphFluid
                 $"A frame of {1e3 * deltaTime:0.#} ms needs {needed} steps of {1e3 * clock.TimeStep:0.###} ms, ") +
                 FormattableString.Invariant($"but at most {clock.MaxSteps} are allowed, so the liquid moves at {100.0 * factor:0} % of real time ") +
                 FormattableString.Invariant($"({CapHits} such frames so far).");
+        }
+
+        void NoteQuiet(double deltaTime)
+        {
+            quiet += deltaTime;
+            if (quiet < QuietTime) return;
+            lagging = false;
+            capped = 0.0;
         }
     }
 }

@@ -25,5 +25,11 @@ namespace SphFluid
 
         /// <summary>Density and force have different kernels, which feeds energy in and makes particles pair.</summary>
         TwoKernels = 32,
+
+        /// <summary>The speed of sound can change while the liquid runs.</summary>
+        FollowingSoundSpeed = 64,
+
+        /// <summary>One neighbour setup serves several steps, more of a slow liquid: <see cref="FluidSolver.FlowSpeed"/>.</summary>
+        KeptNeighbours = 128,
     }
 }

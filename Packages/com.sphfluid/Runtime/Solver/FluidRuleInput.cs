@@ -76,7 +76,7 @@ namespace SphFluid
             SoundSpeedRatio = 5f,
             MaxCompression = 0.04f,
             ViscosityRatio = 0.01f,
-            TimeStepFraction = 0.6f,
+            TimeStepFraction = 0.75f,
             WallDistanceRatio = 0.5f,
             WallStiffnessRatio = 1f,
             WallDampingRatio = 1f,
@@ -84,7 +84,7 @@ namespace SphFluid
             MinSpeed = 0.1f,
         };
 
-        /// <summary>Water by the thesis method: κ = 2, else as <see cref="Water"/>.</summary>
+        /// <summary>Water by the thesis method: κ = 2 and 0.6 of the step at rest, else as <see cref="Water"/>.</summary>
         public static FluidRuleInput ThesisWater
         {
             get
@@ -92,6 +92,7 @@ namespace SphFluid
                 FluidRuleInput water = Water;
                 water.Method = FluidMethodKind.Thesis;
                 water.SupportRatio = 2f;
+                water.TimeStepFraction = 0.6f;
                 return water;
             }
         }

@@ -106,6 +106,15 @@ namespace SphFluid
         /// <summary>Bytes of GPU memory that the solver holds.</summary>
         public long GpuBytes => state.Bytes;
 
+        /// <summary>Grows with each change of physics, obstacles or particles from outside the steps.</summary>
+        internal int Changes { get; private set; }
+
+        /// <summary>Grows when other settings are applied.</summary>
+        internal int SettingsChanges { get; private set; }
+
+        /// <summary>Grows when particles are put in the place of the present ones.</summary>
+        internal int ParticleChanges { get; private set; }
+
         internal FluidState State => state;
 
         internal IFluidStepper Stepper => stepper;
@@ -119,6 +128,7 @@ namespace SphFluid
         {
             ThrowIfDisposed();
             obstacles?.Check(state.Settings);
+            Changes++;
             this.obstacles = obstacles;
             if (obstacles == null) state.SetTriangles(null, null, 0);
             SetBodies(obstacles?.Bodies);
@@ -129,6 +139,7 @@ namespace SphFluid
         {
             ThrowIfDisposed();
             if (bodies == state.Bodies) return;
+            Changes++;
             if (bodies != null && !method.Has(FluidMethodFeatures.BodyContact))
             {
                 throw new ArgumentException($"The method {Kind} takes triangles, not bodies. Give it the scene by SetObstacles.", nameof(bodies));
@@ -159,6 +170,8 @@ namespace SphFluid
                     "the grid depends on them. Start a new solver.");
             }
 
+            Changes++;
+            SettingsChanges++;
             state.Settings = prepared;
             counters.RestDensity = settings.RestDensity;
             neighboursFresh = false;
@@ -248,6 +261,8 @@ namespace SphFluid
             state.Published.Particles.SetData(CheckParticles(state.Settings, particles));
             loaded = false;
             neighboursFresh = false;
+            Changes++;
+            ParticleChanges++;
         }
 
         /// <summary>Records the globals and the keyword of a kernel that includes Shaders/Solver/GridNeighbours.hlsl.</summary>

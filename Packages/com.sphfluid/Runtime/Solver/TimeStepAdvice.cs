@@ -70,7 +70,7 @@ namespace SphFluid
         }
 
         /// <summary>The step to take: a fraction of the acoustic limit, and no more than the others, which have their margin.</summary>
-        /// <param name="fraction">Of the acoustic limit; 0.6 by default in a profile.</param>
+        /// <param name="fraction">Of the acoustic limit; 0.75 by default in a profile.</param>
         /// <returns>Its length [s].</returns>
         public double Step(double fraction) => Math.Min(fraction * Acoustic, Math.Min(Speed, Math.Min(Viscosity, Walls)));
 

@@ -16,7 +16,11 @@ namespace SphFluid.Tests
         SimulationRig rig;
 
         [SetUp]
-        public void SetUp() => rig = new SimulationRig();
+        public void SetUp()
+        {
+            rig = new SimulationRig();
+            rig.Profile.SoundSpeedMode = FluidSoundSpeedMode.FixedByRule;
+        }
 
         [TearDown]
         public void TearDown() => rig.Dispose();

@@ -33,6 +33,7 @@ namespace SphFluid.Tests
         public IEnumerator TimeAndLiquidMoveWithTheFrames()
         {
             FluidSimulation simulation = rig.Create();
+            rig.Profile.SoundSpeedMode = FluidSoundSpeedMode.FixedByRule;
             yield return Until(simulation);
             float height = SimulationRig.MeanHeight(simulation);
             double before = simulation.SimulatedTime;

@@ -53,9 +53,6 @@ namespace SphFluid
         /// <summary>Grows whenever the set of bodies was made anew.</summary>
         public int Version { get; private set; }
 
-        /// <summary>Most that a point of any body goes in the frame's motion [m]; 0 when that was stepped through.</summary>
-        public float LongestDisplacement { get; private set; }
-
         /// <summary>Whether a body has a friction of its own that is not zero.</summary>
         public bool HoldLiquid { get; private set; }
 
@@ -70,6 +67,9 @@ namespace SphFluid
 
         /// <summary>Whether a body is still moving: the steps have not gone through all of its motion of the frame.</summary>
         public bool IsUnderWay { get; private set; }
+
+        /// <summary>Farthest that a point of a body goes in the motion of the frame, or of a corner of its box [m].</summary>
+        public float LongestMotion { get; private set; }
 
         /// <summary>Times a body's motion could not be followed, since the start; it was put at its new place at once.</summary>
         public int Jumps { get; private set; }
@@ -93,7 +93,7 @@ namespace SphFluid
             if (outgrown) Rebuild(solids);
             bool wasUnderWay = IsUnderWay;
             IsUnderWay = HasStretch = false;
-            LongestDisplacement = 0f;
+            LongestMotion = 0f;
             for (int i = 0; i < bodies.Count; i++)
             {
                 if (motions[i] == null) continue;
@@ -103,8 +103,8 @@ namespace SphFluid
                     motions[i].Arrive();
                 }
                 IsUnderWay |= !motions[i].IsAtRest;
+                if (!motions[i].IsAtRest) LongestMotion = Mathf.Max(LongestMotion, motions[i].LongestDisplacement(bodies[i].BoundsMin, bodies[i].BoundsMax));
                 HasStretch |= motions[i].IsStretched;
-                LongestDisplacement = Mathf.Max(LongestDisplacement, motions[i].LongestDisplacement(bodies[i].BoundsMin, bodies[i].BoundsMax));
             }
             if (IsUnderWay || wasUnderWay || stale) UploadBodies();
         }
@@ -114,7 +114,6 @@ namespace SphFluid
         {
             if (!IsUnderWay) return;
             IsUnderWay = false;
-            LongestDisplacement = 0f;
             stale = true; // the buffer is read by commands yet to run; at fraction 1 it is right
             foreach (BodyMotion motion in motions) motion?.Arrive();
         }

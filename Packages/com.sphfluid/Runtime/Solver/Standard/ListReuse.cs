@@ -27,7 +27,7 @@ namespace SphFluid
             int most = Math.Max(1, Math.Min(MostSteps, state.Own.StepsPerSort));
             if (most == 1 || !state.MayListNeighbours) return 1;
             double closing = 2.0 * speed * timeStep / state.Settings.SupportRadius;
-            double bodies = (state.Bodies?.LongestDisplacement ?? 0f) / Math.Max(1, steps) / state.Settings.SupportRadius;
+            double bodies = (state.HasBodies && state.Bodies.IsUnderWay ? state.Bodies.LongestMotion : 0f) / Math.Max(1, steps) / state.Settings.SupportRadius;
             double allowed = 1.0 + Math.Min(closing > 0.0 ? MostClosing / closing : most, bodies > 0.0 ? MostBodyMotion / bodies : most);
             return allowed < most ? (int)allowed : most;
         }

@@ -10,14 +10,17 @@ namespace SphFluid
             "LoadParticles", "ScanCells", "ScatterParticles", "StandardDensity", "MoveParticles", "GatherWalls", "FindContacts",
             "ResolveContacts", "DampVelocities", "PublishParticles");
 
+        static readonly string[] Fields = { "soundSpeedMode" };
+
         public override FluidMethodKind Kind => FluidMethodKind.Standard;
 
         public override FluidMethodFeatures Features => FluidMethodFeatures.OpenFaces | FluidMethodFeatures.BodyContact |
-            FluidMethodFeatures.ColliderFriction | FluidMethodFeatures.RelaxedStart;
+            FluidMethodFeatures.ColliderFriction | FluidMethodFeatures.RelaxedStart | FluidMethodFeatures.FollowingSoundSpeed |
+            FluidMethodFeatures.KeptNeighbours;
 
         public override ShaderGroup Shaders => Group;
 
-        public override IReadOnlyList<string> ProfileFields => new string[0];
+        public override IReadOnlyList<string> ProfileFields => Fields;
 
         public override long MaxCells => CellRows.MaxCells;
 

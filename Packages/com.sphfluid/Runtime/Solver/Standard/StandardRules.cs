@@ -9,7 +9,7 @@ namespace SphFluid
     /// <item><description>c = max(ratio v_max, √(g D / η)): the compression η allowed at rest, 1/ratio² in motion.</description></item>
     /// <item><description>m = ρ0 dx³ / Σ W dx³: the rest lattice has the rest density, less what rounding may add.</description></item>
     /// <item><description>ν = max(real, α c R), α = 0.001: a tenth of what the thesis's two kernels need.</description></item>
-    /// <item><description>dt = min(0.6 · 0.9 R/(c/M + v_max), 0.4 dx/v_max, 0.035 M R²/ν), M the lattice's moment; <see cref="TimeStepAdvice"/>.</description></item>
+    /// <item><description>dt = min(0.75 · 0.9 R/(c/M + v_max), 0.4 dx/v_max, 0.035 M R²/ν), M the lattice's moment; <see cref="TimeStepAdvice"/>.</description></item>
     /// </list>
     /// </summary>
     internal static class StandardRules

@@ -31,6 +31,7 @@ namespace SphFluid.Tests
             Assert.That(profile.WallDistanceRatio, Is.EqualTo(water.WallDistanceRatio));
             Assert.That(profile.WallStiffnessRatio, Is.EqualTo(water.WallStiffnessRatio));
             Assert.That(profile.WallDampingRatio, Is.EqualTo(water.WallDampingRatio));
+            Assert.That(profile.SoundSpeedMode, Is.EqualTo(FluidSoundSpeedMode.FollowsLiquid));
             Assert.That(profile.ThesisSwitches, Is.EqualTo(ThesisSwitches.Corrected));
             Assert.That(profile.Version, Is.EqualTo(1));
         }
@@ -41,7 +42,7 @@ namespace SphFluid.Tests
             profile.RestDensity = -5f;
             Assert.That(profile.RestDensity, Is.EqualTo(1f));
             profile.TimeStepFraction = float.NaN;
-            Assert.That(profile.TimeStepFraction, Is.EqualTo(0.6f));
+            Assert.That(profile.TimeStepFraction, Is.EqualTo(0.75f));
             profile.SoundSpeedRatio = float.PositiveInfinity;
             Assert.That(profile.SoundSpeedRatio, Is.EqualTo(20f));
             profile.MaxParticles = 0;
@@ -49,6 +50,7 @@ namespace SphFluid.Tests
         }
 
         [TestCase("WaterProfile", 2.25f)]
+        [TestCase("FastWaterProfile", 2.25f)]
         [TestCase("ThesisWaterProfile", 2f)]
         public void ShippedAssetsAreComplete(string name, float supportRatio)
         {

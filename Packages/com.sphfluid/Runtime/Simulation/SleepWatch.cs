@@ -1,0 +1,82 @@
+using System;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Finds out when a liquid rests. It rests when for longer than it takes to swing once no particle was fast, and none went anywhere:
+    /// a wave at its turning point moves again within the time, and liquid that creeps leaves its place.
+    /// </summary>
+    internal sealed class SleepWatch
+    {
+        // Over √(g dx).
+        const double QuietSpeed = 0.2;
+
+        // Over dx. Particles of a pool at rest stay where they are but for a few that find a better place.
+        const double QuietDistance = 0.15;
+        const double LongestDistance = 0.75;
+
+        // ν over c R by rule: below it motion that is left is noise, above it the liquid is meant to creep.
+        const double ThinViscosity = 0.001;
+
+        // Over the longest period, and s.
+        const double Periods = 1.25;
+        const double LeastTime = 2.0;
+
+        double speedLimit, distanceLimit, farthestLimit, holdTime;
+        double quiet;
+        int kept;
+
+        /// <summary>A watch for a liquid.</summary>
+        /// <param name="settings">Its constants.</param>
+        /// <param name="depth">Its depth at rest [m].</param>
+        public SleepWatch(in FluidSolverSettings settings, double depth) => Take(settings, depth);
+
+        /// <summary>Whether the liquid rests.</summary>
+        public bool IsAsleep { get; private set; }
+
+        /// <summary>Takes over changed constants. Without any force there is nothing that brings liquid to rest: it is never asleep.</summary>
+        public void Take(in FluidSolverSettings settings, double depth)
+        {
+            double acceleration = LiquidPotential.Acceleration(settings);
+            speedLimit = QuietSpeed * Math.Sqrt(acceleration * settings.Spacing);
+            double viscosity = settings.Viscosity / settings.RestDensity;
+            double thin = Math.Min(1.0, ThinViscosity * settings.SoundSpeed * settings.SupportRadius / Math.Max(viscosity, 1e-12));
+            distanceLimit = QuietDistance * thin * settings.Spacing;
+            farthestLimit = LongestDistance * thin * settings.Spacing;
+            holdTime = Math.Max(LeastTime, Periods * LiquidPotential.LongestPeriod(settings, depth));
+        }
+
+        /// <summary>Something touched the liquid.</summary>
+        public void Wake()
+        {
+            IsAsleep = false;
+            quiet = 0.0;
+            kept = 0;
+        }
+
+        /// <summary>Takes note of a frame with steps.</summary>
+        /// <param name="sample">The liquid as it was some frames ago.</param>
+        /// <param name="time">The frame's time [s].</param>
+        /// <param name="keepPlaces">Keeps the particles' places of this frame and gives that keeping's number.</param>
+        /// <param name="forgetPlaces">Ends the measuring of distances.</param>
+        public void Note(in SpeedSample sample, double time, Func<int> keepPlaces, Action forgetPlaces)
+        {
+            if (!(sample.Present < speedLimit))
+            {
+                if (kept != 0) forgetPlaces();
+                quiet = 0.0;
+                kept = 0;
+            }
+            else if (kept == 0 || sample.Kept == kept && !(sample.Distance < distanceLimit && sample.Farthest < farthestLimit))
+            {
+                quiet = 0.0;
+                kept = keepPlaces();
+            }
+            else if (sample.Kept == kept)
+            {
+                quiet += time;
+                IsAsleep = quiet >= holdTime;
+            }
+        }
+    }
+}

@@ -1,0 +1,64 @@
+using System;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// The speed that a running liquid's constants are made for. It follows the measured one down slowly, because a softer liquid is
+    /// compressed more and its level sinks, and up at once as fast as pressure can follow; never above the speed by rule.
+    /// </summary>
+    internal sealed class SpeedReference
+    {
+        // s, in which the speed changes by a factor e at most: down in many swings of a pool's compression, up in one or two.
+        const double FallTime = 1.0;
+        const double RiseTime = 0.1;
+
+        // A bin's edge is no change: the fall begins below a bin's width.
+        const double Slack = 1.07;
+
+        // s: a single long frame counts for no more.
+        const double LongestFrame = 0.1;
+
+        bool falls;
+
+        /// <summary>Starts with the speed by rule.</summary>
+        /// <param name="most">The speed by rule [m/s].</param>
+        public SpeedReference(double most)
+        {
+            Most = Speed = most;
+        }
+
+        /// <summary>The speed by rule, which is not exceeded [m/s].</summary>
+        public double Most { get; private set; }
+
+        /// <summary>The speed in use [m/s].</summary>
+        public double Speed { get; private set; }
+
+        /// <summary>Takes over another speed by rule; where it grows, the speed in use grows with it at once.</summary>
+        public void Limit(double most)
+        {
+            if (most > Most) Speed *= most / Most;
+            Speed = Math.Min(Speed, most);
+            Most = most;
+        }
+
+        /// <summary>Back to the speed by rule: the liquid is another one.</summary>
+        public void Restart()
+        {
+            Speed = Most;
+            falls = false;
+        }
+
+        /// <summary>Follows the measured speed for a frame.</summary>
+        /// <param name="measured">What the liquid has or will have at the domain's lowest place [m/s].</param>
+        /// <param name="time">Length of the frame [s].</param>
+        /// <returns>Whether the speed in use changed.</returns>
+        public bool Follow(double measured, double time)
+        {
+            double before = Speed, target = Math.Min(measured, Most), frame = Math.Min(time, LongestFrame);
+            if (target > Speed) Speed = Math.Min(target, Speed * Math.Exp(frame / RiseTime));
+            falls = target < Speed && (falls || target * Slack < Speed);
+            if (falls) Speed = Math.Max(target, Speed * Math.Exp(-frame / FallTime));
+            return Speed != before;
+        }
+    }
+}

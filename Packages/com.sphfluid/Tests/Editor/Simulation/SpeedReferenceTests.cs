@@ -1,0 +1,67 @@
+using System;
+using NUnit.Framework;
+
+namespace SphFluid.Tests
+{
+    public sealed class SpeedReferenceTests
+    {
+        const double Frame = 1.0 / 60.0;
+
+        [Test]
+        public void ItFallsSlowlyToTheMeasuredSpeed()
+        {
+            var reference = new SpeedReference(4.0);
+            for (int frame = 0; frame < 60; frame++)
+            {
+                double before = reference.Speed;
+                Assert.That(reference.Follow(1.0, Frame));
+                Assert.That(reference.Speed, Is.EqualTo(before * Math.Exp(-Frame)).Within(1e-12));
+            }
+            Assert.That(reference.Speed, Is.EqualTo(4.0 / Math.E).Within(1e-9), "a factor e a second");
+            for (int frame = 0; frame < 60; frame++) reference.Follow(1.0, Frame);
+            Assert.That(reference.Speed, Is.EqualTo(1.0));
+            Assert.That(reference.Follow(1.0, Frame), Is.False);
+        }
+
+        [Test]
+        public void ItRisesFasterAndNeverAboveTheRule()
+        {
+            var reference = new SpeedReference(4.0);
+            for (int frame = 0; frame < 300; frame++) reference.Follow(1.0, Frame);
+            Assert.That(reference.Follow(100.0, Frame));
+            Assert.That(reference.Speed, Is.EqualTo(Math.Exp(10.0 * Frame)).Within(1e-12));
+            for (int frame = 0; frame < 300; frame++) reference.Follow(double.PositiveInfinity, Frame);
+            Assert.That(reference.Speed, Is.EqualTo(4.0));
+        }
+
+        [Test]
+        public void AFlickerByABinIsNoChange()
+        {
+            var reference = new SpeedReference(2.0);
+            for (int frame = 0; frame < 60; frame++) Assert.That(reference.Follow(frame % 2 == 0 ? 2.0 : 1.9, Frame), Is.False);
+            Assert.That(reference.Follow(1.8, Frame));
+        }
+
+        [Test]
+        public void AFrameThatTookLongIsNoLeap()
+        {
+            var reference = new SpeedReference(2.0);
+            reference.Follow(0.1, 30.0);
+            Assert.That(reference.Speed, Is.EqualTo(2.0 * Math.Exp(-0.1)).Within(1e-12));
+        }
+
+        [Test]
+        public void AnotherRuleRaisesItAtOnceAndLimitsIt()
+        {
+            var reference = new SpeedReference(2.0);
+            for (int frame = 0; frame < 300; frame++) reference.Follow(1.0, Frame);
+            reference.Limit(6.0);
+            Assert.That(reference.Speed, Is.EqualTo(3.0).Within(1e-12), "in proportion");
+            reference.Limit(2.5);
+            Assert.That(reference.Speed, Is.EqualTo(2.5));
+            reference.Limit(5.0);
+            reference.Restart();
+            Assert.That(reference.Speed, Is.EqualTo(5.0));
+        }
+    }
+}
