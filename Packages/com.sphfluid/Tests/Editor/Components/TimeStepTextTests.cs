@@ -20,6 +20,7 @@ namespace SphFluid.Tests
             simulation.UseSceneGravity = false;
             simulation.Profile = Object.Instantiate(AssetDatabase.LoadAssetAtPath<FluidProfile>("Packages/com.sphfluid/Runtime/Assets/WaterProfile.asset"));
             simulation.Profile.SupportRatio = 2f;
+            simulation.Profile.TimeStepFraction = 0.6f;
             var volume = new GameObject("Liquid").AddComponent<FluidVolume>();
             volume.transform.SetParent(simulation.transform, false);
         }
