@@ -6,8 +6,9 @@ using Headless.Checks.Form;
 using Headless.Checks.Format;
 using Headless.Checks.Fxc;
 using Headless.Checks.Gpu;
+using Headless.Checks.Shaders;
 
-string[] names = ["api", "surface", "fxc", "dxc", "cross", "gpu", "form", "format"];
+string[] names = ["api", "surface", "fxc", "dxc", "cross", "gpu", "uniform", "form", "format"];
 var usage = $"usage: sphchecks PROJECT [--stand-in FOLDER] [--cache FOLDER] [--only {string.Join('|', names)}] [--update]";
 string? project = null, standIn = null, only = null, family = null, shaderCache = null;
 var update = false;
@@ -44,6 +45,7 @@ Add("fxc", () => [new FxcCheck(packages, cache).Run()]);
 Add("dxc", () => [new DxcCheck(packages, cache).Run()]);
 Add("cross", () => new CrossCheck(packages, shaderCache).Run());
 Add("gpu", () => new GpuCheck(packages, shaderCache, Path.Combine(project, "Headless", "Checks", "Gpu", "Data")).Run(update));
+Add("uniform", () => [new UniformBranchCheck(packages, shaderCache).Run()]);
 Add("form", () => FormChecks.Run(packages));
 Add("format", () => [new CodeFormatCheck(project).Run(), new TextFormatCheck(project).Run()]);
 

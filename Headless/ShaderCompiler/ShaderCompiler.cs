@@ -51,12 +51,18 @@ public sealed class ShaderCompiler
         KernelDeclaration declaration = source.Kernels.FirstOrDefault(k => k.Name == kernel)
             ?? throw new ShaderCompileException(source.Path, 0, $"no \"#pragma kernel {kernel}\"");
         IReadOnlyList<string> chosen = KeywordSelection.Choose(source.KeywordSets, keywords, needsChoice: true, source.Path);
-        return Once(source, kernel, chosen, () =>
-        {
-            string text = StageText.Build(source.Expanded, ShaderStage.Compute, ComputeTarget, [.. GlobalDefines, .. declaration.Defines], chosen);
-            (text, string name) = KernelNames.Separate(text, kernel);
-            return [new StageJob(source.Expanded, ShaderStage.Compute, kernel, text, $"kernel '{kernel}'") { SourceEntryPoint = name }];
-        })[0];
+        return Once(source, kernel, chosen, () => [KernelJob(source, declaration, chosen)])[0];
+    }
+
+    /// <summary>A kernel with the line that each instruction comes from, for checks; neither linked nor kept.</summary>
+    /// <param name="lineOf">File and line of a line that an OpLine names.</param>
+    internal byte[] CompileWithLines(ShaderRequest request, out Func<int, (string File, int Line)> lineOf)
+    {
+        ComputeSource source = request.Source!;
+        IReadOnlyList<string> chosen = KeywordSelection.Choose(source.KeywordSets, request.Keywords, needsChoice: true, source.Path);
+        StageJob job = KernelJob(source, source.Kernels.First(k => k.Name == request.Kernel), chosen);
+        lineOf = line => SourceLines.OfLine(job, line);
+        return _compiler.Compile(SourceLines.CountedFromTheTop(job), lines: true);
     }
 
     /// <summary>Stages in pipeline order: vertex, geometry (if any), fragment.</summary>
@@ -106,6 +112,13 @@ public sealed class ShaderCompiler
         {
             CompileKernel(request.Source!, request.Kernel!, request.Keywords);
         }
+    }
+
+    private StageJob KernelJob(ComputeSource source, KernelDeclaration kernel, IReadOnlyList<string> keywords)
+    {
+        string text = StageText.Build(source.Expanded, ShaderStage.Compute, ComputeTarget, [.. GlobalDefines, .. kernel.Defines], keywords);
+        (text, string name) = KernelNames.Separate(text, kernel.Name);
+        return new StageJob(source.Expanded, ShaderStage.Compute, kernel.Name, text, $"kernel '{kernel.Name}'") { SourceEntryPoint = name };
     }
 
     private List<StageJob> PassJobs(ShaderPass pass, IReadOnlyList<string> keywords)

@@ -49,8 +49,8 @@ internal static class FamilyCompiler
             {
                 Console.WriteLine(Program + CompiledTables.ProgramLine(family, key, program));
                 if (!variant.IsKernel || HotLoop.All.FirstOrDefault(h => h.Kernel == variant.Entry) is not { } hot) continue;
-                if (HotLoop.Find(IsaListing.Parse(program.Listings[Listing])) is { } loop)
-                    Console.WriteLine(Loop + CompiledTables.LoopLine(family, key, hot.Name, loop));
+                foreach (var (name, loop) in hot.Find(IsaListing.Parse(program.Listings[Listing])))
+                    Console.WriteLine(Loop + CompiledTables.LoopLine(family, key, name, loop));
             }
         }
         catch (Exception e) when (e is GpuException or ShaderCompileException or KeyNotFoundException or FormatException)

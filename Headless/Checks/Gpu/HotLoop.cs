@@ -11,9 +11,25 @@ internal sealed record HotLoop(string Kernel, string Name)
         new("CalculateDensity", "candidate"),
         new("CalculateForce", "candidate"),
         new("SampleBlocks", "particle"),
+        new("GatherWalls", "triangle"),
+        new("FindContacts", "triangle"),
+        new("Reorder", "particle of the cell"),
+        new("PrepareSurfaceParticles", "neighbour"),
+        new("EmitBlocks", "vertex"),
+        new("BitonicSort", "compare"),
+        new("BitonicSortBlock", "compare"),
     ];
 
-    /// <summary>Of the loops that contain no other and load from buffers, the one with the most instructions; null without such a loop.</summary>
-    public static InstructionCounts? Find(IsaListing listing) =>
-        listing.InnerLoops().Where(loop => loop.VectorLoads > 0).MaxBy(loop => loop.Total);
+    /// <summary>
+    /// The loops that contain no other and read buffers or groupshared memory, in the order of the code. The one with the most instructions
+    /// has the kernel's name for a turn, the others are "inner 1", "inner 2" and so on.
+    /// </summary>
+    public IEnumerable<(string Name, InstructionCounts Counts)> Find(IsaListing listing)
+    {
+        var loops = listing.InnerLoops().Where(loop => loop.VectorLoads + loop.Groupshared > 0).ToList();
+        // As long as one reads buffers, those that do not are asides.
+        var main = loops.Where(loop => loop.VectorLoads > 0).DefaultIfEmpty(loops.MaxBy(loop => loop.Total)).MaxBy(loop => loop?.Total ?? 0);
+        var others = 0;
+        foreach (var loop in loops) yield return (ReferenceEquals(loop, main) ? Name : $"inner {++others}", loop);
+    }
 }

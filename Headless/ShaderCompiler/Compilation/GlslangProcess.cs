@@ -23,7 +23,8 @@ internal sealed partial class GlslangProcess(string program)
     public string? Version => _version.Value;
 
     /// <summary>SPIR-V as glslang leaves it.</summary>
-    public byte[] Compile(StageJob job)
+    /// <param name="lines">Whether it names the line that each instruction comes from.</param>
+    public byte[] Compile(StageJob job, bool lines = false)
     {
         string output = Path.Combine(Path.GetTempPath(), $"headless-shader-{Guid.NewGuid():N}.spv");
         try
@@ -31,7 +32,7 @@ internal sealed partial class GlslangProcess(string program)
             (int exit, string text) = Run(job with { Text = ConstantRemainders.KeepFromFolding(job.Text) },
             [
                 "--stdin", "-V", "--target-env", "vulkan1.1", "-D", "--hlsl-offsets", "-fhlsl_functionality1", "--nan-clamp",
-                "--hlsl-dx-position-w", "-S", StageName(job.Stage), "-e", job.SourceEntryPoint, "-o", output,
+                "--hlsl-dx-position-w", "-S", StageName(job.Stage), "-e", job.SourceEntryPoint, "-o", output, .. lines ? ["-g"] : Array.Empty<string>(),
             ], output);
             if (exit is > 2 or < 0)
             {

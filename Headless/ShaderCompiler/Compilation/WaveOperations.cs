@@ -21,7 +21,7 @@ internal static partial class WaveOperations
             return;
         }
         HlslToken call = HlslTokens.Read(job.Text).Find(token => Name().IsMatch(token.Text));
-        (string file, int line) = Position(job, call.Start);
+        (string file, int line) = SourceLines.Position(job, call.Start);
         throw new ShaderCompileException(
             file, line,
             $"undeclared identifier '{call.Text}' at {job.Owner}: FXC, which compiles for Direct3D 11, has no wave operations "
@@ -43,21 +43,6 @@ internal static partial class WaveOperations
         }
     }
 
-    private static (string File, int Line) Position(StageJob job, int at)
-    {
-        MatchCollection marks = LineDirective().Matches(job.Text[..at]);
-        if (marks.Count == 0)
-        {
-            return (job.Source.Files[0], 0);
-        }
-        Match last = marks[^1];
-        int after = job.Text[last.Index..at].Count(c => c == '\n') - 1;
-        return (job.Source.FileName(int.Parse(last.Groups[2].Value)), int.Parse(last.Groups[1].Value) + after);
-    }
-
     [GeneratedRegex(@"^(Wave[A-Z]\w*|QuadRead\w+)$")]
     private static partial Regex Name();
-
-    [GeneratedRegex(@"^#line (\d+) (\d+)$", RegexOptions.Multiline)]
-    private static partial Regex LineDirective();
 }

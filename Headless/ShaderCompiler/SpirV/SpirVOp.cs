@@ -5,6 +5,7 @@ internal enum SpirVOp : ushort
 {
     Name = 5,
     MemberName = 6,
+    Line = 8,
     Extension = 10,
     ExtInstImport = 11,
     ExtInst = 12,
@@ -82,8 +83,10 @@ internal enum SpirVOp : ushort
     Label = 248,
     Branch = 249,
     BranchConditional = 250,
+    Switch = 251,
     Kill = 252,
     Return = 253,
+    NoLine = 317,
     DecorateId = 332,
     GroupNonUniformElect = 333,
     GroupNonUniformBallotBitCount = 342,

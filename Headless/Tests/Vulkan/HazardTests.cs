@@ -86,6 +86,32 @@ public sealed class HazardTests : DeviceFixture
     }
 
     [Test]
+    public void DispatchesThatShareBuffersTakeTheLighterBarrier()
+    {
+        Fill(a, 1);
+        Reverse(b, a); // SetUp's fill is a copy: this one is for all stages
+        long before = Recorder.ComputeBarrierCount;
+        Assert.That(Barriers(() => Reverse(c, b)), Is.EqualTo(1));
+        Assert.That(Barriers(() => Reverse(a, c)), Is.EqualTo(1));
+        Assert.That(Recorder.ComputeBarrierCount - before, Is.EqualTo(2));
+        Assert.That(Read<uint>(a)[0], Is.EqualTo(Count));
+    }
+
+    [Test]
+    public void CopiesWaitThoughALighterBarrierCameBetween()
+    {
+        Fill(a, 1);
+        Reverse(b, a);
+        Reverse(c, b);
+        long before = Recorder.ComputeBarrierCount;
+        Assert.That(Barriers(() => Recorder.CopyBuffer(b, 0, unrelated, 0, 4)), Is.EqualTo(1));
+        Assert.That(Barriers(() => Recorder.CopyBuffer(c, 0, a, 0, 4)), Is.Zero);
+        Assert.That(Barriers(() => Reverse(b, a)), Is.EqualTo(1));
+        Assert.That(Recorder.ComputeBarrierCount, Is.EqualTo(before), "a dispatch behind a copy waits for all stages");
+        Assert.That(Read<uint>(unrelated)[0], Is.EqualTo(Count));
+    }
+
+    [Test]
     public void PingPongGivesTheSameAsTheProcessor()
     {
         uint[] expected = Enumerable.Range(0, (int)Count).Select(i => (uint)i).ToArray();

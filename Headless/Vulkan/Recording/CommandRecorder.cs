@@ -28,6 +28,9 @@ public sealed class CommandRecorder
     /// <summary>Barriers recorded so far by this device.</summary>
     public long BarrierCount => stream.Hazards.BarrierCount;
 
+    /// <summary>Barriers among them that order dispatches alone.</summary>
+    public long ComputeBarrierCount => stream.Hazards.ComputeBarrierCount;
+
     /// <summary>Dispatches, draws, copies, fills and clears recorded so far by this device.</summary>
     public long CommandCount => stream.CommandCount;
 

@@ -7,10 +7,14 @@ namespace Headless.Vulkan;
 /// Commands are numbered; a resource knows the numbers of its last read and write. A barrier orders all commands before it
 /// against all after it, so a collision exists only with numbers above the last barrier's:
 /// write 1 to A, write 2 to B, read 3 of A (barrier before 3), read 4 of B (none: the same barrier covers it).
+/// Between dispatches that share buffers the barrier names storage accesses of the compute stage alone, which lets a driver keep its other
+/// caches. It orders nothing against drawings and copies: what these access is held against the last barrier for all stages.
 /// </remarks>
 internal sealed unsafe class HazardTracker
 {
     private const VkAccessFlags2 AllAccess = VkAccessFlags2.MemoryRead | VkAccessFlags2.MemoryWrite;
+
+    private const VkPipelineStageFlags2 Compute = VkPipelineStageFlags2.ComputeShader, Indirect = VkPipelineStageFlags2.DrawIndirect;
 
     private readonly List<(GpuResource Resource, bool Write)> accesses = new(32);
     private readonly List<(GpuTexture Texture, VkImageLayout Layout)> layouts = new(16);
@@ -18,10 +22,16 @@ internal sealed unsafe class HazardTracker
     private VkPipelineStageFlags2 pendingStages;
     private VkPipelineStageFlags2 nextStages;
     private ulong command = 1;
-    private ulong barrier;
+    private ulong barrier, computeBarrier, indirectBarrier;
     private bool collides;
+    // Since the last barrier for all stages.
+    private VkPipelineStageFlags2 unordered;
+    private bool usedTextures;
 
     public long BarrierCount { get; private set; }
+
+    /// <summary>Those of them that name the compute stage alone, and indirect arguments where the command reads some.</summary>
+    public long ComputeBarrierCount { get; private set; }
 
     /// <summary>Whether the accesses gathered so far need a barrier.</summary>
     public bool NeedsBarrier
@@ -49,7 +59,7 @@ internal sealed unsafe class HazardTracker
     public void Read(GpuResource resource, VkPipelineStageFlags2 stages)
     {
         resource.ThrowIfDisposed();
-        collides |= resource.LastWrite > barrier;
+        collides |= resource.LastWrite > BarrierFor(stages);
         nextStages |= stages;
         accesses.Add((resource, false));
     }
@@ -58,7 +68,7 @@ internal sealed unsafe class HazardTracker
     public void Write(GpuResource resource, VkPipelineStageFlags2 stages)
     {
         resource.ThrowIfDisposed();
-        collides |= resource.LastWrite > barrier || resource.LastRead > barrier;
+        collides |= Math.Max(resource.LastWrite, resource.LastRead) > BarrierFor(stages);
         nextStages |= stages;
         accesses.Add((resource, true));
     }
@@ -114,6 +124,8 @@ internal sealed unsafe class HazardTracker
         }
 
         pendingStages |= nextStages;
+        unordered |= nextStages;
+        usedTextures |= layouts.Count > 0;
         command++;
         Forget();
     }
@@ -127,9 +139,42 @@ internal sealed unsafe class HazardTracker
         layouts.Clear();
     }
 
+    // Number of the last barrier that orders a command's stages; a command may have several.
+    private ulong BarrierFor(VkPipelineStageFlags2 stages) => (stages & ~(Compute | Indirect)) != 0 || stages == 0
+        ? barrier
+        : Math.Min((stages & Compute) != 0 ? computeBarrier : ulong.MaxValue, (stages & Indirect) != 0 ? indirectBarrier : ulong.MaxValue);
+
+    private static bool IsCompute(VkPipelineStageFlags2 stages) => (stages & Compute) != 0 && (stages & ~(Compute | Indirect)) == 0;
+
     private void Record(VkCommandBuffer commands)
     {
-        VkPipelineStageFlags2 source = pendingStages == 0 ? VkPipelineStageFlags2.AllCommands : pendingStages;
+        if (IsCompute(pendingStages) && IsCompute(nextStages) && !usedTextures && layouts.Count == 0) RecordCompute(commands);
+        else RecordAll(commands);
+        pendingStages = 0;
+        BarrierCount++;
+    }
+
+    private void RecordCompute(VkCommandBuffer commands)
+    {
+        bool indirect = (nextStages & Indirect) != 0;
+        VkMemoryBarrier2 memory = new()
+        {
+            srcStageMask = pendingStages,
+            srcAccessMask = VkAccessFlags2.ShaderStorageWrite,
+            dstStageMask = indirect ? Compute | Indirect : Compute,
+            dstAccessMask = VkAccessFlags2.ShaderStorageRead | VkAccessFlags2.ShaderStorageWrite | VkAccessFlags2.UniformRead
+                | (indirect ? VkAccessFlags2.IndirectCommandRead : VkAccessFlags2.None),
+        };
+        VkDependencyInfo info = new() { memoryBarrierCount = 1, pMemoryBarriers = &memory };
+        Vk.vkCmdPipelineBarrier2(commands, &info);
+        computeBarrier = command - 1;
+        if (indirect) indirectBarrier = command - 1;
+        ComputeBarrierCount++;
+    }
+
+    private void RecordAll(VkCommandBuffer commands)
+    {
+        VkPipelineStageFlags2 source = pendingStages == 0 ? VkPipelineStageFlags2.AllCommands : pendingStages | unordered;
         uint count = 0;
         foreach ((GpuTexture texture, VkImageLayout layout) in layouts)
         {
@@ -164,9 +209,9 @@ internal sealed unsafe class HazardTracker
             Vk.vkCmdPipelineBarrier2(commands, &info);
         }
 
-        pendingStages = 0;
-        barrier = command - 1;
-        BarrierCount++;
+        barrier = computeBarrier = indirectBarrier = command - 1;
+        unordered = 0;
+        usedTextures = false;
     }
 
     private static VkImageMemoryBarrier2 Transition(GpuTexture texture, VkImageLayout layout, VkPipelineStageFlags2 source) => new()

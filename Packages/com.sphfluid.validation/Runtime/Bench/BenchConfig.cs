@@ -3,13 +3,16 @@ namespace SphFluid.Validation
     /// <summary>What a row's frame does: a step or none, and what is drawn.</summary>
     public readonly struct BenchConfig
     {
-        BenchConfig(BenchSolver solver, string name, BenchSurfaceKind kind, int grid = 0, bool hasStep = true, FluidSurfaceQuality? quality = null)
+        // A frame of 30 a second has more of them; a sort serves fewer.
+        const int ManySteps = 24;
+
+        BenchConfig(BenchSolver solver, string name, BenchSurfaceKind kind, int grid = 0, int steps = 1, FluidSurfaceQuality? quality = null)
         {
             Solver = solver;
             Name = name;
             Kind = kind;
             Grid = grid;
-            HasStep = hasStep;
+            Steps = steps;
             Quality = quality;
         }
 
@@ -31,8 +34,11 @@ namespace SphFluid.Validation
         /// <summary>Cells a side of the marching-cubes grid; 0 without one, and where the field's quality gives the cell.</summary>
         public int Grid { get; }
 
-        /// <summary>Whether a frame takes a step; else the liquid stands still.</summary>
-        public bool HasStep { get; }
+        /// <summary>Steps that a frame takes at once; 0: the liquid stands still.</summary>
+        public int Steps { get; }
+
+        /// <summary>Whether a frame takes steps.</summary>
+        public bool HasStep => Steps > 0;
 
         /// <summary>Quality of the sparse surface's own field; null for the thesis's field.</summary>
         public FluidSurfaceQuality? Quality { get; }
@@ -68,6 +74,8 @@ namespace SphFluid.Validation
                     return Quality.HasValue ? $"Sparse, {Field}" : $"{Drawing} {Grid}";
                 if (HasSurface)
                     return $"SPH + MC {Grid}";
+                if (Steps > 1)
+                    return Solver.Title + ", at once";
                 return Name == Solver.Name ? Solver.Title : Kind == BenchSurfaceKind.None ? "SPH only" : "SPH + particles";
             }
         }
@@ -78,7 +86,12 @@ namespace SphFluid.Validation
         /// <param name="cells">Cells a side of its grid.</param>
         public static BenchConfig SphMarchingCubes(int cells) => new BenchConfig(BenchSolver.ThesisOctant, "sph_mc", BenchSurfaceKind.Geometry, cells);
 
-        /// <summary>A step alone.</summary>
+        /// <summary>Many steps recorded together, as a game's frame does, so that a method may let one neighbour setup serve several.</summary>
+        /// <param name="solver">What computes them.</param>
+        public static BenchConfig StepsAtOnce(BenchSolver solver) =>
+            new BenchConfig(solver, solver.Name + "_at_once", BenchSurfaceKind.None, steps: ManySteps);
+
+        /// <summary>A step alone, with a neighbour setup of its own.</summary>
         /// <param name="solver">What computes it.</param>
         public static BenchConfig Step(BenchSolver solver) => new BenchConfig(solver, solver.Name, BenchSurfaceKind.None);
 
@@ -100,6 +113,6 @@ namespace SphFluid.Validation
             Still("sparse_" + quality.ToString().ToLowerInvariant(), BenchSurfaceKind.Sparse, 0, quality);
 
         static BenchConfig Still(string name, BenchSurfaceKind kind, int cells, FluidSurfaceQuality? quality = null) =>
-            new BenchConfig(BenchSolver.ThesisOctant, name, kind, cells, false, quality);
+            new BenchConfig(BenchSolver.ThesisOctant, name, kind, cells, 0, quality);
     }
 }

@@ -25,7 +25,7 @@ namespace SphFluid.Validation
         public abstract string Line(BenchRow row);
 
         /// <summary>Adds what a frame cost.</summary>
-        private protected TableFormat<BenchRow> AddTimes() => Format.Count("dispatches", row => row.Dispatches)
+        private protected TableFormat<BenchRow> AddTimes() => Format.Number("dispatches", row => (double)row.Dispatches / System.Math.Max(1, row.Config.Steps))
             .Number("gpu_ms_median", row => row.Frame.Median).Number("gpu_ms_min", row => row.Frame.Minimum).Number("gpu_ms_max", row => row.Frame.Maximum);
 
         /// <summary>Adds a column a part of a frame.</summary>

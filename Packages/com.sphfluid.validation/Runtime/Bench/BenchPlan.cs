@@ -81,11 +81,14 @@ namespace SphFluid.Validation
         /// <param name="particles">Numbers of particles; null for those that suit the device.</param>
         public static BenchPlan Solver(IReadOnlyList<int> particles)
         {
-            BenchConfig[] configs = new[]
+            BenchConfig[] configs =
             {
-                BenchSolver.ThesisCells, BenchSolver.ThesisOctant, BenchSolver.Standard, BenchSolver.StandardSearch,
-                BenchSolver.StandardUnordered, BenchSolver.StandardMesh, BenchSolver.StandardWide,
-            }.Select(BenchConfig.Step).ToArray();
+                BenchConfig.Step(BenchSolver.ThesisCells), BenchConfig.Step(BenchSolver.ThesisFused), BenchConfig.Step(BenchSolver.ThesisOctant),
+                BenchConfig.Step(BenchSolver.Standard), BenchConfig.StepsAtOnce(BenchSolver.Standard),
+                BenchConfig.Step(BenchSolver.StandardSearch), BenchConfig.Step(BenchSolver.StandardUnordered),
+                BenchConfig.Step(BenchSolver.StandardMesh), BenchConfig.StepsAtOnce(BenchSolver.StandardMesh),
+                BenchConfig.Step(BenchSolver.StandardWide), BenchConfig.StepsAtOnce(BenchSolver.StandardWide),
+            };
             return new BenchPlan("solver", configs, particles ?? ForDevice(SolverParticles), FrameBlocks.Step, new SolverLayout(FrameBlocks.Step.Select(b => b.Name)))
             {
                 SizeBySize = true,

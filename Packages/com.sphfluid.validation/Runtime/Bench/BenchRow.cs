@@ -54,7 +54,7 @@ namespace SphFluid.Validation
         /// <summary>The device's copy speed before the samples, read and written [B/s].</summary>
         public double CopySpeed { get; set; }
 
-        /// <summary>Compute dispatches of a frame.</summary>
+        /// <summary>Compute dispatches of a frame, all its steps together.</summary>
         public long Dispatches { get; set; }
 
         /// <summary>The surface that was drawn last; all nothing without one.</summary>
@@ -66,7 +66,7 @@ namespace SphFluid.Validation
         /// <summary>Number of samples.</summary>
         public int SampleCount => samples.Count;
 
-        /// <summary>Frames of all samples.</summary>
+        /// <summary>Frames of all samples, or steps where a frame has several.</summary>
         public int FrameCount => samples.Sum(s => s.Frames);
 
         /// <summary>GPU time of a frame: statistics of the samples' means [ms].</summary>
@@ -84,6 +84,9 @@ namespace SphFluid.Validation
         /// <summary>GPU time of a block in a frame, median of the samples [ms].</summary>
         /// <param name="index">Number of the block.</param>
         public double Block(int index) => SampleStatistics.Of(samples.Select(s => s.Block(index)).ToList()).Median;
+
+        /// <summary>Neighbour setups a step.</summary>
+        public double Rebuilds => (double)samples.Sum(s => s.Setups) / FrameCount;
 
         /// <summary>Part of a frame's GPU time that a block takes, median of the samples.</summary>
         /// <param name="index">Number of the block.</param>

@@ -79,16 +79,18 @@ namespace SphFluid.Validation
                 if (surface != null)
                     yield return PrepareSurface(liquid.Solver, surface);
                 double missing = Math.Min(SubmissionMilliseconds, SampleMilliseconds - (sum?.Total ?? 0.0));
-                int frames = expected > 0.0 ? (int)Math.Max(1.0, Math.Min(MostFramesAtOnce, Math.Ceiling(1.05 * missing / expected))) : 1;
+                int steps = Math.Max(1, config.Steps);
+                double frameTime = expected * steps;
+                int frames = frameTime > 0.0 ? (int)Math.Max(1.0, Math.Min(MostFramesAtOnce / steps, Math.Ceiling(1.05 * missing / frameTime))) : 1;
                 cmd.Clear();
                 for (int i = 0; i < frames; i++)
                     Record(liquid, config, surface);
                 yield return Submit(() => liquid.Solver.ReadCountersNow(), frames);
-                expected = Last.Frame;
+                expected = Last.Frame / steps;
                 sum = sum?.Plus(Last) ?? Last;
             }
             while (sum.Value.Total < SampleMilliseconds);
-            Last = sum.Value;
+            Last = sum.Value.PerStep(config.Steps);
         }
 
         /// <summary>Measures copies of a buffer; <see cref="Last"/> is then their time, each a frame.</summary>
@@ -143,7 +145,7 @@ namespace SphFluid.Validation
             long before = ComputeKernel.DispatchesRecorded;
             cmd.BeginSample(frameMarker);
             if (config.HasStep)
-                liquid.Solver.RecordSteps(cmd, 1);
+                liquid.Solver.RecordSteps(cmd, config.Steps);
             if (config.Kind == BenchSurfaceKind.Particles)
                 drawing.RecordParticles(cmd, liquid.Solver);
             surface?.Record(cmd, liquid.Solver, drawing);

@@ -14,6 +14,9 @@ namespace SphFluid.Validation
         /// <summary>The thesis method with 27 cells of R.</summary>
         public static readonly BenchSolver ThesisCells = new BenchSolver("thesis_27", "Thesis, 27 cells", FluidMethodKind.Thesis);
 
+        /// <summary>The same with the first levels of its sort in one dispatch.</summary>
+        public static readonly BenchSolver ThesisFused = new BenchSolver("thesis_27_fused", "Thesis, fused sort", FluidMethodKind.Thesis) { FusedSort = true };
+
         /// <summary>The Standard method as it is by default but for κ.</summary>
         public static readonly BenchSolver Standard = new BenchSolver("standard", "Standard", FluidMethodKind.Standard) { StableOrder = true, NeighbourList = true };
 
@@ -58,6 +61,9 @@ namespace SphFluid.Validation
         /// <summary>True: the octant's 8 cells of 2R. False: 27 cells of R.</summary>
         public bool OctantSearch { get; private set; }
 
+        /// <summary>Whether the thesis's sort does its first ten levels in one dispatch.</summary>
+        public bool FusedSort { get; private set; }
+
         /// <summary>Whether particles of a cell are ordered by their ids.</summary>
         public bool StableOrder { get; private set; }
 
@@ -81,7 +87,9 @@ namespace SphFluid.Validation
             rules.LiquidDepth = height;
             FluidSolverSettings settings = FluidRules.Derive(rules);
             settings.OctantSearch = OctantSearch;
-            return Method != FluidMethodKind.Standard ? settings : settings.WithOwn((ref StandardSettings own) =>
+            if (Method != FluidMethodKind.Standard)
+                return settings.WithOwn((ref ThesisSettings own) => own.FusedSort = FusedSort);
+            return settings.WithOwn((ref StandardSettings own) =>
             {
                 own.StableOrder = StableOrder;
                 own.NeighbourList = NeighbourList;

@@ -9,15 +9,20 @@ namespace SphFluid.Validation
         /// <param name="frames">Number of frames.</param>
         /// <param name="total">Their whole GPU time [ms].</param>
         /// <param name="blocks">GPU time of each block in them [ms].</param>
-        public BenchTimes(int frames, double total, double[] blocks)
+        /// <param name="setups">Neighbour setups in them.</param>
+        public BenchTimes(int frames, double total, double[] blocks, long setups = 0)
         {
+            Setups = setups;
             Frames = frames;
             Total = total;
             this.blocks = blocks;
         }
 
-        /// <summary>Number of frames, one step each.</summary>
+        /// <summary>Number of frames.</summary>
         public int Frames { get; }
+
+        /// <summary>Neighbour setups in them, as their passes were timed.</summary>
+        public long Setups { get; }
 
         /// <summary>GPU time of the frames [ms].</summary>
         public double Total { get; }
@@ -48,7 +53,11 @@ namespace SphFluid.Validation
             var sums = (double[])blocks.Clone();
             for (int i = 0; i < sums.Length; i++)
                 sums[i] += more.blocks[i];
-            return new BenchTimes(Frames + more.Frames, Total + more.Total, sums);
+            return new BenchTimes(Frames + more.Frames, Total + more.Total, sums, Setups + more.Setups);
         }
+
+        /// <summary>The same times, each step counted as a frame.</summary>
+        /// <param name="steps">Steps of a frame; none counts as one.</param>
+        public BenchTimes PerStep(int steps) => new BenchTimes(Frames * System.Math.Max(1, steps), Total, blocks, Setups);
     }
 }

@@ -12,6 +12,9 @@ namespace SphFluid.Validation
         /// <summary>A whole frame of the benchmark; the parts lie inside.</summary>
         public const string Frame = "BenchFrame";
 
+        /// <summary>The first pass of every method's neighbour setup.</summary>
+        public static readonly IReadOnlyList<string> Setup = new[] { "CalculateParticleCellValue", "ScanCells" };
+
         /// <summary>One a block of the thesis, and one a drawing, in the order of a frame.</summary>
         public static readonly IReadOnlyList<BenchBlock> Thesis = new[]
         {

@@ -11,6 +11,7 @@ namespace SphFluid.Validation
     sealed class GpuClock : IDisposable
     {
         const int Capacity = 64;
+        const int SetupIndex = -1; // recorders that count
         const ProfilerRecorderOptions Options = ProfilerRecorderOptions.Default | ProfilerRecorderOptions.GpuRecorder | ProfilerRecorderOptions.StartImmediately;
 
         readonly List<ProfilerRecorderSample> samples = new List<ProfilerRecorderSample>();
@@ -18,7 +19,7 @@ namespace SphFluid.Validation
         readonly List<int> blockOf = new List<int>(); // of each recorder; the frame comes after the blocks
         readonly long[] nanoseconds;
         readonly int blockCount;
-        long frames;
+        long frames, setups;
 
         public GpuClock(IReadOnlyList<BenchBlock> blocks)
         {
@@ -30,6 +31,8 @@ namespace SphFluid.Validation
                     Listen(marker, i);
             }
             Listen(FrameBlocks.Frame, blockCount);
+            foreach (string marker in FrameBlocks.Setup)
+                Listen(marker, SetupIndex);
         }
 
         /// <summary>Forgets what came so far.</summary>
@@ -37,7 +40,7 @@ namespace SphFluid.Validation
         {
             Collect(0);
             Array.Clear(nanoseconds, 0, nanoseconds.Length);
-            frames = 0;
+            frames = setups = 0;
         }
 
         /// <summary>Takes in what came since the last call; whether the times of that many benchmark frames are there.</summary>
@@ -48,7 +51,10 @@ namespace SphFluid.Validation
                 recorders[i].CopyTo(samples, true);
                 foreach (ProfilerRecorderSample sample in samples)
                 {
-                    nanoseconds[blockOf[i]] += sample.Value;
+                    if (blockOf[i] == SetupIndex)
+                        setups += sample.Count;
+                    else
+                        nanoseconds[blockOf[i]] += sample.Value;
                     frames += blockOf[i] == blockCount ? sample.Count : 0;
                 }
             }
@@ -61,7 +67,7 @@ namespace SphFluid.Validation
             var blocks = new double[blockCount];
             for (int i = 0; i < blocks.Length; i++)
                 blocks[i] = nanoseconds[i] * 1e-6;
-            return new BenchTimes(frameCount, nanoseconds[blockCount] * 1e-6, blocks);
+            return new BenchTimes(frameCount, nanoseconds[blockCount] * 1e-6, blocks, setups);
         }
 
         public void Dispose()

@@ -24,10 +24,12 @@ namespace SphFluid.Validation
                 .Number("kappa", row => row.Config.Solver.SupportRatio)
                 .Number("neighbours_mean", row => row.NeighboursMean)
                 .Number("candidates_per_neighbour", row => row.CandidatesMean / row.NeighboursMean);
+            Format.Count("steps", row => row.Config.Steps).Number("rebuilds", row => row.Rebuilds);
             AddTimes()
                 .Number("mpsteps_per_s", row => row.MillionParticleSteps)
                 .Number("mpairs_per_s", row => row.MillionParticleSteps * row.NeighboursMean)
                 .Number("speedup_thesis_27", row => SpeedUp(row, BenchSolver.ThesisCells))
+                .Number("speedup_thesis_27_fused", row => SpeedUp(row, BenchSolver.ThesisFused))
                 .Number("speedup_thesis_8", row => SpeedUp(row, BenchSolver.ThesisOctant));
             AddParts("share.", parts, (row, i) => row.Share(i));
             Format
@@ -42,13 +44,13 @@ namespace SphFluid.Validation
 
         /// <inheritdoc/>
         public override string Head =>
-            $"{"",-20}{"particles",10}{"k",7}{"tests/k",9}{"dispatches",12}{"GPU ms",10}{"over 27",9}{"over 8",8}{"sort",6}{"roofline",10}{"growth",8}";
+            $"{"",-20}{"particles",10}{"k",7}{"tests/k",9}{"dispatches",12}{"rebuilds",10}{"GPU ms",10}{"over 27",9}{"fused",8}{"over 8",8}{"sort",6}{"roofline",10}{"growth",8}";
 
         /// <inheritdoc/>
         public override string Line(BenchRow row) =>
-            string.Format(CultureInfo.InvariantCulture, "{0,-20}{1,10}{2,7:F1}{3,9:F1}{4,12}{5,10:F3}{6,9}{7,8}{8,6:P0}{9,10:P1}{10,8}",
-                row.Config.Title, row.Particles, row.NeighboursMean, row.CandidatesMean / row.NeighboursMean, row.Dispatches, row.Frame.Median,
-                Short(SpeedUp(row, BenchSolver.ThesisCells)), Short(SpeedUp(row, BenchSolver.ThesisOctant)), row.Share(0),
+            string.Format(CultureInfo.InvariantCulture, "{0,-20}{1,10}{2,7:F1}{3,9:F1}{4,12:G4}{5,10:G3}{6,10:F3}{7,9}{8,8}{9,8}{10,6:P0}{11,10:P1}{12,8}",
+                row.Config.Title, row.Particles, row.NeighboursMean, row.CandidatesMean / row.NeighboursMean, (double)row.Dispatches / row.Config.Steps, row.Rebuilds, row.Frame.Median,
+                Short(SpeedUp(row, BenchSolver.ThesisCells)), Short(SpeedUp(row, BenchSolver.ThesisFused)), Short(SpeedUp(row, BenchSolver.ThesisOctant)), row.Share(0),
                 Roofline(row) / row.Frame.Median, Short(Growth(row)));
 
         // How many times faster than another solver at the same k; not a number where that was not measured.
@@ -68,7 +70,7 @@ namespace SphFluid.Validation
             foreach (BenchRow other in row.Peers)
             {
                 bool near = other.Particles <= row.Particles && (long)GrowthSpan * other.Particles >= row.Particles;
-                if (near && other.Config.Solver == row.Config.Solver && other.IsMeasured)
+                if (near && other.Config.Name == row.Config.Name && other.IsMeasured)
                     fit.Add(Math.Log(other.Particles), Math.Log(other.Frame.Median));
             }
             return fit.Slope;

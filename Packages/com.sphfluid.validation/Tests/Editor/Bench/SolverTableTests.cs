@@ -15,11 +15,29 @@ namespace SphFluid.Tests
         public void RowsAreHeldAgainstTheThesisOfTheSameSize()
         {
             BenchColumns table = Table((BenchSolver.ThesisCells, 1000, 9.0), (BenchSolver.ThesisOctant, 1000, 12.0), (BenchSolver.Standard, 1000, 3.0),
-                (BenchSolver.ThesisCells, 4000, 44.0), (BenchSolver.Standard, 4000, 12.0), (BenchSolver.StandardWide, 4000, 20.0));
+                (BenchSolver.ThesisFused, 4000, 36.0), (BenchSolver.ThesisCells, 4000, 44.0), (BenchSolver.Standard, 4000, 12.0), (BenchSolver.StandardWide, 4000, 20.0));
 
-            Assert.That(table.Column("speedup_thesis_27"), Is.EqualTo(new[] { "1", "0.75", "3", "1", "3.66667", "" }));
-            Assert.That(table.Column("speedup_thesis_8"), Is.EqualTo(new[] { "1.33333", "1", "4", "", "", "" }));
-            Assert.That(table.Column("kappa"), Is.EqualTo(new[] { "2", "2", "2", "2", "2", "2.25" }));
+            Assert.That(table.Column("speedup_thesis_27"), Is.EqualTo(new[] { "1", "0.75", "3", "1.22222", "1", "3.66667", "" }));
+            Assert.That(table.Column("speedup_thesis_27_fused"), Is.EqualTo(new[] { "", "", "", "1", "0.818182", "3", "" }));
+            Assert.That(table.Column("speedup_thesis_8"), Is.EqualTo(new[] { "1.33333", "1", "4", "", "", "", "" }));
+            Assert.That(table.Column("kappa"), Is.EqualTo(new[] { "2", "2", "2", "2", "2", "2", "2.25" }));
+        }
+
+        [Test]
+        public void StepsTakenAtOnceHaveARowOfTheirMean()
+        {
+            var table = new BenchColumns(new SolverLayout(Parts), "device", "2026-11-22");
+            var row = new BenchRow(BenchConfig.StepsAtOnce(BenchSolver.Standard), 1000) { NeighboursMean = 30.0, CandidatesMean = 195.0, Dispatches = 72, CopySpeed = 1e9 };
+            row.Add(new BenchTimes(2, 96.0, new[] { 12.0, 48.0 }, 12).PerStep(row.Config.Steps));
+            table.Add(row);
+
+            // Two frames of 24 steps in 96 ms, 6 setups in each.
+            Assert.That(table.Column("config").Single(), Is.EqualTo("standard_at_once"));
+            Assert.That(table.Column("steps").Single(), Is.EqualTo("24"));
+            Assert.That(table.Column("rebuilds").Single(), Is.EqualTo("0.25"));
+            Assert.That(table.Column("dispatches").Single(), Is.EqualTo("3"));
+            Assert.That(table.Column("gpu_ms_median").Single(), Is.EqualTo("2"));
+            Assert.That(table.Column("share.motion").Single(), Is.EqualTo("0.5"));
         }
 
         [Test]
@@ -79,6 +97,7 @@ namespace SphFluid.Tests
         }
 
         [TestCase("thesis_27", 18)]
+        [TestCase("thesis_27_fused", 9)]
         [TestCase("thesis_8", 18)]
         [TestCase("standard", 6)]
         [TestCase("standard_search", 6)]
@@ -117,7 +136,7 @@ namespace SphFluid.Tests
             IReadOnlyList<BenchSolver> solvers = BenchPlan.Solver(new[] { 64 }).Solvers;
 
             Assert.That(solvers.First(), Is.SameAs(BenchSolver.StandardMesh));
-            Assert.That(solvers.Select(s => s.Name).Distinct().Count(), Is.EqualTo(7));
+            Assert.That(solvers.Select(s => s.Name).Distinct().Count(), Is.EqualTo(8));
         }
 
         // The 27 cells about a's, or the 8 that its octant touches.

@@ -41,6 +41,12 @@ namespace SphFluid
         /// <summary>True: the first step gives half a kick, so that velocities live between the steps, equation (21).</summary>
         public bool HalfKick;
 
+        /// <summary>
+        /// True: the sort does its first ten levels in one dispatch. False: one each, as Appendix A has it. The result is the same; a benchmark
+        /// compares with both.
+        /// </summary>
+        public bool FusedSort;
+
         /// <summary>√(k/2) with the ½ of equation (13), √k without [m/s].</summary>
         public float SoundSpeed => Mathf.Sqrt(PressureHalf ? 0.5f * Stiffness : Stiffness);
 

@@ -136,7 +136,9 @@ float3 CollisionForce(float3 position, float3 velocity)
     }
 #endif
     const float reach = contact + length(velocity) * _TimeStep;
-    for (uint c = 0u; c < _ColliderCount; c++)
+    // A loop that ends by a uniform alone is translated anew at every dispatch where a CPU draws.
+    const uint count = min(_ColliderCount, asuint(reach) | 0x7FFFFFFFu);
+    for (uint c = 0u; c < count; c++)
     {
         const CollisionCollider collider = _Colliders[c];
         if (all(position > collider.BoundsMin - reach) && all(position < collider.BoundsMax + reach))

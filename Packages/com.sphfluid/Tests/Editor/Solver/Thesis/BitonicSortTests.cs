@@ -35,6 +35,33 @@ namespace SphFluid.Tests
         [TestCase(0)]
         [TestCase(1)]
         [TestCase(2)]
+        [TestCase(511)]
+        [TestCase(512)]
+        [TestCase(513)]
+        [TestCase(1023)]
+        [TestCase(1024)]
+        [TestCase(1025)]
+        [TestCase(2053)]
+        [TestCase(5003)]
+        [TestCase(65536)]
+        [TestCase(65537)]
+        public void FusedLevelsGiveTheSamePairsInOrder(int count)
+        {
+            CheckSort(RandomPairs(count, Math.Max(1, count / 8)), fused: true);
+        }
+
+        // Equal pairs do not occur in a liquid; which of them ends where would show another order of comparisons.
+        [TestCase(1024)]
+        [TestCase(8192)]
+        public void FusedLevelsMakeTheSameExchanges(int count)
+        {
+            ulong[] pairs = RandomPairs(count, 5).Select(p => p & ~0xFFFFFFFFul | (p & 3ul)).ToArray();
+            Assert.That(Sort(pairs, count, fused: true), Is.EqualTo(Sort(pairs, count, fused: false)));
+        }
+
+        [TestCase(0)]
+        [TestCase(1)]
+        [TestCase(2)]
         public void OrderedReversedAndEqualCells(int kind)
         {
             ulong[] pairs = RandomPairs(5003, 5003);
@@ -63,32 +90,31 @@ namespace SphFluid.Tests
             Assert.Throws<FluidDeviceException>(() => BitonicSortPass.PaddedCount((1 << 30) + 1));
         }
 
-        static void CheckSort(ulong[] pairs)
+        static void CheckSort(ulong[] pairs, bool fused = false)
+        {
+            int padded = BitonicSortPass.PaddedCount(pairs.Length);
+            ulong[] input = pairs.Concat(Enumerable.Range(pairs.Length, padded - pairs.Length)
+                .Select(i => Pair(uint.MaxValue, (uint)i))).ToArray();
+            ulong[] output = Sort(input, padded, fused);
+
+            // Pairs are unique and their order total: in order and a permutation means equal to the sorted input.
+            Array.Sort(input);
+            Assert.That(Enumerable.SequenceEqual(output, input), Is.True, $"{pairs.Length} pairs");
+        }
+
+        static ulong[] Sort(ulong[] pairs, int padded, bool fused)
         {
             FluidShaderSet shaders = TestShaders.CreateSet();
-            int padded = BitonicSortPass.PaddedCount(pairs.Length);
             using (GraphicsBuffer data = GpuBuffers.Create("Data", padded, 8))
             using (GraphicsBuffer temp = GpuBuffers.Create("Temp", padded, 8))
             {
-                ulong[] input = pairs.Concat(Enumerable.Range(pairs.Length, padded - pairs.Length)
-                    .Select(i => Pair(uint.MaxValue, (uint)i))).ToArray();
-                data.SetData(input.SelectMany(p => new[] { (uint)(p >> 32), (uint)p }).ToArray());
+                data.SetData(pairs.SelectMany(p => new[] { (uint)(p >> 32), (uint)p }).ToArray());
                 var sort = new BitonicSortPass(shaders);
-                GpuTest.Run(cmd => sort.Record(cmd, data, temp, padded));
-
+                GpuTest.Run(cmd => sort.Record(cmd, data, temp, padded, fused));
                 uint[] raw = GpuTest.Read<uint>(data, 2 * padded);
-                var output = new ulong[padded];
-                for (int i = 0; i < padded; i++)
-                {
-                    output[i] = Pair(raw[2 * i], raw[2 * i + 1]);
-                }
-
-                // Pairs are unique and their order total: in order and a permutation means equal to the sorted input.
-                Array.Sort(input);
-                Assert.That(Enumerable.SequenceEqual(output, input), Is.True, $"{pairs.Length} pairs");
+                UnityEngine.Object.DestroyImmediate(shaders);
+                return Enumerable.Range(0, padded).Select(i => Pair(raw[2 * i], raw[2 * i + 1])).ToArray();
             }
-
-            UnityEngine.Object.DestroyImmediate(shaders);
         }
 
         static ulong[] RandomPairs(int count, int cells)
