@@ -16,6 +16,8 @@ namespace SphFluid
         // Entries over a full lattice's neighbours, for compression and clumps.
         const double Reserve = 1.5;
 
+        static readonly int NeighboursId = Shader.PropertyToID("_Neighbours");
+        static readonly int CountsId = Shader.PropertyToID("_NeighbourCounts");
         static readonly int ListLength = Shader.PropertyToID("_ListLength");
 
         /// <summary>Indices, 32 particles side by side; ListPlace in the shader.</summary>
@@ -58,6 +60,17 @@ namespace SphFluid
             kernel.SetInt(cmd, ListLength, Length);
             kernel.Set(cmd, Neighbours);
             kernel.Set(cmd, Counts);
+        }
+
+        /// <summary>Records a list of length 0 for a kernel that reads it: every particle searches.</summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        /// <param name="kernel">The kernel.</param>
+        /// <param name="anything">A buffer of 4 bytes a particle to bind in the list's place.</param>
+        public static void SetNone(CommandBuffer cmd, ComputeKernel kernel, FluidBuffer anything)
+        {
+            kernel.SetInt(cmd, ListLength, 0);
+            kernel.SetBuffer(cmd, NeighboursId, anything);
+            kernel.SetBuffer(cmd, CountsId, anything);
         }
 
         static long EntryCount(int particleCount, int length) => ((long)particleCount + Lanes - 1) / Lanes * Lanes * length;
