@@ -274,6 +274,18 @@ namespace SphFluid
             GridNeighbours.Set(cmd, kernel, state);
         }
 
+        /// <summary>
+        /// Records the method's list of neighbours (Shaders/Solver/Standard/NeighbourList.hlsl) for a kernel that can search instead; of
+        /// length 0 where the method has none.
+        /// </summary>
+        /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
+        /// <param name="kernel">The kernel.</param>
+        internal void BindNeighbourList(CommandBuffer cmd, ComputeKernel kernel)
+        {
+            ThrowIfDisposed();
+            state.BindNeighbourList(cmd, kernel);
+        }
+
         /// <summary>Waits for the GPU and reads the counters; for tools and tests.</summary>
         /// <returns>The counters now.</returns>
         public FluidCounters ReadCountersNow()

@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace SphFluid
 {
@@ -87,6 +88,10 @@ namespace SphFluid
             Colliders = none ? Published.NoColliders : colliders;
             ColliderCount = none ? 0 : colliderCount;
         }
+
+        /// <summary>Records the list of neighbours, or one of length 0, for a kernel that reads it.</summary>
+        public virtual void BindNeighbourList(CommandBuffer cmd, ComputeKernel kernel) =>
+            NeighbourList.SetNone(cmd, kernel, Published.Density);
 
         /// <summary>Releases the buffers that the state made; the triangles belong to their maker.</summary>
         public virtual void Dispose() => Published.Dispose();

@@ -100,8 +100,11 @@ uint2 NeighbourRange(float3 position, uint k)
 
 // The one neighbour loop: every particle j of the neighbour cells, j included where position is its own.
 // Whether j is in reach of h is the body's question: it has the distance, by Separation.
-#define FOR_EACH_NEIGHBOUR(position, j) \
-    for (uint neighbourRange = 0u; neighbourRange < NeighbourRanges(position); neighbourRange++) \
+#define FOR_EACH_NEIGHBOUR(position, j) FOR_EACH_NEIGHBOUR_IF(true, position, j)
+
+// The same where a condition holds. Loops that end at once are skipped where branches may not be.
+#define FOR_EACH_NEIGHBOUR_IF(condition, position, j) \
+    for (uint neighbourRange = 0u; (condition) && neighbourRange < NeighbourRanges(position); neighbourRange++) \
         for (uint2 range = NeighbourRange(position, neighbourRange); range.x < range.y; range.x = range.y) \
             for (uint j = range.x; j < range.y; j++)
 

@@ -9,13 +9,19 @@ float3 _PeriodLength; // m, the box along the axis; 0: the axis has walls
 float3 _PeriodRate;   // 1/m, its inverse; 0 likewise
 #endif
 
+// A separation, from the nearest image. Lengths and rates of the periods are given: loops then do not read them anew.
+float3 NearestImage(float3 d, float3 length, float3 rate)
+{
+    return d - length * round(d * rate);
+}
+
 // From the second position to the first; along periodic axes from the nearest image of the second.
 // Worked example on an axis of 1 m: from 0.4 to -0.45 it is 0.15, not -0.85.
 float3 Separation(float3 position, float3 from)
 {
     float3 d = position - from;
 #if defined(FLUID_PERIODIC)
-    d -= _PeriodLength * round(d * _PeriodRate);
+    d = NearestImage(d, _PeriodLength, _PeriodRate);
 #endif
     return d;
 }

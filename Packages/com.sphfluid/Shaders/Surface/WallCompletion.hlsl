@@ -17,14 +17,26 @@ float3 InnerPart(float3 s)
     return 0.5 + 315.0 / 256.0 * x * (1.0 + q * (-4.0 / 3.0 + q * (6.0 / 5.0 + q * (-4.0 / 7.0 + q / 9.0))));
 }
 
-// Part of a kernel of a radius inside the box; axes without walls do not count.
-float KernelPartInside(float3 position, float3 lower, float3 upper, float radius)
+// Parts of a kernel of a radius inside the box along each axis; axes without walls do not count.
+float3 AxisPartsInside(float3 position, float3 lower, float3 upper, float radius)
 {
     float3 part = InnerPart(max((position - lower) / radius, 0.0)) + InnerPart(max((upper - position) / radius, 0.0)) - 1.0;
 #if defined(FLUID_PERIODIC)
     part = _PeriodLength > 0.0 ? float3(1.0, 1.0, 1.0) : part; // no wall: the liquid goes on
 #endif
-    return max(part.x * part.y * part.z, 0.125);
+    return part;
+}
+
+// Part of a kernel inside, of the parts along the axes.
+float KernelPart(float3 parts)
+{
+    return max(parts.x * parts.y * parts.z, 0.125);
+}
+
+// Part of a kernel of a radius inside the box.
+float KernelPartInside(float3 position, float3 lower, float3 upper, float radius)
+{
+    return KernelPart(AxisPartsInside(position, lower, upper, radius));
 }
 
 #endif

@@ -1,3 +1,5 @@
+using UnityEngine.Rendering;
+
 namespace SphFluid
 {
     /// <summary>What the passes of the Standard method work on.</summary>
@@ -59,6 +61,13 @@ namespace SphFluid
             List?.Dispose();
             List = null;
             List = new NeighbourList(ParticleCount, length);
+        }
+
+        /// <inheritdoc/>
+        public override void BindNeighbourList(CommandBuffer cmd, ComputeKernel kernel)
+        {
+            if (ListsNeighbours) List.Set(cmd, kernel);
+            else base.BindNeighbourList(cmd, kernel);
         }
 
         // Too many cells are named before any buffer is made.

@@ -28,8 +28,8 @@ namespace SphFluid
 
     /// <summary>
     /// Each particle's kernel in the surface's field, and the blocks near the surface
-    /// (Shaders/Surface/Sparse/PrepareSurfaceParticles.compute). The smooth field sums over neighbours; the thesis's
-    /// field marks by the density that the solver has.
+    /// (Shaders/Surface/Sparse/PrepareSurfaceParticles.compute). The smooth field sums over neighbours, those that the solver
+    /// lists where it does; the thesis's field marks by the density that the solver has.
     /// </summary>
     sealed class PrepareSurfaceParticlesPass : ComputePass
     {
@@ -90,7 +90,7 @@ namespace SphFluid
                 if (input.Field.IsThesis)
                     SetThesis(cmd, input);
                 else
-                    SetSmooth(cmd, input.Field);
+                    SetSmooth(cmd, input);
                 kernel.DispatchThreads(cmd, input.Solver.ParticleCount);
             }
         }
@@ -105,8 +105,10 @@ namespace SphFluid
             thesis.SetBuffer(cmd, FluidShaderIds.Density, input.Solver.Density);
         }
 
-        void SetSmooth(CommandBuffer cmd, in SurfaceFieldSettings field)
+        void SetSmooth(CommandBuffer cmd, in SurfaceInput input)
         {
+            SurfaceFieldSettings field = input.Field;
+            input.Solver.BindNeighbourList(cmd, smooth);
             double ratio = field.SupportRadius / (double)field.Spacing;
             smooth.SetFloat(cmd, Smoothing, field.Smoothing);
             smooth.SetFloat(cmd, LongestShift, field.LongestShift);

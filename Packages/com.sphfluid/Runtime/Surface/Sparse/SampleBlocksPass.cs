@@ -12,6 +12,7 @@ namespace SphFluid
         const string FilterTwice = "SURFACE_FILTER_TWICE";
 
         static readonly int FieldReach = Id("_FieldReach");
+        static readonly int KernelExtent = Id("_KernelExtent");
         static readonly int UnionOffset = Id("_UnionOffset");
         static readonly int PeriodSteps = Id("_PeriodSteps");
 
@@ -36,6 +37,7 @@ namespace SphFluid
                 kernel.SetKeyword(cmd, FilterTwice, field.FilterPasses == 2);
                 kernel.SetVector(cmd, PeriodSteps, solver.Settings.PeriodLength / field.SupportRadius);
                 kernel.SetFloat(cmd, FieldReach, field.KernelReach);
+                kernel.SetFloat(cmd, KernelExtent, field.KernelExtent);
                 kernel.SetFloat(cmd, UnionOffset, field.UnionOffset);
                 kernel.SetBuffer(cmd, FluidShaderIds.GridIndices, solver.GridIndices);
                 kernel.Set(cmd, particles.Kernels);

@@ -72,7 +72,10 @@ namespace SphFluid
         public bool WallCompletion { get; }
 
         /// <summary>Farthest that a particle's kernel reaches from the particle [m].</summary>
-        internal float KernelReach => LongestShift + (IsAnisotropic ? LongestAxis : 1f) * SupportRadius;
+        internal float KernelReach => LongestShift + KernelExtent * SupportRadius;
+
+        /// <summary>Farthest that a kernel reaches from its centre, in <see cref="SupportRadius"/>.</summary>
+        internal float KernelExtent => IsAnisotropic ? LongestAxis : 1f;
 
         /// <summary>
         /// Farthest that the centre of a kernel lies from its particle [m]: the mean of the neighbours counts up to one

@@ -1,0 +1,110 @@
+#ifndef SPHFLUID_FIELD_PATCHES
+#define SPHFLUID_FIELD_PATCHES
+
+// Sums over the particles at the samples of a patch, in registers: a particle is read once for 27 samples, and no thread
+// writes where another does. What a particle gives to a sample, and the order of the particles, depend on places alone:
+// whoever computes a sample gets the same bits. Particles in no reach of it add exact zeros.
+#include "BlockParticles.hlsl"
+
+#if defined(SURFACE_ANISOTROPIC)
+StructuredBuffer<KernelShape> _SurfaceShapes;
+#endif
+
+#define PATCH_SAMPLES (PATCH_SIDE * PATCH_SIDE * PATCH_SIDE)
+
+// Places of the samples of a patch along each axis.
+struct PatchPlaces
+{
+    float3 x;
+    float3 y;
+    float3 z;
+};
+
+PatchPlaces PlacesOf(int3 first)
+{
+    const float3 numbers = float3(0.0, 1.0, 2.0);
+    precise PatchPlaces places;
+    places.x = _FieldStep.x * (float(first.x) + numbers);
+    places.y = _FieldStep.y * (float(first.y) + numbers);
+    places.z = _FieldStep.z * (float(first.z) + numbers);
+    return places;
+}
+
+// Adds a loaded particle to the samples of a patch. Along x, d . M d is left + x (tilt + x stretch).
+void AddParticle(uint place, PatchPlaces places, inout float sums[PATCH_SAMPLES])
+{
+    const float4 particle = loaded[place];
+#if defined(SURFACE_ANISOTROPIC)
+    const KernelShape shape = _SurfaceShapes[pool[LOADED_INDICES_AT + place]];
+#endif
+    precise const float3 x = particle.x - places.x;
+    precise const float3 y = particle.y - places.y;
+    precise const float3 z = particle.z - places.z;
+    [unroll]
+    for (int row = 0; row < PATCH_SIDE * PATCH_SIDE; row++)
+    {
+        precise const float2 d = float2(y[row % PATCH_SIDE], z[row / PATCH_SIDE]);
+#if defined(SURFACE_ANISOTROPIC)
+        precise const float left = 1.0 - d.x * d.x * shape.Diagonal.y - d.y * d.y * shape.Diagonal.z - 2.0 * d.x * d.y * shape.Mixed.z;
+        precise const float tilt = 2.0 * (d.x * shape.Mixed.x + d.y * shape.Mixed.y);
+        precise const float3 t = max(left - x * (tilt + x * shape.Diagonal.x), 0.0);
+#else
+        precise const float left = 1.0 - d.x * d.x - d.y * d.y;
+        precise const float3 t = max(left - x * x, 0.0);
+#endif
+        precise const float3 share = particle.w * (t * t * t);
+        [unroll]
+        for (int k = 0; k < PATCH_SIDE; k++)
+        {
+            precise const float sum = sums[row * PATCH_SIDE + k] + share[k];
+            sums[row * PATCH_SIDE + k] = sum;
+        }
+    }
+}
+
+// Adds what a load of particles gives to the samples of a patch. In one loop over all of its bits: threads that run side by
+// side then wait less for each other.
+void AddLoad(uint load, int3 patch, PatchPlaces places, inout float sums[PATCH_SAMPLES])
+{
+    uint4 mask = MaskOf(load, patch);
+    while ((mask.x | mask.y | mask.z | mask.w) != 0u)
+    {
+        AddParticle(TakeBit(mask), places, sums);
+    }
+}
+
+// Sums at the samples of a thread's patch; threads from PATCH_COUNT on have none. first: first sample of the block.
+// Barriers within.
+void SumPatch(int3 first, uint thread, out float sums[PATCH_SAMPLES])
+{
+    [unroll]
+    for (int cleared = 0; cleared < PATCH_SAMPLES; cleared++)
+    {
+        sums[cleared] = 0.0;
+    }
+    ClearMasks(0u, thread);
+    const BlockReach reach = ReachOf(first);
+    const uint rows = RowCount(reach);
+    const int3 patch = PatchAt(min(thread, PATCH_COUNT - 1u));
+    const PatchPlaces places = PlacesOf(first + PATCH_SIDE * patch);
+    uint load = 0u;
+    for (uint firstRow = 0u; firstRow < rows; firstRow += SAMPLE_THREADS)
+    {
+        const uint count = TakeRows(reach, firstRow, rows, thread);
+        uint row = 0u;
+        for (uint candidate = 0u; candidate < count; candidate += LOAD_SIZE)
+        {
+            LoadCandidates(reach, candidate, count, load, thread, row);
+            ClearMasks(load + 1u, thread);
+            GroupMemoryBarrierWithGroupSync();
+            for (uint own = thread; own < PATCH_COUNT; own += PATCH_COUNT) // at most once
+            {
+                AddLoad(load, patch, places, sums);
+            }
+            GroupMemoryBarrierWithGroupSync();
+            load++;
+        }
+    }
+}
+
+#endif
