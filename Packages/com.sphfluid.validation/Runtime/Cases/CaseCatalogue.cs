@@ -15,9 +15,11 @@ namespace SphFluid.Validation
             new CouetteCase(),
             new DamBreakCase(),
             new MarinCase(),
+            new DropsCase(),
             new FreeFallCase(),
             new MomentumCase(),
             new EnergyCase(),
+            new SloshingCase(),
         };
     }
 }

@@ -12,7 +12,8 @@ namespace SphFluid.Validation
     {
         readonly FrameTable frames = new FrameTable("steps", "particles");
         readonly FrameTable record = new FrameTable("time_s", "simulation", "steps", "max_speed_m_s", "rms_speed_m_s",
-            "density_error_mean", "density_error_max", "kinetic_energy_j", "centre_x_m", "centre_y_m", "centre_z_m");
+            "density_error_mean", "density_error_max", "kinetic_energy_j", "centre_x_m", "centre_y_m", "centre_z_m",
+            "close_share", "nearest_over_dx");
         readonly Dictionary<FluidSimulation, SurfaceCaps> surfaces = new Dictionary<FluidSimulation, SurfaceCaps>();
         readonly Dictionary<FluidSimulation, ColliderSides> sides = new Dictionary<FluidSimulation, ColliderSides>();
         PlayArguments arguments;
@@ -54,9 +55,12 @@ namespace SphFluid.Validation
 
         void Record(int index, FluidSimulation simulation)
         {
-            SnapshotStatistics s = SnapshotStatistics.Of(FluidSnapshot.Read(simulation), simulation.Solver.Settings);
+            FluidSnapshot snapshot = FluidSnapshot.Read(simulation);
+            SnapshotStatistics s = SnapshotStatistics.Of(snapshot, simulation.Solver.Settings);
+            ParticleGaps gaps = ParticleGaps.Of(snapshot.LocalPositions, simulation.Solver.Settings.Spacing);
             record.Add(simulation.SimulatedTime, index, simulation.StepCount, s.MaxSpeed, s.RmsSpeed,
-                s.DensityErrorMean, s.DensityErrorMax, s.KineticEnergy, s.Centre.x, s.Centre.y, s.Centre.z);
+                s.DensityErrorMean, s.DensityErrorMax, s.KineticEnergy, s.Centre.x, s.Centre.y, s.Centre.z,
+                gaps.CloseShare, gaps.Nearest);
         }
 
         void Finish()

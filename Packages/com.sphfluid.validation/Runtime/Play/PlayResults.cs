@@ -65,6 +65,7 @@ namespace SphFluid.Validation
             FluidSolverSettings settings = simulation.Solver.Settings;
             SnapshotStatistics statistics = SnapshotStatistics.Of(snapshot, settings);
             NeighbourCount neighbours = NeighbourCount.Of(snapshot.LocalPositions, settings.SupportRadius);
+            ParticleGaps gaps = ParticleGaps.Of(snapshot.LocalPositions, settings.Spacing);
             ColliderPenetration penetration = ColliderPenetration.Of(simulation, snapshot);
             LiquidVolume volume = LiquidVolume.Of(simulation, snapshot);
             FluidCounters counters = simulation.Solver.ReadCountersNow();
@@ -84,6 +85,8 @@ namespace SphFluid.Validation
                 .Add("liquid_time_s", simulation.SimulatedTime)
                 .Add("neighbours_mean", neighbours.Mean)
                 .Add("neighbours_max", neighbours.Maximum)
+                .Add("close_particles", gaps.CloseCount)
+                .Add("nearest_over_spacing", gaps.Nearest)
                 .Add("max_speed_m_s", statistics.MaxSpeed)
                 .Add("rms_speed_m_s", statistics.RmsSpeed)
                 .Add("density_error_mean", statistics.DensityErrorMean)

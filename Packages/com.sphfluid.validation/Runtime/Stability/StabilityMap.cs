@@ -114,7 +114,7 @@ namespace SphFluid.Validation
             Lines = lines;
         }
 
-        /// <summary>M1 to M5.</summary>
+        /// <summary>M1 to M6.</summary>
         public static IReadOnlyList<StabilityMap> All { get; } = new[]
         {
             new StabilityMap("M1", "Column at rest", new StabilityAxis("dt·c/R", 0.05, 2.0), new StabilityAxis("c/√(gH)", 2.0, 40.0), StabilityScenes.Column,
@@ -130,9 +130,11 @@ namespace SphFluid.Validation
             new StabilityMap("M5", "Spray hits a slab", new StabilityAxis("v·dt/dx", 0.05, 2.0), new StabilityAxis("thickness/dx", 0.1, 4.0), StabilityScenes.Spray,
                 // The wall stops v within dx/2: √k_w = 2 v/dx.
                 new TheoryLine(thesis, WallTitle, y => 0.5 * wallBorder), Advised(thesis), Advised(standard)),
+            new StabilityMap("M6", "Two drops collide", new StabilityAxis("dt·v/dx", 0.05, 2.0), new StabilityAxis("c/v", 2.0, 40.0), StabilityScenes.Drops,
+                Sound(thesis, y => thesis.AcousticBorder * thesis.SupportRatio / y), Sound(standard, y => standard.AcousticBorder * standard.SupportRatio / y)),
         };
 
-        /// <summary>Name on the command line: M1 to M5.</summary>
+        /// <summary>Name on the command line: M1 to M6.</summary>
         public string Name { get; }
 
         /// <summary>What it shows.</summary>

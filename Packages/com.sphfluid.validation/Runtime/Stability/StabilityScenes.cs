@@ -76,6 +76,24 @@ namespace SphFluid.Validation
             return Scene(settings, particles, 3.0 * length / speed, new StabilityScenario { ReferenceSpeed = speed, Closed = true });
         }
 
+        /// <summary>M6: two drops of 4 particles in radius collide at ±v from beyond each other's reach: x = dt·v/dx, y = c/v.</summary>
+        public static StabilityScenario Drops(StabilityRun run)
+        {
+            const double speed = 1.0, radius = 4.0 * Dx, apart = 8.0 * Dx;
+            double sound = run.Y * speed;
+            Vector3 domain = Vector3.one * (float)(16.0 * radius), offset = (float)(radius + 0.5 * apart) * Vector3.right;
+            FluidSolverSettings settings = new StabilityConstants
+            {
+                Method = run.Method, DomainSize = domain, Support = StabilityTheory.Of(run.Method).SupportRatio, Sound = sound, Viscosity = double.NaN, Clamps = run.Clamps,
+                TimeStep = run.X * Dx / speed, Speed = speed,
+            }.Settings();
+            List<Vector3> ball = CaseLattice.Ball(radius, Dx);
+            List<Vector3> positions = ball.Select(p => p - offset).Concat(ball.Select(p => p + offset)).ToList();
+            CaseLattice.Jitter(positions, Jitter * Dx, run.Seed, 0.4999f * domain);
+            FluidParticle[] particles = CaseLattice.Particles(positions, p => new Vector3(p.x > 0f ? -(float)speed : (float)speed, 0f, 0f));
+            return Scene(settings, particles, (0.5 * apart + 4.0 * radius) / speed, new StabilityScenario { ReferenceSpeed = speed, Closed = true });
+        }
+
         /// <summary>M5: particles out of each other's reach fall with v onto a closed slab: x = v·dt/dx, y = its thickness over dx.</summary>
         public static StabilityScenario Spray(StabilityRun run)
         {

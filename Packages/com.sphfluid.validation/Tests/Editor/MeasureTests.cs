@@ -23,6 +23,26 @@ namespace SphFluid.Tests
             Assert.That(NeighbourCount.Of(new Vector3[0], 1f).Maximum, Is.EqualTo(0));
         }
 
+        // Pairs 0.3 and 0.499 dx apart, one 0.501, one across the faces of cells, and a lattice.
+        [Test]
+        public void ParticlesWithinHalfASpacingAreCounted()
+        {
+            const float dx = 0.1f;
+            Vector3[] At(params float[] places) => System.Array.ConvertAll(places, x => dx * new Vector3(x, -x, 0.5f * x) / 1.5f);
+
+            ParticleGaps gaps = ParticleGaps.Of(At(-5f, -4.7f, 0f, 0.499f, 3f, 3.501f, 6.9f, 7.2f, 9f), dx);
+            Assert.That(gaps.CloseCount, Is.EqualTo(6));
+            Assert.That(gaps.CloseShare, Is.EqualTo(6.0 / 9.0).Within(1e-12));
+            Assert.That(gaps.Nearest, Is.EqualTo(0.3).Within(0.01).Percent);
+
+            ParticleGaps lattice = ParticleGaps.Of(At(0f, 1.01f, 2.02f, 3.03f), dx);
+            Assert.That(lattice.CloseCount, Is.Zero);
+            Assert.That(lattice.Nearest, Is.EqualTo(1.0).Within(1e-6));
+            Assert.That(ParticleGaps.Of(new Vector3[0], dx).CloseShare, Is.Zero);
+            var beyond = new Vector3(float.NaN, 0f, 0f);
+            Assert.That(ParticleGaps.Of(new[] { Vector3.zero, beyond, beyond }, dx).CloseCount, Is.Zero);
+        }
+
         [Test]
         public void StatisticsNameWhatIsWrong()
         {

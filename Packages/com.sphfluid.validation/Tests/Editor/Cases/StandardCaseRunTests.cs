@@ -64,6 +64,28 @@ namespace SphFluid.Tests
                 Assert.That(Run(gate, Coarse(gate, 8), out _), Is.LessThan(gate.Limit), gate.Name);
         }
 
+        [Test]
+        public void DropsThatCollideSpreadAsOnAPlate()
+        {
+            var drops = new DropsCase();
+            Assert.That(Run(drops, Coarse(drops, 6), out CaseMetric metric), Is.LessThan(0.05));
+            Assert.That(WallCaseStates.Named(metric, DropsMetric.GrowthName), Is.LessThan(0.01));
+            Assert.That(WallCaseStates.Named(metric, MomentumMetric.ErrorName), Is.LessThan(1e-5));
+            Assert.That(WallCaseStates.Named(metric, "shift of the centre/dx"), Is.LessThan(1e-4));
+            Assert.That(WallCaseStates.Named(metric, "sheet, height over width − 1"), Is.LessThan(0.02));
+            Assert.That(WallCaseStates.Named(metric, "largest density error over U/c"), Is.LessThan(1.8));
+            Assert.That(WallCaseStates.Named(metric, ParticleGapsMetric.ErrorName), Is.LessThan(3e-3));
+        }
+
+        [Test]
+        public void ParticlesKeepApartInWaterThatSloshes()
+        {
+            var sloshing = new SloshingCase();
+            CaseParameters parameters = Coarse(sloshing, 6);
+            Assert.That(Run(sloshing, parameters, out CaseMetric metric), Is.LessThan(3e-3), "one pair of 864");
+            Assert.That(WallCaseStates.Named(metric, "particles within dx/2 of another, largest"), Is.LessThan(0.01));
+        }
+
         [TestCase("thesis-printed", 2.0)]
         [TestCase("thesis", 2.0)]
         [TestCase("standard", 2.25)]

@@ -12,7 +12,7 @@ namespace SphFluid.Tests
         {
             StabilityArguments arguments = Parse("player", "--");
 
-            Assert.That(arguments.Maps.Select(m => m.Name), Is.EqualTo(new[] { "M1", "M2", "M3", "M4", "M5" }));
+            Assert.That(arguments.Maps.Select(m => m.Name), Is.EqualTo(new[] { "M1", "M2", "M3", "M4", "M5", "M6" }));
             Assert.That(arguments.Methods, Is.EqualTo(CaseMethod.All));
             Assert.That(arguments.Limits, Is.True);
             Assert.That(arguments.Slice, Is.Null);
@@ -37,7 +37,7 @@ namespace SphFluid.Tests
         }
 
         [TestCase("--mp", "M1", "--map")]
-        [TestCase("--map", "M6", "M1, M2, M3, M4, M5")]
+        [TestCase("--map", "M7", "M1, M2, M3, M4, M5, M6")]
         [TestCase("--map", "M1,M1", "twice")]
         [TestCase("--method", "dfsph", "thesis")]
         [TestCase("--slice", "0", "'0'")]

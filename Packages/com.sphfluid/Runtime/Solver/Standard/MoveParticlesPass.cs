@@ -35,6 +35,8 @@ namespace SphFluid
             float viscosity = settings.Viscosity / settings.RestDensity;
             double moment = WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing);
             float friction = settings.Boundaries.Friction;
+            double slope = settings.ParticleMass * WendlandKernel.SlopeFactor(settings.SupportRadius) / moment;
+            float kick = step.IsFirst ? 0.5f * step.Length : step.Kick;
             bool isHeld = friction > 0f || state.HasBodies && state.Bodies.HoldLiquid;
             using (Sample(cmd))
             {
@@ -45,7 +47,8 @@ namespace SphFluid
                 state.List.Set(cmd, kernel);
                 kernel.SetFloat(cmd, FaceDistance, ContactDistances.Rest(settings));
                 kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
-                kernel.SetFloat(cmd, SlopeFactor, (float)(settings.ParticleMass * WendlandKernel.SlopeFactor(settings.SupportRadius) / moment));
+                kernel.SetFloat(cmd, SlopeFactor, (float)slope);
+                ClosePairs.Set(cmd, kernel, settings, slope, kick);
                 kernel.SetFloat(cmd, WallPush, (float)(settings.RestDensity / moment));
                 kernel.SetFloat(cmd, ViscosityFactor, 2f * viscosity / settings.RestDensity);
                 kernel.SetFloat(cmd, WallViscosity, friction * viscosity);
@@ -54,7 +57,7 @@ namespace SphFluid
                 kernel.SetFloat(cmd, LeastSeparation, 1e-3f * settings.SupportRadius);
                 kernel.SetVector(cmd, Gravity, settings.Gravity);
                 kernel.SetFloat(cmd, TimeStep, step.Length);
-                kernel.SetFloat(cmd, KickStep, step.IsFirst ? 0.5f * step.Length : step.Kick);
+                kernel.SetFloat(cmd, KickStep, kick);
                 kernel.Set(cmd, state.Buffers.Positions);
                 kernel.Set(cmd, state.Buffers.Velocities);
                 kernel.Set(cmd, state.Buffers.PositionTerms);

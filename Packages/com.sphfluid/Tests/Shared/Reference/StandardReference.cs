@@ -86,16 +86,26 @@ namespace SphFluid.Tests
             return settings.RestDensity + (sum - settings.RestDensity) / Response(settings);
         }
 
-        /// <summary>Acceleration without contact [m/s²].</summary>
+        /// <summary>What parts two particles nearer than 0.65 dx, d and v those of one seen from the other [m/s²].</summary>
+        public static Double3 Parting(Double3 d, Double3 v, in FluidSolverSettings settings)
+        {
+            double dx = settings.Spacing, c = settings.SoundSpeed, r2 = d.X * d.X + d.Y * d.Y + d.Z * d.Z;
+            double weight = Math.Max(0.0, Math.Min(1.0, 2.0 - 2.0 * r2 / (0.65 * dx * 0.65 * dx)));
+            double approach = Math.Max(0.0, -(d.X * v.X + d.Y * v.Y + d.Z * v.Z));
+            return weight / (r2 + 0.01 * dx * dx) * (2.5e-5 * c * c + 0.5 * c / dx * approach) * d;
+        }
+
+        /// <summary>Acceleration without contact, of a step of c dt/dx ≤ 1 [m/s²].</summary>
         public static Double3 Acceleration(IReadOnlyList<FluidParticle> particles, IReadOnlyList<double> density, int i, in FluidSolverSettings settings)
         {
             double radius = settings.SupportRadius, rest = settings.RestDensity, c2 = settings.SoundSpeed * (double)settings.SoundSpeed;
             double Term(int k) => Math.Max(0.0, c2 * (density[k] - rest)) / (density[k] * density[k]);
-            var sum = new Double3();
+            Double3 sum = new Double3(), parting = new Double3();
             for (int j = 0; j < particles.Count; j++)
             {
                 Double3 d = ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength);
                 if (j == i || d.Length >= radius) continue;
+                parting += Parting(d, (Double3)particles[i].VelT0 - particles[j].VelT0, settings);
                 double slope = settings.ParticleMass * Slope(d.Length, radius) / d.Length;
                 sum -= slope * (Term(i) + Term(j)) * d;
                 sum += 2.0 * settings.Viscosity / (rest * rest) * slope * ((Double3)particles[i].VelT0 - particles[j].VelT0);
@@ -106,7 +116,7 @@ namespace SphFluid.Tests
                 Walls(p + new Double3(step, 0, 0), settings) - Walls(p - new Double3(step, 0, 0), settings),
                 Walls(p + new Double3(0, step, 0), settings) - Walls(p - new Double3(0, step, 0), settings),
                 Walls(p + new Double3(0, 0, step), settings) - Walls(p - new Double3(0, 0, step), settings));
-            return settings.Gravity + 1.0 / Response(settings) * (sum - rest * Term(i) / (2.0 * step) * gradient);
+            return settings.Gravity + parting + 1.0 / Response(settings) * (sum - rest * Term(i) / (2.0 * step) * gradient);
         }
     }
 }
