@@ -27,6 +27,7 @@ namespace SphFluid
         CommandBuffer cmd;
         bool unseenReported;
         bool flatReported;
+        Matrix4x4 filledBy;
 
         /// <summary>How the surface is made.</summary>
         public FluidSurfaceOptions Surface => surface;
@@ -89,13 +90,17 @@ namespace SphFluid
         protected override void Draw(FluidSimulation drawn)
         {
             ReportUnseen();
-            if (IsFlat() || !source.Update(drawn.Solver, surface, this, out SurfaceBuffers buffers))
+            if (IsFlat() || !source.Request(drawn.Solver, surface, this, out SurfaceBuffers buffers))
             {
                 DrawNothing();
                 return;
             }
             Matrix4x4 toMesh = transform.worldToLocalMatrix * drawn.LocalToWorld;
-            target.Fill(cmd, buffers, toMesh, drawn.Solver.Settings.DomainSize);
+            if (source.Make() || toMesh != filledBy)
+            {
+                target.Fill(cmd, buffers, toMesh, drawn.Solver.Settings.DomainSize);
+                filledBy = toMesh;
+            }
             GetComponent<MeshFilter>().sharedMesh = target.Mesh;
         }
 

@@ -54,6 +54,9 @@ namespace SphFluid
         /// <summary>What became of the last surface, a few frames ago; all zero while nothing is drawn.</summary>
         public SurfaceStatus Status => drawing != null ? drawing.Surface.Status : default;
 
+        /// <summary>Surfaces that were made since drawing began.</summary>
+        internal int Recordings => drawing?.Surface.Recordings ?? 0;
+
         /// <inheritdoc/>
         protected override void CreateResources(FluidShaderSet shaders) => drawing = new LiquidDrawing(shaders);
 

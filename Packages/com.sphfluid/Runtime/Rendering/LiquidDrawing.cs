@@ -17,9 +17,10 @@ namespace SphFluid
         {
             this.shaders = shaders;
             source = new SurfaceSource(shaders);
+            LiquidViews.Add(source);
         }
 
-        /// <summary>Makes the surface from the present particles and draws it as clear water for every camera of this frame.</summary>
+        /// <summary>Draws the surface of the present particles as clear water for every camera of this frame; makes it if one sees it.</summary>
         public void DrawWater(FluidSolver solver, FluidSurfaceOptions options, FluidWaterLook look, Material ownMaterial, in DrawPlacement placement, Object owner)
         {
             Dispose(ref opaque);
@@ -32,7 +33,7 @@ namespace SphFluid
             water.Draw(surface, ownMaterial, placement);
         }
 
-        /// <summary>Makes the surface from the present particles and draws it as an opaque body for every camera of this frame.</summary>
+        /// <summary>Draws the surface of the present particles as an opaque body for every camera of this frame; makes it if one sees it.</summary>
         public void DrawOpaque(FluidSolver solver, FluidSurfaceOptions options, Color colour, float smoothness, Material ownMaterial, in DrawPlacement placement, Object owner)
         {
             Dispose(ref water);
@@ -51,13 +52,15 @@ namespace SphFluid
         {
             Dispose(ref water);
             Dispose(ref opaque);
+            LiquidViews.Remove(source);
             source.Dispose();
         }
 
         bool TryFill(SurfaceDrawing drawing, FluidSolver solver, FluidSurfaceOptions options, in DrawPlacement placement, Object owner, out SurfaceBuffers surface)
         {
-            if (!source.Update(solver, options, owner, out surface))
+            if (!source.Request(solver, options, owner, out surface))
                 return false;
+            LiquidViews.Show(source, placement);
             drawing.Fill(surface, source.Grid, options.Walls, placement);
             return true;
         }

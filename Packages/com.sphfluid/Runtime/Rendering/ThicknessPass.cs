@@ -18,6 +18,7 @@ namespace SphFluid
         SurfaceBuffers surface;
         int divisor = 1;
         int preparedAt = -1;
+        Bounds bounds;
 
         /// <exception cref="FluidDeviceException">The shader is missing, or the device cannot blend half floats.</exception>
         public ThicknessPass(FluidShaderSet shaders)
@@ -47,6 +48,7 @@ namespace SphFluid
             surface = drawn;
             preparedAt = Time.frameCount;
             Layer = placement.Layer;
+            bounds = placement.WorldBounds;
             divisor = halfResolution ? 2 : 1;
             DrawPipeline.Prepare(material, placement.Pipeline);
             block.SetBuffer(SurfaceBuffers.VerticesId, surface.Vertices);
@@ -60,6 +62,9 @@ namespace SphFluid
             properties.SetTexture(RenderShaderIds.FluidThickness, texture);
             properties.SetVector(RenderShaderIds.FluidThicknessSize, new Vector4(texture.width, texture.height, divisor, 0f));
         }
+
+        /// <summary>Whether a camera may show the liquid.</summary>
+        public bool IsSeenBy(Camera camera) => (camera.cullingMask & (1 << Layer)) != 0 && new ViewVolume(camera).Touches(bounds);
 
         /// <summary>Records the thickness as one camera sees it; nothing if no surface was given in this frame.</summary>
         /// <param name="cmd">Where it is recorded.</param>

@@ -87,6 +87,7 @@ namespace SphFluid
         {
             if (camera.cameraType == CameraType.Preview)
                 return false;
+            LiquidViews.Prepare(camera);
             Widen(camera);
             var size = new Vector2Int(camera.pixelWidth, camera.pixelHeight);
             SceneTextures scene = source != null ? source.Request(camera) : default;
@@ -95,7 +96,7 @@ namespace SphFluid
             cmd.SetGlobalVector(RenderShaderIds.FluidThicknessView, new Vector4(size.x, size.y, 0f, 0f));
             foreach (ThicknessPass pass in passes)
             {
-                if ((camera.cullingMask & (1 << pass.Layer)) != 0)
+                if (pass.IsSeenBy(camera))
                     pass.Record(cmd, camera.worldToCameraMatrix, camera.projectionMatrix, size);
             }
             return true;

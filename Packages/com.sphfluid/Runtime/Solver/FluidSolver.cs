@@ -82,6 +82,12 @@ namespace SphFluid
         /// <summary>Time recorded since the start [s].</summary>
         public double SimulatedTime { get; private set; }
 
+        /// <summary>Changes with every step that is recorded and whenever particles or physics are set: while it stays, so does what a surface shows.</summary>
+        internal long StateVersion { get; private set; }
+
+        /// <summary>Whether the GPU memory is released.</summary>
+        internal bool IsDisposed => disposed;
+
         /// <summary>Length of the last recorded step [s]: velocities are half of it older than positions; 0 before the first.</summary>
         internal float LastTimeStep => previousStep;
 
@@ -173,6 +179,7 @@ namespace SphFluid
             Changes++;
             SettingsChanges++;
             state.Settings = prepared;
+            StateVersion++;
             counters.RestDensity = settings.RestDensity;
             neighboursFresh = false;
         }
@@ -223,6 +230,7 @@ namespace SphFluid
                 previousStep = timeStep;
                 neighboursFresh = false;
                 StepCount++;
+                StateVersion++;
                 SimulatedTime += timeStep;
             }
 
@@ -263,6 +271,7 @@ namespace SphFluid
             neighboursFresh = false;
             Changes++;
             ParticleChanges++;
+            StateVersion++;
         }
 
         /// <summary>Records the globals and the keyword of a kernel that includes Shaders/Solver/GridNeighbours.hlsl.</summary>

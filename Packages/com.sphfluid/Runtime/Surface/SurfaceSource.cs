@@ -6,11 +6,14 @@ using Object = UnityEngine.Object;
 namespace SphFluid
 {
     /// <summary>
-    /// The sparse surface of a component: made anew each frame as its options say. Messages name the component.
+    /// The sparse surface of a component: made anew when the liquid or the options changed. Messages name the component.
     /// </summary>
     sealed class SurfaceSource : IDisposable
     {
         readonly CommandBuffer cmd = new CommandBuffer { name = "Fluid Surface" };
+        FluidSolver solver;
+        Content requested;
+        Content made;
         string reported;
 
         /// <exception cref="FluidDeviceException">The device cannot run a kernel.</exception>
@@ -22,35 +25,87 @@ namespace SphFluid
         public SparseSurface Surface { get; }
 
         /// <summary>Grid of the last surface.</summary>
-        public SurfaceGrid Grid { get; private set; }
+        public SurfaceGrid Grid => requested.Grid;
 
-        /// <summary>Records and executes the surface of the particles' present positions.</summary>
-        /// <param name="solver">The particles.</param>
+        // Made, but with buffers that turned out too small: made again until all of it fits.
+        bool IsUpToDate => made.Equals(requested) && Surface.IsSettled;
+
+        /// <summary>
+        /// Takes what is to be shown: the particles' present positions. The buffers stay the same until the next call;
+        /// <see cref="Make"/> fills them.
+        /// </summary>
+        /// <param name="liquid">The particles.</param>
         /// <param name="options">How the surface is made.</param>
         /// <param name="owner">Component that messages name.</param>
-        /// <param name="buffers">The surface.</param>
+        /// <param name="buffers">The surface, after <see cref="Make"/>.</param>
         /// <returns>False after a message if the options cannot be met.</returns>
         /// <exception cref="FluidDeviceException">The device cannot hold the surface.</exception>
-        public bool Update(FluidSolver solver, FluidSurfaceOptions options, Object owner, out SurfaceBuffers buffers)
+        public bool Request(FluidSolver liquid, FluidSurfaceOptions options, Object owner, out SurfaceBuffers buffers)
         {
             buffers = default;
-            if (!TryField(solver.Settings, options, owner, out SurfaceFieldSettings field, out SurfaceGrid grid))
+            if (!TryField(liquid.Settings, options, owner, out SurfaceFieldSettings field, out SurfaceGrid grid))
                 return false;
-            Grid = grid;
-            cmd.Clear();
+            solver = liquid;
+            requested = new Content(liquid, field, grid, options);
             Surface.TriangleBudget = options.TriangleBudget;
-            Surface.Record(cmd, solver, field, grid, options.Walls);
-            Graphics.ExecuteCommandBuffer(cmd);
+            if (!IsUpToDate)
+                Surface.Reserve(liquid, field, grid);
             for (string warning = Surface.TakeWarning(); warning != null; warning = Surface.TakeWarning())
                 Debug.LogWarning($"{FluidMessage.Prefix} '{owner.name}': {warning}", owner);
             buffers = new SurfaceBuffers(Surface.Vertices, Surface.Indices, Surface.DrawArguments);
             return true;
         }
 
+        /// <summary>Records and executes the requested surface, if the buffers do not hold it already.</summary>
+        /// <returns>Whether there was anything to do.</returns>
+        public bool Make()
+        {
+            if (solver == null || solver.IsDisposed || IsUpToDate)
+                return false;
+            cmd.Clear();
+            Surface.RecordReserved(cmd, solver, requested.Field, requested.Grid, requested.Walls);
+            Graphics.ExecuteCommandBuffer(cmd);
+            made = requested;
+            return true;
+        }
+
         public void Dispose()
         {
+            solver = null;
             cmd.Dispose();
             Surface.Dispose();
+        }
+
+        // What a surface shows. A field follows from the options and from the settings of the liquid, whose every change
+        // is another version.
+        readonly struct Content : IEquatable<Content>
+        {
+            readonly FluidSolver solver;
+            readonly long version;
+            readonly FluidSurfaceQuality quality;
+            readonly float cellSize;
+            readonly int budget;
+
+            public Content(FluidSolver solver, in SurfaceFieldSettings field, SurfaceGrid grid, FluidSurfaceOptions options)
+            {
+                this.solver = solver;
+                version = solver.StateVersion;
+                quality = options.Quality;
+                cellSize = options.CellSize;
+                budget = options.TriangleBudget;
+                Field = field;
+                Grid = grid;
+                Walls = options.Walls;
+            }
+
+            public SurfaceFieldSettings Field { get; }
+
+            public SurfaceGrid Grid { get; }
+
+            public SurfaceWalls Walls { get; }
+
+            public bool Equals(Content other) => solver == other.solver && version == other.version && quality == other.quality &&
+                cellSize == other.cellSize && budget == other.budget && Walls == other.Walls && Grid.Equals(other.Grid);
         }
 
         // A cell size that cannot be met is reported once, until it is changed.

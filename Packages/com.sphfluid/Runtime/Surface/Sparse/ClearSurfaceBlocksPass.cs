@@ -6,6 +6,8 @@ namespace SphFluid
     /// <summary>No block is active, nothing is counted (Shaders/Surface/Sparse/ClearSurfaceBlocks.compute).</summary>
     sealed class ClearSurfaceBlocksPass : ComputePass
     {
+        static readonly int SurfaceNumber = Id("_SurfaceNumber");
+
         readonly ComputeKernel kernel;
 
         public ClearSurfaceBlocksPass(FluidShaderSet shaders)
@@ -14,11 +16,15 @@ namespace SphFluid
             kernel = Kernel();
         }
 
-        public void Record(CommandBuffer cmd, SurfaceBlocks blocks)
+        /// <param name="cmd">Command buffer to record into.</param>
+        /// <param name="blocks">The blocks.</param>
+        /// <param name="number">Stored among the counters: which recording they belong to.</param>
+        public void Record(CommandBuffer cmd, SurfaceBlocks blocks, int number = 0)
         {
             using (Sample(cmd))
             {
                 blocks.SetGlobals(cmd, kernel);
+                kernel.SetInt(cmd, SurfaceNumber, number);
                 kernel.Set(cmd, blocks.Table);
                 kernel.Set(cmd, blocks.Counters);
                 kernel.DispatchThreads(cmd, Math.Max(blocks.BlockCount, SurfaceCounters.Slots));

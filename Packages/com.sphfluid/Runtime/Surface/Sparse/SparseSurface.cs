@@ -18,6 +18,7 @@ namespace SphFluid
         readonly SurfaceCapacity capacity;
         readonly NumberReadback readback;
         readonly SurfaceWarnings warnings = new SurfaceWarnings();
+        int recordings;
 
         /// <summary>A surface; most buffers are made when it is first recorded.</summary>
         /// <param name="shaders">Shader set with the kernels of the sparse surface.</param>
@@ -81,13 +82,37 @@ namespace SphFluid
         {
             if (cmd == null)
                 throw new ArgumentNullException(nameof(cmd));
+            Reserve(solver, settings, grid);
+            RecordReserved(cmd, solver, settings, grid, walls);
+        }
+
+        /// <summary>
+        /// Makes the buffers large enough by what is known. Those that are drawn stay the same from here to the next call.
+        /// </summary>
+        /// <exception cref="FluidDeviceException">The device cannot hold the first buffers.</exception>
+        internal void Reserve(FluidSolver solver, in SurfaceFieldSettings settings, SurfaceGrid grid)
+        {
             Check(solver, settings, grid);
             if (!SystemInfo.supportsAsyncGPUReadback && blocks.Counters != null)
                 readback.ReadNow(blocks.Counters);
             capacity.Reserve(blocks, triangles, grid, settings, solver.ParticleCount, Status);
-            passes.Record(cmd, new SurfaceInput(solver, settings, grid, walls, blocks), triangles);
+            passes.Reserve(solver, settings);
+        }
+
+        /// <summary>As <see cref="Record"/>, in the buffers as they are.</summary>
+        internal void RecordReserved(CommandBuffer cmd, FluidSolver solver, in SurfaceFieldSettings settings,
+            SurfaceGrid grid, SurfaceWalls walls)
+        {
+            recordings++;
+            passes.Record(cmd, new SurfaceInput(solver, settings, grid, walls, blocks, recordings), triangles);
             readback.RecordRequest(cmd, blocks.Counters);
         }
+
+        /// <summary>Whether the last recording is known to have become a complete surface.</summary>
+        internal bool IsSettled => recordings > 0 && Status.Number == recordings && Status.IsComplete;
+
+        /// <summary>Surfaces that were recorded.</summary>
+        internal int Recordings => recordings;
 
         /// <summary>
         /// Something that the user must know, e.g. that the surface exceeds its budget; each kind of problem is

@@ -42,6 +42,9 @@ namespace SphFluid
 
         /// <summary>1 where the surface fitted the buffers and was emitted.</summary>
         public const int Complete = 9;
+
+        /// <summary>Number of the recording.</summary>
+        public const int Number = 10;
     }
 
     /// <summary>

@@ -14,13 +14,14 @@ namespace SphFluid
         static readonly int WallCompletion = Shader.PropertyToID("_WallCompletion");
 
         public SurfaceInput(FluidSolver solver, in SurfaceFieldSettings field, in SurfaceGrid grid, SurfaceWalls walls,
-            SurfaceBlocks blocks)
+            SurfaceBlocks blocks, int number = 0)
         {
             Solver = solver;
             Field = field;
             Grid = grid;
             Walls = walls;
             Blocks = blocks;
+            Number = number;
         }
 
         /// <summary>The particles; triangles are made without.</summary>
@@ -35,6 +36,9 @@ namespace SphFluid
 
         /// <summary>The blocks, reserved for the grid.</summary>
         public SurfaceBlocks Blocks { get; }
+
+        /// <summary>Of the recording, for the counters.</summary>
+        public int Number { get; }
 
         /// <summary>Grid, blocks and scale of the field: for kernels that read or write particles.</summary>
         public void SetField(CommandBuffer cmd, ComputeKernel kernel)
@@ -111,12 +115,17 @@ namespace SphFluid
             RecordTriangles(cmd, input, triangles);
         }
 
+        /// <summary>Makes the buffers for the particles large enough.</summary>
+        /// <exception cref="FluidDeviceException">The device has too little memory.</exception>
+        public void Reserve(FluidSolver solver, in SurfaceFieldSettings field) =>
+            Particles.Reserve(solver.ParticleCount, field.IsAnisotropic);
+
         /// <summary>From the particles to the samples of the blocks that they mark.</summary>
         public void RecordField(CommandBuffer cmd, in SurfaceInput input)
         {
-            Particles.Reserve(input.Solver.ParticleCount, input.Field.IsAnisotropic);
+            Reserve(input.Solver, input.Field);
             input.Solver.RecordNeighbourSetup(cmd);
-            clear.Record(cmd, input.Blocks);
+            clear.Record(cmd, input.Blocks, input.Number);
             prepare.Record(cmd, input, Particles);
             list.Record(cmd, input.Blocks);
             RecordSamples(cmd, input);

@@ -13,6 +13,7 @@ namespace SphFluid
             Triangles = counters[SurfaceCounters.IndicesRequested] / 3;
             OpenFaces = (int)counters[SurfaceCounters.OpenFaces];
             NonFiniteParticles = (int)counters[SurfaceCounters.NonFinite];
+            Number = (int)counters[SurfaceCounters.Number];
             IsComplete = counters[SurfaceCounters.Complete] != 0;
         }
 
@@ -33,6 +34,9 @@ namespace SphFluid
 
         /// <summary>Particles that were skipped because their position is not a number.</summary>
         public int NonFiniteParticles { get; }
+
+        /// <summary>Which recording this is about: 1 for a surface's first.</summary>
+        internal int Number { get; }
 
         /// <summary>Whether all of it fitted the buffers. If not, the last complete surface is still drawn.</summary>
         public bool IsComplete { get; }

@@ -12,6 +12,7 @@
 #define SURFACE_OPEN_FACES 7u         // faces that the surface crosses towards a block without a slot, after the late round
 #define SURFACE_NON_FINITE 8u         // particles that are skipped: their position is not a number
 #define SURFACE_COMPLETE 9u           // 1 where the surface fitted the buffers and was emitted
+#define SURFACE_NUMBER 10u            // number of the recording
 #define SURFACE_COUNTERS 16u
 
 #endif
