@@ -11,27 +11,28 @@ namespace SphFluid
     internal static class ClosePairs
     {
         /// <summary>Distance from which on a pair feels nothing, r0/dx. Settled liquid stays farther apart.</summary>
-        public const double Reach = 0.65;
+        public const double Reach = 0.6;
 
-        /// <summary>Below this distance the push falls to zero, e/dx.</summary>
-        public const double Core = 0.1;
+        /// <summary>K dx²/c²: two particles at rest 0.3 dx apart part with 0.015 c, those 0.5 dx apart with 0.008 c.</summary>
+        public const double Push = 5e-4;
 
-        /// <summary>K/c²: from 0.3 dx two particles at rest part with 0.008 c, within some 50 dx/c.</summary>
-        public const double Push = 2.5e-5;
+        /// <summary>D dx³/c.</summary>
+        public const double Damping = 1.7;
 
-        /// <summary>D dx/c.</summary>
-        public const double Damping = 0.5;
-
-        // D kick: a pair on its own loses no more than all of its speed of approach in a step, so no step is too long for it.
-        const double MostDamping = 0.5;
+        // D dx² kick: a pair on its own loses its speed of approach at 0.52 dx within a step, and no more at any distance, as w r² is
+        // largest there and 0.27 dx². So no step is too long for it.
+        const double MostDamping = 1.85;
 
         static readonly int Constants = Shader.PropertyToID("_ClosePairs");
 
-        /// <summary>D [1/s].</summary>
+        /// <summary>D [1/(m² s)].</summary>
         /// <param name="settings">The liquid's constants.</param>
         /// <param name="kick">How far the velocities go in the step [s].</param>
-        public static double DampingRate(in FluidSolverSettings settings, double kick) =>
-            Math.Min(Damping * settings.SoundSpeed / settings.Spacing, MostDamping / kick);
+        public static double DampingRate(in FluidSolverSettings settings, double kick)
+        {
+            double dx = settings.Spacing;
+            return Math.Min(Damping * settings.SoundSpeed / dx, MostDamping / kick) / (dx * dx);
+        }
 
         /// <summary>Records them.</summary>
         /// <param name="cmd">Command buffer.</param>
@@ -42,10 +43,9 @@ namespace SphFluid
         public static void Set(
             CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings, double slopeFactor, double kick)
         {
-            double reach = Reach * settings.Spacing, core = Core * settings.Spacing;
-            double push = Push * settings.SoundSpeed * settings.SoundSpeed;
-            kernel.SetVector(cmd, Constants, new Vector4((float)(2.0 / (reach * reach)), (float)(core * core),
-                (float)(push / slopeFactor), (float)(DampingRate(settings, kick) / slopeFactor)));
+            double reach = Reach * settings.Spacing, rate = settings.SoundSpeed / settings.Spacing;
+            kernel.SetVector(cmd, Constants, new Vector4((float)(4.0 / (reach * reach)),
+                (float)(Push * rate * rate / slopeFactor), (float)(DampingRate(settings, kick) / slopeFactor)));
         }
     }
 }

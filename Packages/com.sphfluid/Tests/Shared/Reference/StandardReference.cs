@@ -86,13 +86,13 @@ namespace SphFluid.Tests
             return settings.RestDensity + (sum - settings.RestDensity) / Response(settings);
         }
 
-        /// <summary>What parts two particles nearer than 0.65 dx, d and v those of one seen from the other [m/s²].</summary>
+        /// <summary>What parts two particles nearer than 0.6 dx, d and v those of one seen from the other [m/s²].</summary>
         public static Double3 Parting(Double3 d, Double3 v, in FluidSolverSettings settings)
         {
             double dx = settings.Spacing, c = settings.SoundSpeed, r2 = d.X * d.X + d.Y * d.Y + d.Z * d.Z;
-            double weight = Math.Max(0.0, Math.Min(1.0, 2.0 - 2.0 * r2 / (0.65 * dx * 0.65 * dx)));
+            double weight = Math.Max(0.0, Math.Min(1.0, 4.0 - 4.0 * r2 / (0.6 * dx * 0.6 * dx)));
             double approach = Math.Max(0.0, -(d.X * v.X + d.Y * v.Y + d.Z * v.Z));
-            return weight / (r2 + 0.01 * dx * dx) * (2.5e-5 * c * c + 0.5 * c / dx * approach) * d;
+            return weight / (dx * dx) * (5e-4 * c * c + 1.7 * c / dx * approach) * d;
         }
 
         /// <summary>Acceleration without contact, of a step of c dt/dx ≤ 1 [m/s²].</summary>

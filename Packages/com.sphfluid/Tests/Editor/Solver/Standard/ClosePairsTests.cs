@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Particles nearer than 0.65 dx where no pressure acts: they part, and nothing else changes.</summary>
+    /// <summary>Particles nearer than 0.6 dx where no pressure acts: they part, and nothing else changes.</summary>
     public sealed class ClosePairsTests
     {
         const float Spacing = 0.05f;
@@ -19,10 +19,10 @@ namespace SphFluid.Tests
             Vector3 direction = new Vector3(2f, -1f, 2f) / 3f;
             FluidParticle[] end = Run(Pair(distance * Spacing * direction, Vector3.zero), 400, settings);
             Vector3 d = end[0].Position - end[1].Position;
-            Assert.That(d.magnitude / Spacing, Is.InRange(0.64f, 6f));
+            Assert.That(d.magnitude / Spacing, Is.InRange(0.59f, 15f));
             if (distance > 0f) Assert.That(Vector3.Angle(d, direction), Is.LessThan(1f), "along the line between them");
             Assert.That((end[0].VelT0 + end[1].VelT0).magnitude, Is.LessThan(1e-6f * settings.SoundSpeed), "momentum");
-            Assert.That((end[0].VelT0 - end[1].VelT0).magnitude, Is.LessThan(0.02f * settings.SoundSpeed));
+            Assert.That((end[0].VelT0 - end[1].VelT0).magnitude, Is.LessThan(0.03f * settings.SoundSpeed));
         }
 
         // Straight at each other, past each other at 0.2 dx, and apart; slow and at 0.2 c, twice the fastest that rules expect.
@@ -40,7 +40,7 @@ namespace SphFluid.Tests
             FluidParticle[] end = Run(start, steps, settings);
             Vector3 sum = end[0].VelT0 + end[1].VelT0 - 2f * drift, left = end[0].VelT0 - end[1].VelT0;
             Assert.That(sum.magnitude, Is.LessThan(1e-5f * speed + 1e-6f), "momentum");
-            float push = 0.01f * settings.SoundSpeed; // what parts a pair that rests
+            float push = 0.016f * settings.SoundSpeed; // what parts a pair that rests
             Assert.That(left.magnitude, Is.LessThan(Mathf.Max(past > 0f ? 0.9f * speed : 0f, push)), "speed to each other");
             Assert.That((end[0].Position - end[1].Position).magnitude / Spacing, Is.GreaterThan(0.5f));
             double before = Spin(start), after = Spin(end);
@@ -62,7 +62,7 @@ namespace SphFluid.Tests
         // Layers of a film, and a thread of twice the density of one at rest; no pressure acts.
         [TestCase(8, 8, 1, 0.85f)]
         [TestCase(8, 8, 1, 1f)]
-        [TestCase(20, 1, 1, 0.66f)]
+        [TestCase(20, 1, 1, 0.61f)]
         [TestCase(6, 6, 6, 1.001f)]
         public void AtTheDistancesOfLiquidNothingIsFelt(int x, int y, int z, float apart)
         {
@@ -85,7 +85,7 @@ namespace SphFluid.Tests
 
         // A sheet and a jet that are stretched: nothing draws them together.
         [TestCase(8, 8, 0.85f)]
-        [TestCase(24, 1, 0.66f)]
+        [TestCase(24, 1, 0.61f)]
         public void WhatIsStretchedFeelsNoTension(int x, int z, float apart)
         {
             const float rate = 2f; // 1/s
