@@ -17,7 +17,7 @@ internal static class ModelCommand
         string[][] measured = Rows(waveFile);
         var waves = measured.Select(r => new WaveStatistics(
             Int(r[3]), Number(r[4]), Number(r[5]), Number(r[6]), Number(r[7]), Number(r[8]))).ToDictionary(w => w.Lanes);
-        var loops = Rows(Path.Combine(folder, "loops.csv")).Select(r => new PassLoop(r[0], r[1], r[2], r[3], r[4] == "neighbours", Number(r[5]), r[6] == "yes")).ToList();
+        var loops = Rows(Path.Combine(folder, "loops.csv")).Select(r => new PassLoop(r[0], r[1], r[2], r[3], r[4] == "neighbours", Number(r[5]), r[6] == "yes", Number(r[7]))).ToList();
         var steps = Rows(Path.Combine(folder, "steps.csv")).Select(r => new ModelStep(r[0], r[1].Split('+'), [Int(r[2]), Int(r[3])], Number(r[4]), Number(r[5]))).ToList();
         var model = new StepModel(compiled, loops, steps, waves);
         Console.WriteLine($"Estimates, not measurements: loops compiled by {compiled.Compiler}; turns of {measured[0][0]}, {measured[0][1]} particles, R = {measured[0][2]} m:");
@@ -25,6 +25,8 @@ internal static class ModelCommand
             Console.WriteLine(FormattableString.Invariant($"  waves of {w.Lanes}: {w.Candidates:0.0} candidates and {w.Neighbours:0.0} neighbours a lane; {w.CandidateTurns:0.0} and {w.NeighbourTurns:0.0} turns, {w.Rows:0.0} rows"));
         foreach (NamedGpu gpu in NamedGpu.All) Console.WriteLine("  " + gpu.Assumptions);
         Console.WriteLine("  " + StepModel.Assumptions);
+        foreach (PassLoop loop in loops)
+            Console.WriteLine(FormattableString.Invariant($"  {loop.Pass}: loop '{loop.Loop}' of {loop.Kernel}, {loop.PerTurn:0} {(loop.OverNeighbours ? "neighbours" : "candidates")} a turn, in {loop.Share:P0} of the waves{(loop.Gathers ? ", loads where a list says" : "")}"));
         foreach (string line in model.PassLines().Concat(model.StepLines())) Console.WriteLine(line);
         return 0;
     }

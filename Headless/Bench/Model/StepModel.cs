@@ -5,10 +5,11 @@ namespace Headless.Bench.Model;
 /// <summary>Which loops a pass has: a line of benchmarks/model/loops.csv.</summary>
 /// <param name="PerTurn">Candidates or neighbours that a turn takes.</param>
 /// <param name="Gathers">Whether its loads go where a list says.</param>
-internal sealed record PassLoop(string Pass, string Kernel, string Keywords, string Loop, bool OverNeighbours, double PerTurn, bool Gathers);
+/// <param name="Share">Part of the waves that go through it.</param>
+internal sealed record PassLoop(string Pass, string Kernel, string Keywords, string Loop, bool OverNeighbours, double PerTurn, bool Gathers, double Share);
 
 /// <summary>A step: a line of benchmarks/model/steps.csv.</summary>
-/// <param name="Passes">Names of its passes.</param>
+/// <param name="Passes">Names of its passes; or, with a number before each as "1 rebuilt", of steps that it is the mean of.</param>
 /// <param name="Dispatches">Dispatches at 65,536 and 1,048,576 particles.</param>
 /// <param name="SortBytes">Bytes a particle that are moved besides the passes.</param>
 /// <param name="ListBytes">Bytes a particle of the list, written and read.</param>
@@ -31,35 +32,49 @@ internal sealed class StepModel(CompiledLoops compiled, IReadOnlyList<PassLoop> 
 
     public IEnumerable<string> PassLines()
     {
-        yield return $"{"pass",-18}{"GPU",-12}{"turns a wave",14}{"issue/turn",12}{"chain/turn",12}{"64 K us",10}{"1 M us",10}";
+        yield return $"{"pass",-26}{"GPU",-12}{"turns a wave",14}{"issue/turn",12}{"chain/turn",12}{"64 K us",10}{"1 M us",10}";
         foreach (string pass in loops.Select(l => l.Pass).Distinct())
             foreach (NamedGpu gpu in NamedGpu.All)
             {
                 PassLoop[] own = [.. loops.Where(l => l.Pass == pass)];
-                string turns = string.Join('+', own.Select(l => Turns(gpu, l).ToString("0.0", CultureInfo.InvariantCulture)));
+                string turns = string.Join('+', own.Select(l => (l.Share * Turns(gpu, l)).ToString("0.0", CultureInfo.InvariantCulture)));
                 string issue = string.Join('+', own.Select(l => gpu.Issue(Compiled(gpu, l)).ToString("0", CultureInfo.InvariantCulture)));
                 string chain = string.Join('+', own.Select(l => gpu.Chain(Compiled(gpu, l), l.Gathers).ToString("0", CultureInfo.InvariantCulture)));
                 yield return string.Create(CultureInfo.InvariantCulture,
-                    $"{pass,-18}{gpu.Name,-12}{turns,14}{issue,12}{chain,12}{1e6 * PassTime(gpu, pass, Sizes[0]),10:0.0}{1e6 * PassTime(gpu, pass, Sizes[1]),10:0.0}");
+                    $"{pass,-26}{gpu.Name,-12}{turns,14}{issue,12}{chain,12}{1e6 * PassTime(gpu, pass, Sizes[0]),10:0.0}{1e6 * PassTime(gpu, pass, Sizes[1]),10:0.0}");
             }
     }
 
     public IEnumerable<string> StepLines()
     {
-        yield return $"{"step",-18}{"GPU",-12}{"dispatches",12}{"sort B",8}{"list B",8}{"64 K us",10}{"1 M us",10}";
+        yield return $"{"step",-26}{"GPU",-12}{"dispatches",12}{"sort B",8}{"list B",8}{"64 K us",10}{"1 M us",10}";
         foreach (ModelStep step in steps)
             foreach (NamedGpu gpu in NamedGpu.All)
                 yield return string.Create(CultureInfo.InvariantCulture,
-                    $"{step.Name,-18}{gpu.Name,-12}{string.Join('/', step.Dispatches),12}{step.SortBytes,8:0}{step.ListBytes,8:0}{1e6 * StepTime(gpu, step, 0),10:0.0}{1e6 * StepTime(gpu, step, 1),10:0.0}");
+                    $"{step.Name,-26}{gpu.Name,-12}{string.Join('/', step.Dispatches),12}{step.SortBytes,8:0}{step.ListBytes,8:0}{1e6 * StepTime(gpu, step, 0),10:0.0}{1e6 * StepTime(gpu, step, 1),10:0.0}");
     }
 
     /// <summary>Seconds of a step at <see cref="Sizes"/>.</summary>
     public double StepTime(NamedGpu gpu, ModelStep step, int size)
     {
+        if (char.IsAsciiDigit(step.Passes[0][0])) return Mean(gpu, step, size);
         int particles = Sizes[size];
         double work = step.Passes.Sum(pass => PassTime(gpu, pass, particles));
         double list = gpu.Move(step.ListBytes * particles);
         return work + gpu.Move(step.SortBytes * particles) + Math.Max(0, list - HiddenByWork * work) + step.Dispatches[size] * gpu.Dispatch + (size == 0 ? SmallPasses : 0);
+    }
+
+    private double Mean(NamedGpu gpu, ModelStep step, int size)
+    {
+        double time = 0, count = 0;
+        foreach (string part in step.Passes)
+        {
+            string[] words = part.Split(' ', 2);
+            double times = double.Parse(words[0], CultureInfo.InvariantCulture);
+            time += times * StepTime(gpu, steps.First(s => s.Name == words[1]), size);
+            count += times;
+        }
+        return time / count;
     }
 
     private double PassTime(NamedGpu gpu, string pass, int particles)
@@ -68,7 +83,7 @@ internal sealed class StepModel(CompiledLoops compiled, IReadOnlyList<PassLoop> 
         bool searches = false;
         foreach (PassLoop loop in loops.Where(l => l.Pass == pass))
         {
-            double turns = Turns(gpu, loop);
+            double turns = loop.Share * Turns(gpu, loop);
             issue += turns * gpu.Issue(Compiled(gpu, loop));
             chain += turns * gpu.Chain(Compiled(gpu, loop), loop.Gathers);
             searches |= !loop.OverNeighbours;

@@ -7,6 +7,7 @@ internal sealed record HotLoop(string Kernel, string Name)
     public static IReadOnlyList<HotLoop> All { get; } =
     [
         new("StandardDensity", "candidate"),
+        new("ListedDensity", "neighbour"),
         new("MoveParticles", "neighbour"),
         new("CalculateDensity", "candidate"),
         new("CalculateForce", "candidate"),

@@ -18,6 +18,7 @@ internal sealed class UniformBranchCheck(ProjectPackages packages, string shader
         ["BitonicSort: _Level"] = NothingGained,
         ["StandardDensity: _PeriodLength"] = NothingGained,
         ["MoveParticles: _PeriodLength"] = NothingGained,
+        ["ListedDensity: _PeriodLength"] = NothingGained,
         ["BeginSurfaceRound: _LateRound"] = "a single thread of a few instructions; Mesa leaves kernels of 100 values or fewer alone",
         ["SetMCGridDensityFactors: _MCWallCompletion"] = "once a frame, and the frame's work of a second hides a translation of milliseconds",
     };
