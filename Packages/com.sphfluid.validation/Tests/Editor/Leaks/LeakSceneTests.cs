@@ -54,7 +54,7 @@ namespace SphFluid.Tests
         public void LiquidInACupRestsHalfASpacingFromItsWalls()
         {
             LeakScene scene = LeakSceneEntry.Find("still-cup").Build(0.0);
-            scene.Frames = 60;
+            scene.Frames = 90;
 
             LeakResult result = Play(scene);
 
