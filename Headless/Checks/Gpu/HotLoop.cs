@@ -13,7 +13,7 @@ internal sealed record HotLoop(string Kernel, string Name)
         new("SampleBlocks", "particle"),
     ];
 
-    /// <summary>Of the loops that contain no other and load from buffers, the one with the most instructions; null without such a loop.</summary>
+    /// <summary>Of the loops that contain no other and load from buffers or groupshared memory, the one with the most instructions; null without such a loop.</summary>
     public static InstructionCounts? Find(IsaListing listing) =>
-        listing.InnerLoops().Where(loop => loop.VectorLoads > 0).MaxBy(loop => loop.Total);
+        listing.InnerLoops().Where(loop => loop.VectorLoads + loop.Groupshared > 0).MaxBy(loop => loop.Total);
 }
