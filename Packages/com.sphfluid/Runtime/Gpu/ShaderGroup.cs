@@ -10,7 +10,7 @@ namespace SphFluid
     {
         /// <summary>The sparse surface.</summary>
         public static readonly ShaderGroup Surface = new ShaderGroup("the surface", "Shaders/Surface/Sparse",
-            groupThreads: 256, buffers: 8, writableBuffers: 4, groupMemory: 14112, vertexBuffers: 0,
+            groupThreads: 256, buffers: 8, writableBuffers: 4, groupMemory: 12464, vertexBuffers: 0,
             "ClearSurfaceBlocks", "PrepareSurfaceParticles", "ListSurfaceBlocks", "SampleBlocks", "CountBlocks", "SurfaceDrawArguments",
             "EmitBlocks", "WriteSurfaceMesh");
 
