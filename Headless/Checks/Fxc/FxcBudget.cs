@@ -11,11 +11,18 @@ internal sealed class FxcBudget(string packageRoot)
     /// <summary>Kernels with more shared memory than Vulkan and OpenGL ES 3.1 promise, each with the reason.</summary>
     private static readonly Dictionary<string, string> largeGroups = [];
 
+    /// <summary>Kernels that take longer to compile, in milliseconds, each with the reason.</summary>
+    private static readonly Dictionary<string, int> slowKernels = new()
+    {
+        // 27 samples a thread in registers, each with its own place in the sums: half the time of a row of 13 where it was measured.
+        ["SampleBlocks"] = 9000,
+    };
+
     public void Check(IReadOnlyList<FxcResult> results, CheckReport report)
     {
         var kernels = results.Where(r => r.Job.IsKernel).ToList();
-        foreach (var result in results.Where(r => r.Milliseconds > MaxMilliseconds))
-            report.Findings.Add($"{result.Job.Name}: FXC took {result.Milliseconds / 1000.0:F1} s of CPU time at 2.5 GHz, {MaxMilliseconds / 1000} are allowed: the first Play waits for it");
+        foreach (var result in results.Where(r => r.Milliseconds > Allowed(r)))
+            report.Findings.Add($"{result.Job.Name}: FXC took {result.Milliseconds / 1000.0:F1} s of CPU time at 2.5 GHz, {Allowed(result) / 1000} are allowed: the first Play waits for it");
         foreach (var result in kernels.Where(r => r.SharedBytes > MaxSharedBytes && !largeGroups.ContainsKey(r.Job.Entry)))
             report.Findings.Add($"{result.Job.Name}: {result.SharedBytes} bytes of groupshared memory, Vulkan and OpenGL ES 3.1 promise {MaxSharedBytes}");
         var variants = kernels.Count(r => IsShipped(r.Job.File));
@@ -26,6 +33,8 @@ internal sealed class FxcBudget(string packageRoot)
             + $", all {results.Sum(r => r.Milliseconds) / 1000.0:F0} s; largest: {kernels.Max(r => r.Threads)} threads, {kernels.Max(r => r.Buffers)} buffers, "
             + $"{kernels.Max(r => r.Uavs)} written, {kernels.Max(r => r.SharedBytes)} bytes shared";
     }
+
+    private static int Allowed(FxcResult result) => slowKernels.GetValueOrDefault(result.Job.Entry, MaxMilliseconds);
 
     private bool IsShipped(string file)
     {
