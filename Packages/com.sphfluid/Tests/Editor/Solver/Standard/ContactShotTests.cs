@@ -92,6 +92,7 @@ namespace SphFluid.Tests
                     for (int round = 0; round < 2; round++) // the second from where the first came to rest
                     {
                         state.Buffers.Positions.SetData(from);
+                        StandardStateRig.EmptyContacts(state);
                         state.Buffers.PositionTerms.SetData(from);
                         state.Buffers.NewPositions.SetData(to);
                         state.Buffers.NewVelocities.SetData(from.Select((p, i) => (to[i] - p) / settings.TimeStep).ToArray());

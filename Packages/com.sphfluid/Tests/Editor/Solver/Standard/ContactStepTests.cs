@@ -46,6 +46,7 @@ namespace SphFluid.Tests
             StandardState state = rig.State;
             float timeStep = rig.Settings.TimeStep;
             state.Buffers.Positions.SetData(from.Select(p => (Vector4)p).ToArray());
+            StandardStateRig.EmptyContacts(state);
             state.Buffers.PositionTerms.SetData(from.Select(p => (Vector4)p).ToArray());
             var step = new FluidStep(timeStep, timeStep, false);
             state.Buffers.NewPositions.SetData(to.Select(p => (Vector4)p).ToArray());

@@ -178,7 +178,7 @@ namespace SphFluid.Tests
             StandardState state = rig.State;
             state.RequireWalls();
             state.Buffers.NewPositions.SetData(to.Select(p => (Vector4)p).ToArray());
-            state.Walls.ContactArguments.SetData(new[] { 0u, 1u, 1u, 0u }); // as the density pass leaves them
+            StandardStateRig.EmptyContacts(state);
             state.Walls.WallGap.SetData(Enumerable.Repeat(gap, state.ParticleCount).ToArray());
             var pass = new FindContactsPass(shaders);
             GpuTest.Run(cmd => pass.Record(cmd, state, new FluidStep(1e-3f, 1e-3f, false)));

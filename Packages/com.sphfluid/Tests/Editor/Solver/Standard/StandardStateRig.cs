@@ -132,6 +132,9 @@ namespace SphFluid.Tests
                 .Zip(GpuTest.Read<Vector4>(State.Buffers.PositionTerms, count), (density, place) => new Vector2(density, place.w)).ToArray();
         }
 
+        /// <summary>Empties the list of contacts, as the density pass does before each step.</summary>
+        public static void EmptyContacts(StandardState state) => state.Walls.ContactArguments.SetData(new[] { 0u, 1u, 1u, 0u });
+
         /// <summary>The counters on the GPU.</summary>
         public uint[] Counters() => GpuTest.Read<uint>(State.Published.Counters, CounterReadback.Slots);
 

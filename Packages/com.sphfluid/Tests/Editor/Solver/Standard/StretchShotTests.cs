@@ -61,6 +61,7 @@ namespace SphFluid.Tests
                     motion.MoveTo(rig.Solids.Single().State);
 
                     state.Buffers.Positions.SetData(from);
+                    StandardStateRig.EmptyContacts(state);
                     state.Buffers.PositionTerms.SetData(from);
                     state.Buffers.NewPositions.SetData(to);
                     state.Buffers.NewVelocities.SetData(from.Select((p, i) => (to[i] - p) / settings.TimeStep).ToArray());
