@@ -55,7 +55,7 @@ internal static class GuardedRun
         if (message.Contains('\n')) return $"a message of several lines: {message}";
         if (message.Length > MostMessage) return $"a message of {message.Length} characters";
         if (message.Contains(" at Headless.", StringComparison.Ordinal)) return $"a stack trace: {message}";
-        return message.Contains('/') || message.Contains(".shader") ? null : $"a message that names no file: {message}";
+        return message.Contains('/') || message.Contains(".shader") || message.Contains(".compute") ? null : $"a message that names no file: {message}";
     }
 
     private static double ProcessorSeconds()

@@ -91,7 +91,7 @@ namespace SphFluid
 
         /// <summary>Records the list of neighbours, or one of length 0, for a kernel that reads it.</summary>
         public virtual void BindNeighbourList(CommandBuffer cmd, ComputeKernel kernel) =>
-            NeighbourList.SetNone(cmd, kernel, Published.Density);
+            GridNeighbours.SetNoList(cmd, kernel, Published.Density);
 
         /// <summary>Releases the buffers that the state made; the triangles belong to their maker.</summary>
         public virtual void Dispose() => Published.Dispose();

@@ -12,6 +12,10 @@ namespace SphFluid
         static readonly int SmoothLengthSquared = Shader.PropertyToID("_SmoothLengthSquared");
         static readonly int DensityCoefficient = Shader.PropertyToID("_DensityCoefficient");
 
+        static readonly int ListLength = Shader.PropertyToID("_ListLength");
+        static readonly int Neighbours = Shader.PropertyToID("_Neighbours");
+        static readonly int NeighbourCounts = Shader.PropertyToID("_NeighbourCounts");
+
         // Shaders/Solver/GridNeighbours.hlsl has both searches.
         static readonly int CellsOfSmoothLength = Shader.PropertyToID("_CellsOfH");
 
@@ -27,6 +31,17 @@ namespace SphFluid
             kernel.SetVector(cmd, GridOrigin, grid.Origin);
             kernel.SetVector(cmd, CellSize, grid.CellSize);
             kernel.SetInts(cmd, GridCounts, Counts);
+        }
+
+        /// <summary>Records a list of neighbours of length 0 for a kernel that can read one: every particle searches.</summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        /// <param name="kernel">The kernel.</param>
+        /// <param name="anything">A buffer of 4 bytes a particle to bind in the list's place.</param>
+        public static void SetNoList(CommandBuffer cmd, ComputeKernel kernel, FluidBuffer anything)
+        {
+            kernel.SetInt(cmd, ListLength, 0);
+            kernel.SetBuffer(cmd, Neighbours, anything);
+            kernel.SetBuffer(cmd, NeighbourCounts, anything);
         }
 
         public static void Set(CommandBuffer cmd, ComputeKernel kernel, FluidState state)

@@ -19,8 +19,6 @@ namespace SphFluid
         // Of a full lattice's neighbours: whoever has fewer stands at a surface.
         const double Surface = 0.75;
 
-        static readonly int NeighboursId = Shader.PropertyToID("_Neighbours");
-        static readonly int CountsId = Shader.PropertyToID("_NeighbourCounts");
         static readonly int ListLength = Shader.PropertyToID("_ListLength");
         static readonly int InverseSupport = Shader.PropertyToID("_InverseSupport");
         static readonly int Ahead = Shader.PropertyToID("_Ahead");
@@ -80,17 +78,6 @@ namespace SphFluid
 
         static double Expected(in FluidSolverSettings settings) =>
             4.0 / 3.0 * Math.PI * Math.Pow(settings.SupportRadius / (double)settings.Spacing, 3.0);
-
-        /// <summary>Records a list of length 0 for a kernel that reads it: every particle searches.</summary>
-        /// <param name="cmd">Command buffer to record into.</param>
-        /// <param name="kernel">The kernel.</param>
-        /// <param name="anything">A buffer of 4 bytes a particle to bind in the list's place.</param>
-        public static void SetNone(CommandBuffer cmd, ComputeKernel kernel, FluidBuffer anything)
-        {
-            kernel.SetInt(cmd, ListLength, 0);
-            kernel.SetBuffer(cmd, NeighboursId, anything);
-            kernel.SetBuffer(cmd, CountsId, anything);
-        }
 
         static long EntryCount(int particleCount, int length) => ((long)particleCount + Lanes - 1) / Lanes * Lanes * length;
     }
