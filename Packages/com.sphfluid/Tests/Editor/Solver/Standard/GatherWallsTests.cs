@@ -12,82 +12,6 @@ namespace SphFluid.Tests
     {
         const float Spacing = 0.05f;
 
-        // PackedWall of NearWall.hlsl.
-        [StructLayout(LayoutKind.Sequential)]
-        struct Packed
-        {
-            public uint Normal0, Normal1, Normal2;
-            public float Offset0, Offset1, Offset2;
-            public uint Plane0, Plane1, Plane2;
-            public uint VelocityXY, VelocityZ;
-        }
-
-        // What is stored, seen from a particle's place.
-        readonly struct Wall
-        {
-            readonly Packed packed;
-            readonly Vector3 position;
-            readonly FluidSolverSettings settings;
-
-            public Wall(Packed packed, Vector3 position, FluidSolverSettings settings)
-            {
-                this.packed = packed;
-                this.position = position;
-                this.settings = settings;
-            }
-
-            // Of the first plane; the distance in metres.
-            public Vector3 Normal => Octahedral(packed.Normal0);
-            public double Distance => Away(position, 0);
-            public float Approach => Half(packed.Plane0 >> 16);
-            public Vector3 Velocity => new Vector3(Half(packed.VelocityXY), Half(packed.VelocityXY >> 16), Half(packed.VelocityZ >> 16));
-            public uint Flags => packed.VelocityZ & 63u;
-            public uint Friction => (packed.VelocityZ >> 6) & 1023u;
-            public double Value => packed.Plane0 == 0u ? 0.0 : ValueAt(position);
-
-            public double Gradient(int axis)
-            {
-                const double step = 1e-5;
-                var e = new Double3(axis == 0 ? step : 0, axis == 1 ? step : 0, axis == 2 ? step : 0);
-                return packed.Plane0 == 0u ? 0.0 : (ValueAt((Double3)position + e) - ValueAt((Double3)position - e)) / (2.0 * step);
-            }
-
-            double ValueAt(Double3 x)
-            {
-                double open = 1.0;
-                uint[] planes = { packed.Plane0, packed.Plane1, packed.Plane2 };
-                for (int k = 0; k < 3; k++)
-                    open *= 1.0 - (planes[k] & 0xffffu) / 65535.0 * StandardReference.Mirror(Away(x, k), settings.SupportRadius, settings.Spacing);
-                return 1.0 - open;
-            }
-
-            double Away(Double3 x, int k)
-            {
-                Vector3 n = Octahedral(k == 0 ? packed.Normal0 : k == 1 ? packed.Normal1 : packed.Normal2);
-                return x.X * n.x + x.Y * n.y + x.Z * n.z - (k == 0 ? packed.Offset0 : k == 1 ? packed.Offset1 : packed.Offset2);
-            }
-
-            static float Half(uint bits) => Mathf.HalfToFloat((ushort)bits);
-
-            static Vector3 Octahedral(uint bits)
-            {
-                float x = (short)bits / 32767f, y = (short)(bits >> 16) / 32767f, z = 1f - Mathf.Abs(x) - Mathf.Abs(y);
-                if (z < 0f) (x, y) = ((1f - Mathf.Abs(y)) * (x < 0f ? -1f : 1f), (1f - Mathf.Abs(x)) * (y < 0f ? -1f : 1f));
-                return new Vector3(x, y, z).normalized;
-            }
-        }
-
-        // The walls of each particle in the order of the last sort.
-        static Wall[] Read(StandardState state)
-        {
-            int count = state.ParticleCount;
-            uint[] slots = GpuTest.Read<uint>(state.Walls.WallSlot, count);
-            Packed[] packed = GpuTest.Read<Packed>(state.Walls.NearWalls, count);
-            Vector4[] positions = GpuTest.Read<Vector4>(state.Buffers.Positions, count);
-            return Enumerable.Range(0, count).Select(i =>
-                new Wall(slots[i] == 0u ? default : packed[slots[i] - 1], positions[i], state.Settings)).ToArray();
-        }
-
         static List<Vector3> Box(Vector3 size, int cuts)
         {
             var corners = new List<Vector3>();
@@ -109,12 +33,12 @@ namespace SphFluid.Tests
                 }
         }
 
-        static Wall[] Gather(BodyRig rig, Vector3[] points)
+        static StoredWall[] Gather(BodyRig rig, Vector3[] points)
         {
             rig.Start(points.Select((p, i) => new FluidParticle(p, Vector3.zero, (uint)i)).ToArray());
             rig.Setup();
             uint[] ids = rig.Particles().Select(p => p.Id).ToArray();
-            Wall[] walls = Read(rig.State), result = new Wall[points.Length];
+            StoredWall[] walls = StoredWall.Read(rig.State), result = new StoredWall[points.Length];
             for (int i = 0; i < points.Length; i++) result[ids[i]] = walls[i];
             return result;
         }
@@ -122,7 +46,7 @@ namespace SphFluid.Tests
         static Vector3[] Points(int count, Vector3 size, int seed) => ParticleSets.Random(count, size, 0f, seed).Select(p => p.Position).ToArray();
 
         [Test]
-        public void WallStrideIsTheSizeOfTheStruct() => Assert.That(Marshal.SizeOf<Packed>(), Is.EqualTo(MeshWallBuffers.WallStride));
+        public void WallStrideIsTheSizeOfTheStruct() => Assert.That(Marshal.SizeOf<StoredWall.Packed>(), Is.EqualTo(MeshWallBuffers.WallStride));
 
         [TestCase(1)]
         [TestCase(5)]
@@ -136,7 +60,7 @@ namespace SphFluid.Tests
             {
                 rig.Add(Box(size, cuts));
                 Vector3[] points = Points(509, 0.98f * size, 3);
-                Wall[] walls = Gather(rig, points);
+                StoredWall[] walls = Gather(rig, points);
                 double slope = 1.0 / settings.SupportRadius;
                 int felt = 0;
                 for (int i = 0; i < points.Length; i++)
@@ -175,7 +99,7 @@ namespace SphFluid.Tests
                 buffers.WallSlot.SetData(Enumerable.Repeat(4242u, count).ToArray());
                 GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.State, rig.State.Buffers.Positions));
                 uint[] slots = GpuTest.Read<uint>(buffers.WallSlot, count);
-                Wall[] walls = Read(rig.State);
+                StoredWall[] walls = StoredWall.Read(rig.State);
                 for (int i = 0; i < count; i++)
                 {
                     double near = double.MaxValue;
@@ -231,7 +155,7 @@ namespace SphFluid.Tests
                 Vector3 normal = new Vector3(-0.3f, 1f, 0f).normalized;
                 float[] distances = { 0.003f, 0.01f, 0.024f, 0.049f };
                 Vector3[] points = distances.SelectMany(d => new[] { d * normal + 0.011f * Vector3.forward, -d * normal + 0.011f * Vector3.forward }).ToArray();
-                Wall[] walls = Gather(rig, points);
+                StoredWall[] walls = Gather(rig, points);
                 for (int i = 0; i < points.Length; i++)
                 {
                     double expected = StandardReference.Mirror(distances[i / 2], settings.SupportRadius, Spacing);
@@ -256,7 +180,7 @@ namespace SphFluid.Tests
             {
                 rig.Add(new[] { new Vector3(0f, 0f, -0.4f), new Vector3(-0.4f, 0f, 0f), new Vector3(0f, 0f, 0.4f) });
                 float distance = distanceOverSpacing * Spacing, angle = degrees * Mathf.Deg2Rad;
-                Wall wall = Gather(rig, new[] { distance * new Vector3(Mathf.Sin(angle), Mathf.Cos(angle), 0f) })[0];
+                StoredWall wall = Gather(rig, new[] { distance * new Vector3(Mathf.Sin(angle), Mathf.Cos(angle), 0f) })[0];
                 double facing = Math.Abs(Math.Cos(angle)), weight = facing * facing;
                 Assert.That(wall.Value, Is.EqualTo(weight * StandardReference.Mirror(distance, settings.SupportRadius, Spacing)).Within(1e-5));
                 Assert.That(wall.Flags & 1u, Is.Zero, "not a face");
@@ -275,7 +199,7 @@ namespace SphFluid.Tests
                 using (var rig = new BodyRig(settings))
                 {
                     rig.Add(new[] { 0.3f * u, -0.2f * u + 0.3f * v, -0.2f * u - 0.3f * v });
-                    Wall wall = Gather(rig, new[] { 0.4f * Spacing * axis })[0];
+                    StoredWall wall = Gather(rig, new[] { 0.4f * Spacing * axis })[0];
                     Assert.That((wall.Normal - axis).magnitude, Is.LessThan(i < 6 ? 1e-7f : 5e-5f), $"along {axis}");
                 }
             }
@@ -302,7 +226,7 @@ namespace SphFluid.Tests
                 Vector4[] at = GpuTest.Read<Vector4>(rig.State.Buffers.Positions, points.Length);
                 MeshWallBuffers buffers = rig.State.Walls;
                 uint[] slots = GpuTest.Read<uint>(buffers.WallSlot, points.Length);
-                Wall[] walls = Read(rig.State);
+                StoredWall[] walls = StoredWall.Read(rig.State);
                 inner.DomainSize = 0.4f * new Vector3(0.9f, 1.3f, 1.1f); // where the step begins
                 int felt = 0;
                 for (int i = 0; i < points.Length; i++)
@@ -311,7 +235,7 @@ namespace SphFluid.Tests
                     double value = walls[i].Value;
                     Assert.That(value, Is.EqualTo(expected).Within(2e-5), $"at {at[i]}");
                     if (slots[i] == 0) continue;
-                    Wall wall = walls[i];
+                    StoredWall wall = walls[i];
                     int axis = Mathf.Abs(wall.Normal.x) > 0.5f ? 0 : Mathf.Abs(wall.Normal.y) > 0.5f ? 1 : 2;
                     float speed = (axis == 0 ? -0.02f : 0.02f) / settings.TimeStep; // half of 0.4 m by 0.1 a step, into the box along x
                     Assert.That(wall.Approach, Is.EqualTo(-speed).Within(1).Percent, $"of axis {axis}");
@@ -331,7 +255,7 @@ namespace SphFluid.Tests
             {
                 Vector3 At(float x, float z) => Turn(new Vector3(side * x, slope * (x - 0.5f), z), axis);
                 rig.Add(new[] { At(0.1f, -0.4f), At(0.1f, 0.4f), At(2f, 0f) });
-                Wall wall = Gather(rig, new[] { Turn(new Vector3(0.5f * side, height, 0f), axis) })[0];
+                StoredWall wall = Gather(rig, new[] { Turn(new Vector3(0.5f * side, height, 0f), axis) })[0];
                 double open = (1.0 - StandardReference.Mirror(0.0, settings.SupportRadius, Spacing)) *
                     (1.0 - StandardReference.Mirror(height, settings.SupportRadius, Spacing));
                 Assert.That(1.0 - wall.Value, Is.EqualTo(open).Within(2).Percent);
@@ -359,7 +283,7 @@ namespace SphFluid.Tests
                     rig.Solver.State.BeginBodyStep(1, 2, settings.TimeStep);
                     GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.State, rig.State.Buffers.Positions));
                     rig.Solver.State.EndBodySteps();
-                    Wall wall = Read(rig.State)[0];
+                    StoredWall wall = StoredWall.Read(rig.State)[0];
                     Assert.That((wall.Normal - normal).magnitude, Is.LessThan(1e-4f), $"{wall.Normal}");
                 }
             }
@@ -426,7 +350,7 @@ namespace SphFluid.Tests
                 rig.UpdateBodies();
                 Assert.That(rig.Bodies.IsUnderWay, Is.True);
                 GpuTest.Run(cmd => rig.Solver.RecordSteps(cmd, 4));
-                Wall wall = Read(rig.State)[0];
+                StoredWall wall = StoredWall.Read(rig.State)[0];
                 float time = 4f * settings.TimeStep;
                 Assert.That(wall.Velocity.x, Is.EqualTo(0.02f / time).Within(0.2).Percent);
                 Assert.That(wall.Velocity.y, Is.EqualTo(0.004f / time).Within(0.2).Percent);
