@@ -19,6 +19,7 @@ namespace SphFluid
         FluidObstacles obstacles;
         float previousStep;
         float? flowSpeed;
+        int obstacleChanges;
         bool loaded;
         bool neighboursFresh;
         bool published;
@@ -83,7 +84,7 @@ namespace SphFluid
         public double SimulatedTime { get; private set; }
 
         /// <summary>Changes with every step that is recorded and whenever particles or physics are set: while it stays, so does what a surface shows.</summary>
-        internal long StateVersion { get; private set; }
+        internal long StateVersion => StepCount + SettingsChanges + ParticleChanges;
 
         /// <summary>Whether the GPU memory is released.</summary>
         internal bool IsDisposed => disposed;
@@ -113,7 +114,7 @@ namespace SphFluid
         public long GpuBytes => state.Bytes;
 
         /// <summary>Grows with each change of physics, obstacles or particles from outside the steps.</summary>
-        internal int Changes { get; private set; }
+        internal int Changes => obstacleChanges + SettingsChanges + ParticleChanges;
 
         /// <summary>Grows when other settings are applied.</summary>
         internal int SettingsChanges { get; private set; }
@@ -134,7 +135,7 @@ namespace SphFluid
         {
             ThrowIfDisposed();
             obstacles?.Check(state.Settings);
-            Changes++;
+            obstacleChanges++;
             this.obstacles = obstacles;
             if (obstacles == null) state.SetTriangles(null, null, 0);
             SetBodies(obstacles?.Bodies);
@@ -145,7 +146,7 @@ namespace SphFluid
         {
             ThrowIfDisposed();
             if (bodies == state.Bodies) return;
-            Changes++;
+            obstacleChanges++;
             if (bodies != null && !method.Has(FluidMethodFeatures.BodyContact))
             {
                 throw new ArgumentException($"The method {Kind} takes triangles, not bodies. Give it the scene by SetObstacles.", nameof(bodies));
@@ -176,10 +177,8 @@ namespace SphFluid
                     "the grid depends on them. Start a new solver.");
             }
 
-            Changes++;
             SettingsChanges++;
             state.Settings = prepared;
-            StateVersion++;
             counters.RestDensity = settings.RestDensity;
             neighboursFresh = false;
         }
@@ -230,7 +229,6 @@ namespace SphFluid
                 previousStep = timeStep;
                 neighboursFresh = false;
                 StepCount++;
-                StateVersion++;
                 SimulatedTime += timeStep;
             }
 
@@ -269,9 +267,7 @@ namespace SphFluid
             state.Published.Particles.SetData(CheckParticles(state.Settings, particles));
             loaded = false;
             neighboursFresh = false;
-            Changes++;
             ParticleChanges++;
-            StateVersion++;
         }
 
         /// <summary>Records the globals and the keyword of a kernel that includes Shaders/Solver/GridNeighbours.hlsl.</summary>
