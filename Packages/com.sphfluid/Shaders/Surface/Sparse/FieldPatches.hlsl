@@ -10,7 +10,8 @@
 StructuredBuffer<KernelShape> _SurfaceShapes;
 #endif
 
-#define PATCH_SAMPLES (PATCH_SIDE * PATCH_SIDE * PATCH_SIDE)
+#define PATCH_ROWS (PATCH_SIDE * PATCH_SIDE)
+#define PATCH_SAMPLES (PATCH_ROWS * PATCH_SIDE)
 
 // Places of the samples of a patch along each axis.
 struct PatchPlaces
@@ -31,7 +32,7 @@ PatchPlaces PlacesOf(int3 first)
 }
 
 // Adds a loaded particle to the samples of a patch. Along x, d . M d is left + x (tilt + x stretch).
-void AddParticle(uint place, PatchPlaces places, inout float sums[PATCH_SAMPLES])
+void AddParticle(uint place, PatchPlaces places, inout float3 sums[PATCH_ROWS])
 {
     const float4 particle = loaded[place];
 #if defined(SURFACE_ANISOTROPIC)
@@ -41,7 +42,7 @@ void AddParticle(uint place, PatchPlaces places, inout float sums[PATCH_SAMPLES]
     precise const float3 y = particle.y - places.y;
     precise const float3 z = particle.z - places.z;
     [unroll]
-    for (int row = 0; row < PATCH_SIDE * PATCH_SIDE; row++)
+    for (int row = 0; row < PATCH_ROWS; row++)
     {
         precise const float2 d = float2(y[row % PATCH_SIDE], z[row / PATCH_SIDE]);
 #if defined(SURFACE_ANISOTROPIC)
@@ -53,18 +54,14 @@ void AddParticle(uint place, PatchPlaces places, inout float sums[PATCH_SAMPLES]
         precise const float3 t = max(left - x * x, 0.0);
 #endif
         precise const float3 share = particle.w * (t * t * t);
-        [unroll]
-        for (int k = 0; k < PATCH_SIDE; k++)
-        {
-            precise const float sum = sums[row * PATCH_SIDE + k] + share[k];
-            sums[row * PATCH_SIDE + k] = sum;
-        }
+        precise const float3 sum = sums[row] + share;
+        sums[row] = sum;
     }
 }
 
 // Adds what a load of particles gives to the samples of a patch. In one loop over all of its bits: threads that run side by
 // side then wait less for each other.
-void AddLoad(uint load, int3 patch, PatchPlaces places, inout float sums[PATCH_SAMPLES])
+void AddLoad(uint load, int3 patch, PatchPlaces places, inout float3 sums[PATCH_ROWS])
 {
     uint4 mask = MaskOf(load, patch);
     while ((mask.x | mask.y | mask.z | mask.w) != 0u)
@@ -75,12 +72,12 @@ void AddLoad(uint load, int3 patch, PatchPlaces places, inout float sums[PATCH_S
 
 // Sums at the samples of a thread's patch; threads from PATCH_COUNT on have none. first: first sample of the block.
 // Barriers within.
-void SumPatch(int3 first, uint thread, out float sums[PATCH_SAMPLES])
+void SumPatch(int3 first, uint thread, out float3 sums[PATCH_ROWS])
 {
     [unroll]
-    for (int cleared = 0; cleared < PATCH_SAMPLES; cleared++)
+    for (int cleared = 0; cleared < PATCH_ROWS; cleared++)
     {
-        sums[cleared] = 0.0;
+        sums[cleared] = float3(0.0, 0.0, 0.0);
     }
     ClearMasks(0u, thread);
     const BlockReach reach = ReachOf(first);
@@ -97,7 +94,7 @@ void SumPatch(int3 first, uint thread, out float sums[PATCH_SAMPLES])
             LoadCandidates(reach, candidate, count, load, thread, row);
             ClearMasks(load + 1u, thread);
             GroupMemoryBarrierWithGroupSync();
-            for (uint own = thread; own < PATCH_COUNT; own += PATCH_COUNT) // at most once
+            if (thread < PATCH_COUNT)
             {
                 AddLoad(load, patch, places, sums);
             }
