@@ -12,9 +12,12 @@ namespace SphFluid
         /// <summary>Cells that a group of the scan sums; SCAN_CELLS_PER_GROUP in StandardTypes.hlsl.</summary>
         internal const int CellsPerScanGroup = 2048;
 
+        /// <summary>Parts in which the sum of a group's cells is counted; SCAN_SUM_PARTS in StandardTypes.hlsl.</summary>
+        internal const int SumParts = 16;
+
         /// <summary>
-        /// Most cells, border included: what the two dispatches of the scan can sum, each group the groups before it and 2,048 at most,
-        /// besides those that left the domain.
+        /// Most cells, border included: what the scan can sum, each group the groups before it and 2,048 at most, besides those that left
+        /// the domain.
         /// </summary>
         public const int MaxCells = CellsPerScanGroup * 2048 - 1;
 
@@ -48,6 +51,9 @@ namespace SphFluid
 
         /// <summary>Groups of a scan over that many cells.</summary>
         internal static int ScanGroups(int cellCount) => (cellCount + CellsPerScanGroup - 1) / CellsPerScanGroup;
+
+        /// <summary>Parts of sums of a scan over that many cells.</summary>
+        internal static int ScanSums(int cellCount) => ScanGroups(cellCount) * SumParts;
 
         /// <summary>Number of cells, the border included.</summary>
         public int CellCount => Counts.x * Counts.y * Counts.z;

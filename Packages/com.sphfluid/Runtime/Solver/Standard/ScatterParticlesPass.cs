@@ -1,3 +1,4 @@
+using System;
 using UnityEngine.Rendering;
 
 namespace SphFluid
@@ -6,6 +7,7 @@ namespace SphFluid
     internal sealed class ScatterParticlesPass : ComputePass
     {
         static readonly int ParticleCount = Id("_ParticleCount");
+        static readonly int SumCount = Id("_SumCount");
 
         readonly ComputeKernel scatter, scatterOrder, reorder;
 
@@ -26,7 +28,7 @@ namespace SphFluid
                     Bind(cmd, scatterOrder, state);
                     scatterOrder.Set(cmd, state.Buffers.Rank);
                     scatterOrder.SetOut(cmd, state.Buffers.Order);
-                    scatterOrder.DispatchThreads(cmd, state.ParticleCount);
+                    DispatchAndClear(cmd, scatterOrder, state);
                     Bind(cmd, reorder, state);
                     reorder.Set(cmd, state.Buffers.Order);
                     BindTarget(cmd, reorder, state);
@@ -37,7 +39,7 @@ namespace SphFluid
                     Bind(cmd, scatter, state);
                     scatter.Set(cmd, state.Buffers.Rank);
                     BindTarget(cmd, scatter, state);
-                    scatter.DispatchThreads(cmd, state.ParticleCount);
+                    DispatchAndClear(cmd, scatter, state);
                 }
             }
         }
@@ -48,6 +50,14 @@ namespace SphFluid
             kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
             kernel.Set(cmd, state.Buffers.NewPositions);
             kernel.Set(cmd, state.Buffers.NewVelocities);
+        }
+
+        // A thread a particle, which clears one of the scan's sums as well.
+        static void DispatchAndClear(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
+        {
+            kernel.SetInt(cmd, SumCount, state.Buffers.SumCount);
+            kernel.Set(cmd, state.Buffers.CellCount);
+            kernel.DispatchThreads(cmd, Math.Max(state.ParticleCount, state.Buffers.SumCount));
         }
 
         static void BindTarget(CommandBuffer cmd, ComputeKernel kernel, StandardState state)

@@ -30,14 +30,19 @@ namespace SphFluid
         /// <summary>Particles in the order of their cells, as indices, for the stable order.</summary>
         public readonly FluidBuffer Order;
 
-        /// <summary>Particles of each cell after the step, and those that left the domain in it.</summary>
+        /// <summary>
+        /// Particles of each cell after the step, and those that left the domain in it; behind them <see cref="SumCount"/> sums of them for the scan.
+        /// </summary>
         public readonly FluidBuffer CellCount;
 
         /// <summary>First particle of each cell, first of those that left the domain, and the end.</summary>
         public readonly FluidBuffer CellStart;
 
-        /// <summary>Sums of the scan's groups.</summary>
-        public readonly FluidBuffer BlockSum;
+        /// <summary>Cells, and one for those that left the domain.</summary>
+        public readonly int CellTotal;
+
+        /// <summary>Parts of sums of the scan's groups.</summary>
+        public readonly int SumCount;
 
         public StandardBuffers(int particleCount, int cellCount)
         {
@@ -49,9 +54,10 @@ namespace SphFluid
             PositionTerms = Add("PositionTerms", particleCount, 16);
             Rank = Add("Rank", particleCount, 4);
             Order = Add("Order", particleCount, 4);
-            CellCount = Add("CellCount", cellCount + 1L, 4);
+            CellTotal = cellCount + 1;
+            SumCount = CellRows.ScanSums(CellTotal);
+            CellCount = Add("CellCount", CellTotal + (long)SumCount, 4);
             CellStart = Add("CellStart", cellCount + 2L, 4);
-            BlockSum = Add("BlockSum", CellRows.ScanGroups(cellCount + 1), 4);
         }
     }
 }

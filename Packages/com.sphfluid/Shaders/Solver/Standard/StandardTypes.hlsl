@@ -4,9 +4,10 @@
 // Threads of a group that walks over neighbours: small groups spread few particles over many processors.
 #define STANDARD_THREADS 64
 
-// Threads of a group of the scan, and cells that a thread sums; mirrored by CellScan.cs.
+// Threads of a group of the scan, cells that a thread sums, and parts of a group's sum; mirrored by CellRows.cs.
 #define SCAN_THREADS 256
 #define SCAN_CELLS_PER_THREAD 8
+#define SCAN_SUM_PARTS 16
 #define SCAN_CELLS_PER_GROUP (SCAN_THREADS * SCAN_CELLS_PER_THREAD)
 
 // Groups a dispatch may have in one dimension (Direct3D 11, Vulkan, Metal).

@@ -44,6 +44,7 @@ namespace SphFluid.Tests
                 var expected = new uint[cells.CellCount + 1];
                 foreach (int cell in cellOf) expected[cell]++;
                 Assert.That(GpuTest.Read<uint>(rig.State.Buffers.CellCount, expected.Length), Is.EqualTo(expected));
+                StandardStateRig.AssertSums(rig.State, expected);
                 uint[] ranks = GpuTest.Read<uint>(rig.State.Buffers.Rank, count);
                 foreach (IGrouping<int, int> cell in Enumerable.Range(0, count).GroupBy(i => cellOf[i]))
                 {
@@ -76,13 +77,14 @@ namespace SphFluid.Tests
 
                 Load(rig, particles);
                 Assert.That(GpuTest.Read<uint>(rig.State.Buffers.CellCount, expected.Length), Is.EqualTo(expected));
+                StandardStateRig.AssertSums(rig.State, expected);
             }
         }
 
         static void Load(StandardStateRig rig, FluidParticle[] particles)
         {
             StandardStateRig.Fill(rig.State.Published.Particles, particles);
-            rig.State.Buffers.CellCount.SetData(Enumerable.Repeat(99u, rig.State.Cells.CellCount + 1).ToArray());
+            rig.State.Buffers.CellCount.SetData(Enumerable.Repeat(99u, rig.State.Buffers.CellCount.Count).ToArray());
             var pass = new LoadParticlesPass(rig.Shaders);
             GpuTest.Run(cmd => pass.Record(cmd, rig.State));
         }

@@ -137,7 +137,7 @@ namespace SphFluid.Tests
             state.Buffers.NewPositions.SetData(to.Select(p => (Vector4)p).ToArray());
             state.Buffers.NewVelocities.SetData(from.Select((p, i) =>
                 StandardStateRig.WithW((to[i] - p) / TimeStep, StandardStateRig.FromBits(7u * (uint)i))).ToArray());
-            state.Buffers.CellCount.SetData(new uint[state.Cells.CellCount + 1]);
+            StandardStateRig.EmptyCells(state);
             StandardStateRig.Fill(state.Walls.ContactList, list.Select(i => (uint)i).ToArray());
             state.Walls.ContactArguments.SetData(new[] { (uint)(list.Length + 63) / 64u, 1u, 1u, (uint)list.Length });
             FluidShaderSet shaders = TestShaders.CreateSet();

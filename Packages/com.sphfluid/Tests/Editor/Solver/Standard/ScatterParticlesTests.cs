@@ -48,11 +48,14 @@ namespace SphFluid.Tests
                 StandardStateRig.Fill(buffers.NewVelocities, velocities);
                 StandardStateRig.Fill(buffers.Rank, ranks);
                 buffers.CellStart.SetData(starts);
+                buffers.CellCount.SetData(Enumerable.Range(0, buffers.CellCount.Count).Select(i => i < buffers.CellTotal ? 0u : 9u).ToArray());
                 StandardStateRig.Fill(rig.State.List.Counts, Enumerable.Range(0, count).Select(i => i % 3 == 0 ? 40u : 30u).ToArray());
                 rig.State.ListTime = ListTime;
                 var pass = new ScatterParticlesPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State));
 
+                uint[] counts = GpuTest.Read<uint>(buffers.CellCount, buffers.CellCount.Count);
+                Assert.That(counts, Is.All.Zero, "the scan's sums are cleared for the next count");
                 Vector4[] sortedPositions = GpuTest.Read<Vector4>(buffers.Positions, count);
                 Vector4[] sortedVelocities = GpuTest.Read<Vector4>(buffers.Velocities, count);
                 int live = (int)starts[cells.CellCount];

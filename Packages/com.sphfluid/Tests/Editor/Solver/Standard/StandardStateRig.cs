@@ -81,7 +81,7 @@ namespace SphFluid.Tests
             foreach (FluidParticle p in sorted) starts[Cell(p) + 1]++;
             for (int i = 1; i < starts.Length; i++) starts[i] += starts[i - 1];
             State.Buffers.CellStart.SetData(starts);
-            State.Buffers.CellCount.SetData(new uint[removed + 1]);
+            EmptyCells(State);
             Fill(State.Buffers.Positions, sorted.Select(p => WithW(p.Position, 0f)).ToArray());
             Fill(State.Buffers.PositionTerms, sorted.Select(p => WithW(p.Position, 0f)).ToArray());
             Fill(State.Buffers.Velocities, sorted.Select(p => WithW(p.VelT0, FromBits(p.Id))).ToArray());
@@ -104,6 +104,7 @@ namespace SphFluid.Tests
             int unsure = counted.Length - sure.Length;
             Assert.That(unsure, Is.LessThan(1 + counted.Length / 50), "particles on faces of cells");
             Assert.That(counts.Sum(c => (long)c), Is.EqualTo(counted.Length), "all are counted once");
+            AssertSums(state, counts);
             foreach (IGrouping<int, int> cell in sure.GroupBy(i =>
                 positions[i].w != 0f ? cells.CellCount : CellOf(cells, positions[i])))
             {
@@ -114,6 +115,22 @@ namespace SphFluid.Tests
                 Assert.That(own, Is.Unique.And.All.LessThan(count), $"ranks in cell {cell.Key}");
             }
         }
+
+        /// <summary>Asserts that behind the counts of the cells, and of what left, are their sums over 2,048 cells each, in 16 parts.</summary>
+        public static void AssertSums(StandardState state, uint[] counts)
+        {
+            uint[] parts = GpuTest.Read<uint>(state.Buffers.CellCount, state.Buffers.CellCount.Count).Skip(counts.Length).ToArray();
+            Assert.That(parts.Length, Is.EqualTo(16 * ((counts.Length + 2047) / 2048)));
+            for (int i = 0; i < parts.Length; i += 16)
+            {
+                long sum = counts.Skip(128 * i).Take(2048).Sum(c => (long)c);
+                Assert.That(parts.Skip(i).Take(16).Sum(part => (long)part), Is.EqualTo(sum), $"sum from cell {128 * i} on");
+            }
+        }
+
+        /// <summary>Empties the counts of the cells and their sums, as a sort does.</summary>
+        public static void EmptyCells(StandardState state) =>
+            state.Buffers.CellCount.SetData(new uint[state.Buffers.CellCount.Count]);
 
         /// <summary>Gives the particles densities and p/ρ².</summary>
         public void SetTerms(Vector2[] terms)
