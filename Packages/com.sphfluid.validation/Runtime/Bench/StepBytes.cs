@@ -16,7 +16,7 @@ namespace SphFluid.Validation
         // The bitonic sort takes a power of two of pairs, and a block of them at least.
         const long SortBlock = 1024;
 
-        /// <summary>Bytes of a step of the Standard method. 16,384 particles and 12,167 cells, no list: 192 · 16,384 + 40 · 12,167 = 3.6 MB.</summary>
+        /// <summary>Bytes of a step of the Standard method. 16,384 particles and 12,167 cells, no list: 192 · 16,384 + 36 · 12,167 = 3.6 MB.</summary>
         /// <param name="particles">Number of particles.</param>
         /// <param name="cells">Number of cells.</param>
         /// <param name="stableOrder">Whether particles of a cell are ordered.</param>
@@ -25,7 +25,7 @@ namespace SphFluid.Validation
         public static long Standard(long particles, long cells, bool stableOrder, bool mesh, double? listed)
         {
             const long vector = 16, word = 4, density = 8;
-            long scan = 4 * word * cells;
+            long scan = 3 * word * cells;
             long scatter = stableOrder
                 ? particles * (vector + 2 * word + word + 4 * vector) + 2 * word * cells
                 : particles * (word + 4 * vector) + word * cells;

@@ -70,9 +70,9 @@ namespace SphFluid.Tests
         [Test]
         public void BytesOfAStepGoByItsPasses()
         {
-            Assert.That(StepBytes.Standard(1000, 500, true, false, null), Is.EqualTo(192 * 1000 + 40 * 500));
-            Assert.That(StepBytes.Standard(1000, 500, true, true, null), Is.EqualTo(252 * 1000 + 40 * 500));
-            Assert.That(StepBytes.Standard(1000, 500, false, false, 27.5), Is.EqualTo((168 + 8 + 8 * 27.5) * 1000 + 36 * 500));
+            Assert.That(StepBytes.Standard(1000, 500, true, false, null), Is.EqualTo(192 * 1000 + 36 * 500));
+            Assert.That(StepBytes.Standard(1000, 500, true, true, null), Is.EqualTo(252 * 1000 + 36 * 500));
+            Assert.That(StepBytes.Standard(1000, 500, false, false, 27.5), Is.EqualTo((168 + 8 + 8 * 27.5) * 1000 + 32 * 500));
             Assert.That(StepBytes.Thesis(1000, 500, 18), Is.EqualTo(388 * 1000 + 8 * 1024 + 10 * 16 * 1024 + 32 * 500));
         }
 
@@ -99,11 +99,11 @@ namespace SphFluid.Tests
         [TestCase("thesis_27", 18)]
         [TestCase("thesis_27_fused", 9)]
         [TestCase("thesis_8", 18)]
-        [TestCase("standard", 6)]
-        [TestCase("standard_search", 6)]
-        [TestCase("standard_unordered", 5)]
-        [TestCase("standard_mesh", 9)]
-        [TestCase("standard_2.25", 6)]
+        [TestCase("standard", 5)]
+        [TestCase("standard_search", 5)]
+        [TestCase("standard_unordered", 4)]
+        [TestCase("standard_mesh", 8)]
+        [TestCase("standard_2.25", 5)]
         public void DispatchesOfAStep(string name, int expected)
         {
             BenchSolver solver = BenchPlan.Solver(null).Solvers.Single(s => s.Name == name);

@@ -224,7 +224,7 @@ namespace SphFluid.Tests
             Assert.That(empty, Is.EqualTo(none));
             Assert.That(emptyCount, Is.EqualTo(count));
             Assert.That(emptyBytes, Is.EqualTo(noneBytes));
-            Assert.That(count, Is.LessThanOrEqualTo(6 * 20));
+            Assert.That(count, Is.LessThanOrEqualTo(5 * 20));
         }
     }
 }

@@ -54,8 +54,8 @@ namespace SphFluid.Tests
                 var pass = new ScatterParticlesPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State));
 
-                uint[] counts = GpuTest.Read<uint>(buffers.CellCount, buffers.CellCount.Count);
-                Assert.That(counts, Is.All.Zero, "the scan's sums are cleared for the next count");
+                uint[] sums = GpuTest.Read<uint>(buffers.CellCount, buffers.CellCount.Count);
+                Assert.That(sums, Is.All.Zero, "the scan's sums are cleared for the next count");
                 Vector4[] sortedPositions = GpuTest.Read<Vector4>(buffers.Positions, count);
                 Vector4[] sortedVelocities = GpuTest.Read<Vector4>(buffers.Velocities, count);
                 int live = (int)starts[cells.CellCount];
