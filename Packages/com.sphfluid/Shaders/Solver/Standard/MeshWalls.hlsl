@@ -70,7 +70,14 @@ bool IsCut(NearWall wall, uint other, float3 otherPosition, float3 d)
     for (bool passes = PassesFace(wall, d); passes; passes = false)
     {
         const uint otherSlot = _WallSlot[other];
-        cut = otherSlot != 0u && PassesFace(WallOf(otherSlot, otherPosition), -d);
+        const uint otherWall = max(otherSlot, 1u) - 1u;
+        const uint faces = otherSlot != 0u ? FacesOf(_NearWalls[otherWall]) : 0u;
+        for (uint k = 0u; faces >> k != 0u && !cut; k++) // few see more than one
+        {
+            const PackedPlane plane = _NearWalls[otherWall].Planes[k];
+            const float3 n = UnpackNormal(plane.Normal);
+            cut = ((faces >> k) & 1u) != 0u && dot(n, -d) > dot(n, otherPosition) - plane.Offset;
+        }
     }
     return cut;
 }

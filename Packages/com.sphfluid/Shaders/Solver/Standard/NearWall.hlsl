@@ -17,11 +17,16 @@ struct NearWall
 
 // The same as it is stored, for any place of the particle until the walls are gathered again: a plane's distance is n.x - offset.
 // Weights to 1e-5, normals to 3e-5, what only holds velocities back to 3 digits. Mirrored by MeshWallBuffers.WallStride; 44 bytes.
+struct PackedPlane
+{
+    uint Normal;       // octahedral, 16 bits a coordinate; axes are exact
+    float Offset;      // m
+    uint Weight;       // in 16 bits, and the speed along the normal as a half float
+};
+
 struct PackedWall
 {
-    uint3 Normals;     // octahedral, 16 bits a coordinate; axes are exact
-    float3 Offsets;    // m
-    uint3 Planes;      // weight in 16 bits, speed along the normal as a half float
+    PackedPlane Planes[WALL_PLANES];
     uint2 Motion;      // half floats: velocity x, y; z and below it friction in thousandths, 1023 for the domain's, and flags
 };
 
@@ -40,8 +45,8 @@ float3 UnpackNormal(uint packed)
 {
     const float2 p = float2(int2(int(packed << 16u) >> 16, int(packed) >> 16)) / 32767.0;
     const float z = 1.0 - abs(p.x) - abs(p.y);
-    const float2 fold = (1.0 - abs(p.yx)) * (p >= 0.0 ? float2(1.0, 1.0) : float2(-1.0, -1.0));
-    return normalize(float3(z >= 0.0 ? p : fold, z));
+    const uint2 signs = asuint(p) & 0x80000000u;
+    return normalize(float3(p - asfloat(asuint(max(-z, 0.0)) | signs), z));
 }
 
 uint PackHalves(float low, float high)
@@ -54,19 +59,20 @@ float2 UnpackHalves(uint packed)
     return float2(f16tof32(packed & 0xffffu), f16tof32(packed >> 16u));
 }
 
-// A plane at a distance from a place, for PackedWall: the offset fits the normal as it is stored.
-void PackPlane(inout PackedWall packed, uint k, float3 position, float3 normal, float distance, float weight, float approach)
+// A plane at a distance from a place: the offset fits the normal as it is stored.
+PackedPlane PackPlane(float3 position, float3 normal, float distance, float weight, float approach)
 {
-    const uint bits = PackNormal(normal);
-    packed.Normals[k] = bits;
-    packed.Offsets[k] = dot(UnpackNormal(bits), position) - distance;
-    packed.Planes[k] = uint(round(saturate(weight) * 65535.0)) | (f32tof16(approach) << 16u);
+    PackedPlane packed;
+    packed.Normal = PackNormal(normal);
+    packed.Offset = dot(UnpackNormal(packed.Normal), position) - distance;
+    packed.Weight = uint(round(saturate(weight) * 65535.0)) | (f32tof16(approach) << 16u);
+    return packed;
 }
 
-PackedWall NoWall()
+PackedPlane NoPlane()
 {
-    PackedWall packed = (PackedWall)0;
-    packed.Offsets = float3(-NO_PLANE_DISTANCE, -NO_PLANE_DISTANCE, -NO_PLANE_DISTANCE);
+    PackedPlane packed = (PackedPlane)0;
+    packed.Offset = -NO_PLANE_DISTANCE;
     return packed;
 }
 
@@ -76,16 +82,23 @@ uint2 PackMotion(float3 velocity, float friction, uint flags)
     return uint2(PackHalves(velocity.x, velocity.y), (f32tof16(velocity.z) << 16u) | (thousandths << 6u) | flags);
 }
 
+// A bit for each plane that is a face's.
+uint FacesOf(PackedWall packed)
+{
+    return packed.Motion.y & 7u;
+}
+
 NearWall UnpackWall(PackedWall packed, float3 position)
 {
     NearWall wall;
     [unroll]
     for (int k = 0; k < WALL_PLANES; k++)
     {
-        const float3 normal = UnpackNormal(packed.Normals[k]);
-        wall.Planes[k] = float4(normal, dot(normal, position) - packed.Offsets[k]);
-        wall.Weights[k] = float(packed.Planes[k] & 0xffffu) / 65535.0;
-        wall.Approach[k] = f16tof32(packed.Planes[k] >> 16u);
+        const PackedPlane plane = packed.Planes[k];
+        const float3 normal = UnpackNormal(plane.Normal);
+        wall.Planes[k] = float4(normal, dot(normal, position) - plane.Offset);
+        wall.Weights[k] = float(plane.Weight & 0xffffu) / 65535.0;
+        wall.Approach[k] = f16tof32(plane.Weight >> 16u);
     }
     const uint friction = (packed.Motion.y >> 6u) & 1023u;
     wall.Velocity = float3(UnpackHalves(packed.Motion.x), UnpackHalves(packed.Motion.y).y);

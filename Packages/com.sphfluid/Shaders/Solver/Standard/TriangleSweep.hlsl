@@ -14,6 +14,16 @@ float _ContactTolerance; // of r_c at rest
 
 #define SWEEP_ADVANCES 7
 
+// Times of segments that are proved free. One number in place of flags: on some GPUs each flag that lives through a loop costs two of the
+// few scalar registers.
+#define SWEEP_SOFT 2.0 // but it ends nearer than the contact distance
+#define SWEEP_FREE 3.0
+
+bool Hits(float time)
+{
+    return time <= 1.0;
+}
+
 struct Gap
 {
     float Value;   // certified lower bound of the distance
@@ -22,9 +32,7 @@ struct Gap
 
 struct Sweep
 {
-    bool Hit;      // the whole segment is not proved free
-    bool Soft;     // free, but it ends nearer than the contact distance
-    float Time;    // proved free up to here, 0 to 1
+    float Time;    // proved free up to here, 0 to 1, where the whole segment is not; else SWEEP_SOFT or SWEEP_FREE
     float3 Normal;
     float EndGap;
     float StartGap;
@@ -72,24 +80,21 @@ float3 FromTriangle(float3 x, BodyTriangle tri)
     const bool edgeAB = d1 * d4 - d3 * d2 <= 0.0 && d1 >= 0.0 && d3 <= 0.0;
     const bool edgeAC = d5 * d2 - d1 * d6 <= 0.0 && d2 >= 0.0 && d6 <= 0.0;
     const bool edgeBC = d3 * d6 - d5 * d4 <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0;
+    // From a corner where an edge's nearest point is that corner, so that one code serves corners and edges.
+    const bool atA = cornerA;
+    const bool atB = !atA && cornerB;
+    const bool atC = !atA && !atB && cornerC && !edgeAB;
+    const bool toA = atC;
+    const bool alongAB = atA || !atB && !atC && edgeAB;
+    const bool alongAC = !alongAB && !atB && !atC && edgeAC;
+    const bool alongBC = atB || !alongAB && !atC && !alongAC && edgeBC;
     float3 r;
-    if (cornerA)
+    [branch]
+    if (alongAB || alongAC || alongBC || toA)
     {
-        r = ap;
-    }
-    else if (cornerB)
-    {
-        r = bp;
-    }
-    else if (cornerC && !edgeAB)
-    {
-        r = cp;
-    }
-    else if (edgeAB || edgeAC || edgeBC)
-    {
-        const bool fromA = edgeAB || edgeAC;
-        const bool toB = edgeAB;
-        r = FromEdge(x, fromA ? tri.A : tri.B, toB ? tri.B : tri.C);
+        const float3 from = toA ? tri.C : (alongBC ? tri.B : tri.A);
+        const float3 to = toA ? tri.A : (alongAB ? tri.B : tri.C);
+        r = FromEdge(x, from, to);
     }
     else
     {
@@ -216,24 +221,22 @@ float TimeTo(float3 x, BodyTriangle tri, Gap gap, float3 approaches, float dista
 Sweep SweepTriangle(float3 from, float3 to, SweptTriangle swept, float cap)
 {
     Sweep sweep = (Sweep)0;
-    sweep.Hit = true;
     const float3 displacement = to - from;
     BodyTriangle tri = swept.Start;
     float3 x = from;
     float distance = 0.0;
-    bool ends = false;
     bool done = false;
     [loop]
     for (int i = 0; i < SWEEP_ADVANCES + 2 && !done; i++)
     {
         const Gap gap = GapOf(x, tri);
         const float3 approaches = Approaches(swept, displacement, gap.Normal);
-        if (ends)
+        if (!Hits(sweep.Time))
         {
             done = true;
             if (gap.Value < _ContactDistance - _ContactTolerance && Largest(approaches) >= 0.0)
             {
-                sweep.Soft = true;
+                sweep.Time = SWEEP_SOFT;
                 sweep.Normal = gap.Normal;
                 sweep.EndGap = gap.Value;
             }
@@ -250,9 +253,8 @@ Sweep SweepTriangle(float3 from, float3 to, SweptTriangle swept, float cap)
             const bool last = i == SWEEP_ADVANCES;
             if (!last && (sweep.EndGap >= distance || Largest(approaches) <= 0.0))
             {
-                sweep.Hit = false;
-                ends = sweep.EndGap < _ContactDistance - _ContactTolerance;
-                done = !ends;
+                sweep.Time = SWEEP_FREE;
+                done = sweep.EndGap >= _ContactDistance - _ContactTolerance;
                 x = to;
                 tri = EndOf(swept);
             }

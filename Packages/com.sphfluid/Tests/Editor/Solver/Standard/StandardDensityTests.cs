@@ -239,9 +239,9 @@ namespace SphFluid.Tests
         {
             var words = new uint[MeshWallBuffers.WallStride / 4];
             words[0] = normal;
-            words[3] = StandardStateRig.ToBits(position.x * ((short)normal > 0 ? 1f : -1f) - distance);
-            words[4] = words[5] = StandardStateRig.ToBits(-1e30f);
-            words[6] = (uint)(65535f * weight);
+            words[1] = StandardStateRig.ToBits(position.x * ((short)normal > 0 ? 1f : -1f) - distance);
+            words[2] = (uint)(65535f * weight);
+            words[4] = words[7] = StandardStateRig.ToBits(-1e30f);
             words[10] = isFace ? 1u : 0u;
             return words;
         }

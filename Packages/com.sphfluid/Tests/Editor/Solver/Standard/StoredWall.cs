@@ -11,9 +11,15 @@ namespace SphFluid.Tests
         [StructLayout(LayoutKind.Sequential)]
         public struct Packed
         {
-            public uint Normal0, Normal1, Normal2;
-            public float Offset0, Offset1, Offset2;
-            public uint Plane0, Plane1, Plane2;
+            public uint Normal0;
+            public float Offset0;
+            public uint Plane0;
+            public uint Normal1;
+            public float Offset1;
+            public uint Plane1;
+            public uint Normal2;
+            public float Offset2;
+            public uint Plane2;
             public uint VelocityXY, VelocityZ;
         }
 
