@@ -83,9 +83,8 @@ void SumPatch(int3 first, uint thread, out float3 sums[PATCH_ROWS])
     const int3 patch = PatchAt(min(thread, PATCH_COUNT - 1u));
     const PatchPlaces places = PlacesOf(first + PATCH_SIDE * patch);
     uint load = 0u;
-    uint firstRow = 0u;
-    uint rows;
-    do
+    uint rows = 1u; // or more, see below
+    for (uint firstRow = 0u; firstRow < rows; firstRow += SAMPLE_THREADS)
     {
         const uint2 taken = TakeRows(first, firstRow, thread);
         const uint count = taken.x;
@@ -104,8 +103,7 @@ void SumPatch(int3 first, uint thread, out float3 sums[PATCH_ROWS])
             GroupMemoryBarrierWithGroupSync();
             load++;
         }
-        firstRow += SAMPLE_THREADS;
-    } while (firstRow < rows);
+    }
 }
 
 #endif
