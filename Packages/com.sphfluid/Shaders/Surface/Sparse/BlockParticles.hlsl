@@ -21,11 +21,16 @@
 #define LOAD_SIZE 128
 #define LOAD_WORDS (LOAD_SIZE / 32)
 
-// Groupshared memory, in words: masks of two loads of particles (one is used, the other is cleared) and the rows of cells
-// that particles are taken from. What a kernel does afterwards may use it again.
+// Groupshared memory, in words: loaded particles (centre, image of a periodic one included, and weight), masks of two
+// loads (one is used, the other is cleared) and the rows of cells that particles are taken from: index of a row's first
+// particle less its number, rounds (see PackTurns), end of its numbers. What a kernel does afterwards may use it again.
+#define LOADED_AT 0
+#define MASKS_AT (LOADED_AT + 4 * LOAD_SIZE)
 #define LOAD_MASKS (3 * PATCHES * LOAD_WORDS)
 #define ROW_CLUSTER 8
-#define ROW_ENDS_AT (2 * LOAD_MASKS)
+#define ROW_FIRSTS_AT (MASKS_AT + 2 * LOAD_MASKS)
+#define ROW_TURNS_AT (ROW_FIRSTS_AT + SAMPLE_THREADS)
+#define ROW_ENDS_AT (ROW_TURNS_AT + SAMPLE_THREADS)
 #define CLUSTER_TOTALS_AT (ROW_ENDS_AT + SAMPLE_THREADS)
 #define CANDIDATE_WORDS (CLUSTER_TOTALS_AT + SAMPLE_THREADS / ROW_CLUSTER)
 #if defined(SURFACE_ANISOTROPIC)
@@ -40,8 +45,6 @@
 #define POOL_WORDS PARTICLE_WORDS
 #endif
 groupshared uint pool[POOL_WORDS];
-groupshared uint2 rowStarts[SAMPLE_THREADS]; // index of the first particle less its number; rounds, see PackTurns
-groupshared float4 loaded[LOAD_SIZE]; // centre, image of a periodic one included, and weight
 
 StructuredBuffer<float4> _SurfaceParticles;
 StructuredBuffer<uint2> _GridIndices; // [first, end) of each cell of the fluid grid
@@ -49,18 +52,23 @@ float _FieldReach;                    // m: how far from a sample the particles 
 float _KernelExtent;                  // R: how far kernels reach from their centres
 float3 _PeriodSteps;                  // length of the domain in R along periodic axes
 
-// What a block's samples feel.
+// Fluid cells that hold what a block's samples feel.
 struct BlockReach
 {
-    int3 first;         // fluid cells
+    int3 first;
     int3 last;
-    int2 turns;         // first and last round along a periodic x axis
-    float2 from;        // m: y and z of the first and
-    float2 to;          // the last samples
-    float3 periodSteps; // as the global, read once
-    float3 patchRate;   // from places in R to patches: a kernel at c reaches those from
-    float3 patchLow;    // c patchRate - patchLow, rounded up, to
-    float3 patchHigh;   // c patchRate + patchHigh, rounded down
+    int2 turns;  // first and last round along a periodic x axis
+    float2 from; // m: y and z of the first and
+    float2 to;   // the last samples
+};
+
+// Which patches of a block a kernel reaches: at c, in R, those from c rate - low, rounded up, to c rate + high, rounded
+// down.
+struct PatchReach
+{
+    float3 rate;
+    float3 low;
+    float3 high;
 };
 
 // Fluid cells that particles in reach of the samples from first to last may be in. Particles beyond a wall are in the
@@ -91,12 +99,17 @@ BlockReach ReachOf(int3 first)
     reach.turns = int2(Turn(xs.x, _GridCounts.x), Turn(xs.y, _GridCounts.x));
     reach.from = from.yz;
     reach.to = to.yz;
-    reach.periodSteps = _PeriodSteps;
-    reach.patchRate = 1.0 / (float(PATCH_SIDE) * _FieldStep);
+    return reach;
+}
+
+PatchReach PatchesOf(int3 first)
+{
     const float3 extent = (_KernelExtent / _FieldStep + 0.01) / float(PATCH_SIDE); // the margin, in samples, takes rounding
     const float3 start = float3(first) / float(PATCH_SIDE);
-    reach.patchLow = start + extent + float(PATCH_SIDE - 1) / float(PATCH_SIDE);
-    reach.patchHigh = extent - start;
+    PatchReach reach;
+    reach.rate = 1.0 / (float(PATCH_SIDE) * _FieldStep);
+    reach.low = start + extent + float(PATCH_SIDE - 1) / float(PATCH_SIDE);
+    reach.high = extent - start;
     return reach;
 }
 
@@ -157,9 +170,11 @@ uint2 RunOf(BlockReach reach, int3 at)
 
 // Takes the next rows of cells, one a thread: candidates, the particles of these rows, are numbered through. Each row
 // then has the end of its numbers, and the index of its first particle less that particle's number. Begins and ends with
-// barriers. Returns how many candidates there are.
-uint TakeRows(BlockReach reach, uint firstRow, uint rows, uint thread)
+// barriers. first: first sample of the block. Returns how many candidates there are, and how many rows in all.
+uint2 TakeRows(int3 first, uint firstRow, uint thread)
 {
+    const BlockReach reach = ReachOf(first);
+    const uint rows = RowCount(reach);
     GroupMemoryBarrierWithGroupSync();
     uint2 run = uint2(0u, 0u);
     uint turns = 0u;
@@ -186,17 +201,18 @@ uint TakeRows(BlockReach reach, uint firstRow, uint rows, uint thread)
     {
         number += pool[CLUSTER_TOTALS_AT + earlier];
     }
-    rowStarts[thread] = uint2(run.x - number, turns);
+    pool[ROW_FIRSTS_AT + thread] = run.x - number;
+    pool[ROW_TURNS_AT + thread] = turns;
     pool[ROW_ENDS_AT + thread] = number + run.y - run.x;
     GroupMemoryBarrierWithGroupSync();
     const uint count = pool[ROW_ENDS_AT + SAMPLE_THREADS - 1];
     GroupMemoryBarrierWithGroupSync();
-    return count;
+    return uint2(count, rows);
 }
 
 uint MasksAt(uint load)
 {
-    return load % 2u * LOAD_MASKS;
+    return MASKS_AT + load % 2u * LOAD_MASKS;
 }
 
 void ClearMasks(uint load, uint thread)
@@ -208,17 +224,22 @@ void ClearMasks(uint load, uint thread)
 }
 
 // Loads a particle for the patches that it reaches, if any.
-void LoadParticle(BlockReach reach, uint j, uint turns, uint load, uint place)
+void LoadParticle(PatchReach reach, uint j, uint turns, uint load, uint place)
 {
     const float4 particle = _SurfaceParticles[j];
-    precise const float3 centre = particle.xyz + reach.periodSteps * UnpackTurns(turns);
-    const float3 patch = centre * reach.patchRate;
-    const int3 lower = int3(ceil(max(patch - reach.patchLow, 0.0)));
-    const int3 end = int3(floor(min(patch + reach.patchHigh, float(PATCHES - 1)))) + 1;
+    precise const float3 centre = particle.xyz + _PeriodSteps * UnpackTurns(turns);
+    const float3 patch = centre * reach.rate;
+    const int3 lower = int3(ceil(max(patch - reach.low, 0.0)));
+    const int3 end = int3(floor(min(patch + reach.high, float(PATCHES - 1)))) + 1;
     const int3 reached = particle.w > 0.0 ? end - lower : 0;
     if (min(reached.x, min(reached.y, reached.z)) > 0)
     {
-        loaded[place] = float4(centre, particle.w);
+        const uint4 words = asuint(float4(centre, particle.w));
+        const uint at = LOADED_AT + 4u * place;
+        pool[at] = words.x;
+        pool[at + 1u] = words.y;
+        pool[at + 2u] = words.z;
+        pool[at + 3u] = words.w;
 #if defined(SURFACE_ANISOTROPIC)
         pool[LOADED_INDICES_AT + place] = j;
 #endif
@@ -241,7 +262,7 @@ void LoadParticle(BlockReach reach, uint j, uint turns, uint load, uint place)
 
 // Loads the candidates from first on, as far as there are. row: the caller's, 0 at first. Barriers before and after are
 // the caller's.
-void LoadCandidates(BlockReach reach, uint first, uint count, uint load, uint thread, inout uint row)
+void LoadCandidates(PatchReach reach, uint first, uint count, uint load, uint thread, inout uint row)
 {
     const uint end = min(count - first, LOAD_SIZE);
     for (uint place = thread; place < end; place += SAMPLE_THREADS)
@@ -250,9 +271,14 @@ void LoadCandidates(BlockReach reach, uint first, uint count, uint load, uint th
         {
             row++;
         }
-        const uint2 start = rowStarts[row];
-        LoadParticle(reach, start.x + first + place, start.y, load, place);
+        LoadParticle(reach, pool[ROW_FIRSTS_AT + row] + first + place, pool[ROW_TURNS_AT + row], load, place);
     }
+}
+
+float4 LoadedParticle(uint place)
+{
+    const uint at = LOADED_AT + 4u * place;
+    return asfloat(uint4(pool[at], pool[at + 1u], pool[at + 2u], pool[at + 3u]));
 }
 
 // Place of a patch among the block's.

@@ -34,7 +34,7 @@ PatchPlaces PlacesOf(int3 first)
 // Adds a loaded particle to the samples of a patch. Along x, d . M d is left + x (tilt + x stretch).
 void AddParticle(uint place, PatchPlaces places, inout float3 sums[PATCH_ROWS])
 {
-    const float4 particle = loaded[place];
+    const float4 particle = LoadedParticle(place);
 #if defined(SURFACE_ANISOTROPIC)
     const KernelShape shape = _SurfaceShapes[pool[LOADED_INDICES_AT + place]];
 #endif
@@ -44,17 +44,17 @@ void AddParticle(uint place, PatchPlaces places, inout float3 sums[PATCH_ROWS])
     [unroll]
     for (int row = 0; row < PATCH_ROWS; row++)
     {
-        precise const float2 d = float2(y[row % PATCH_SIDE], z[row / PATCH_SIDE]);
+        const float2 d = float2(y[row % PATCH_SIDE], z[row / PATCH_SIDE]);
 #if defined(SURFACE_ANISOTROPIC)
         precise const float left = 1.0 - d.x * d.x * shape.Diagonal.y - d.y * d.y * shape.Diagonal.z - 2.0 * d.x * d.y * shape.Mixed.z;
         precise const float tilt = 2.0 * (d.x * shape.Mixed.x + d.y * shape.Mixed.y);
-        precise const float3 t = max(left - x * (tilt + x * shape.Diagonal.x), 0.0);
+        precise const float3 t = saturate(left - x * (tilt + x * shape.Diagonal.x));
 #else
-        precise const float left = 1.0 - d.x * d.x - d.y * d.y;
-        precise const float3 t = max(left - x * x, 0.0);
+        precise const float left = mad(-d.y, d.y, mad(-d.x, d.x, 1.0));
+        precise const float3 t = saturate(mad(-x, x, left));
 #endif
-        precise const float3 share = particle.w * (t * t * t);
-        precise const float3 sum = sums[row] + share;
+        precise const float3 cube = t * t * t;
+        precise const float3 sum = mad(particle.w, cube, sums[row]);
         sums[row] = sum;
     }
 }
@@ -80,18 +80,20 @@ void SumPatch(int3 first, uint thread, out float3 sums[PATCH_ROWS])
         sums[cleared] = float3(0.0, 0.0, 0.0);
     }
     ClearMasks(0u, thread);
-    const BlockReach reach = ReachOf(first);
-    const uint rows = RowCount(reach);
     const int3 patch = PatchAt(min(thread, PATCH_COUNT - 1u));
     const PatchPlaces places = PlacesOf(first + PATCH_SIDE * patch);
     uint load = 0u;
+    uint rows = 1u; // or more, see below
     for (uint firstRow = 0u; firstRow < rows; firstRow += SAMPLE_THREADS)
     {
-        const uint count = TakeRows(reach, firstRow, rows, thread);
+        const uint2 taken = TakeRows(first, firstRow, thread);
+        const uint count = taken.x;
+        rows = taken.y;
         uint row = 0u;
         for (uint candidate = 0u; candidate < count; candidate += LOAD_SIZE)
         {
-            LoadCandidates(reach, candidate, count, load, thread, row);
+            // Not before the loops: few registers stay in use while particles are added.
+            LoadCandidates(PatchesOf(first), candidate, count, load, thread, row);
             ClearMasks(load + 1u, thread);
             GroupMemoryBarrierWithGroupSync();
             if (thread < PATCH_COUNT)
