@@ -35,13 +35,13 @@ namespace SphFluid
             }
         }
 
-        /// <summary>Sums over the neighbours that an earlier step listed, where the last step left them.</summary>
+        /// <summary>Sums over the neighbours that an earlier step listed, where the last step left them; lists anew beside walls that bend.</summary>
         public void RecordListed(CommandBuffer cmd, StandardState state)
         {
             using (Sample(cmd))
             {
                 Bind(cmd, listed, state);
-                state.List.Set(cmd, listed);
+                state.List.SetOut(cmd, listed);
                 listed.Set(cmd, state.Buffers.Positions);
                 listed.Set(cmd, state.Buffers.NewPositions);
                 listed.DispatchThreads(cmd, state.ParticleCount);

@@ -86,10 +86,10 @@ namespace SphFluid
             }
 
             bool isKept = order == Order.Kept;
-            if (state.HasBodies && (!isKept || state.Bodies.IsUnderWay))
+            if (state.HasBodies)
             {
                 state.RequireWalls();
-                gatherWalls.Record(cmd, state, isKept ? state.Buffers.NewPositions : state.Buffers.Positions);
+                gatherWalls.Record(cmd, state, isKept ? state.Buffers.NewPositions : state.Buffers.Positions, isKept && !state.Bodies.IsUnderWay);
             }
 
             if (isKept) density.RecordListed(cmd, state);
