@@ -27,7 +27,8 @@ struct PackedPlane
 struct PackedWall
 {
     PackedPlane Planes[WALL_PLANES];
-    uint2 Motion;      // half floats: velocity x, y; z and below it friction in thousandths, 1023 for the domain's, and flags
+    uint VelocityXY;   // half floats
+    uint VelocityZ;    // a half float, and below it friction in thousandths, 1023 for the domain's, and flags
 };
 
 #define DOMAIN_FRICTION 1023u
@@ -79,6 +80,7 @@ PackedPlane NoPlane()
     return packed;
 }
 
+// VelocityXY and VelocityZ.
 uint2 PackMotion(float3 velocity, float friction, uint flags)
 {
     const uint thousandths = friction < 0.0 ? DOMAIN_FRICTION : uint(round(friction * 1000.0));
@@ -87,13 +89,13 @@ uint2 PackMotion(float3 velocity, float friction, uint flags)
 
 bool Bends(PackedWall packed)
 {
-    return (packed.Motion.y & WALL_BENDS) != 0u;
+    return (packed.VelocityZ & WALL_BENDS) != 0u;
 }
 
 // A bit for each plane that is a face's.
 uint FacesOf(PackedWall packed)
 {
-    return packed.Motion.y & 7u;
+    return packed.VelocityZ & 7u;
 }
 
 NearWall UnpackWall(PackedWall packed, float3 position)
@@ -108,10 +110,10 @@ NearWall UnpackWall(PackedWall packed, float3 position)
         wall.Weights[k] = float(plane.Weight & 0xffffu) / 65535.0;
         wall.Approach[k] = f16tof32(plane.Weight >> 16u);
     }
-    const uint friction = (packed.Motion.y >> 6u) & 1023u;
-    wall.Velocity = float3(UnpackHalves(packed.Motion.x), UnpackHalves(packed.Motion.y).y);
+    const uint friction = (packed.VelocityZ >> 6u) & 1023u;
+    wall.Velocity = float3(UnpackHalves(packed.VelocityXY), UnpackHalves(packed.VelocityZ).y);
     wall.Friction = friction == DOMAIN_FRICTION ? -1.0 : float(friction) / 1000.0;
-    wall.Flags = packed.Motion.y & 63u;
+    wall.Flags = packed.VelocityZ & 63u;
     return wall;
 }
 
