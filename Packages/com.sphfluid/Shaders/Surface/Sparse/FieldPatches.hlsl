@@ -83,7 +83,7 @@ void SumPatch(int3 first, uint thread, out float3 sums[PATCH_ROWS])
     const int3 patch = PatchAt(min(thread, PATCH_COUNT - 1u));
     const PatchPlaces places = PlacesOf(first + PATCH_SIDE * patch);
     uint load = 0u;
-    uint rows = 1u; // or more, see below
+    uint rows = 1u; // at least; known after the first turn: FXC takes minutes for a do-while
     for (uint firstRow = 0u; firstRow < rows; firstRow += SAMPLE_THREADS)
     {
         const uint2 taken = TakeRows(first, firstRow, thread);
