@@ -23,11 +23,14 @@ internal sealed class StepModel(CompiledLoops compiled, IReadOnlyList<PassLoop> 
     // Finding a row of cells: two loads behind each other and their arithmetic.
     private const double RowCycles = 45, RowInstructions = 40, RowChain = 255;
 
+    // Bits of a chunk of 32 candidates, put right and stored; rows have about 27, so a chunk each.
+    private const double ChunkCycles = 60, ChunkInstructions = 26, ChunkChain = 100;
+
     // Small passes of a step besides, and the part of the list's traffic that the passes do not hide.
     private const double SmallPasses = 4e-6, HiddenByWork = 0.5;
 
     public static string Assumptions => FormattableString.Invariant(
-        $"a row of cells {RowCycles:0} cycles (AMD) or {RowInstructions:0} instructions (NVIDIA), {RowChain:0} cycles if nothing else runs; small passes {SmallPasses * 1e6:0} us up to 65,536 particles; ")
+        $"a row of cells {RowCycles:0} cycles (AMD) or {RowInstructions:0} instructions (NVIDIA), {RowChain:0} cycles if nothing else runs, in chunks {ChunkCycles:0}, {ChunkInstructions:0} and {ChunkChain:0} more; small passes {SmallPasses * 1e6:0} us up to 65,536 particles; ")
         + "half of a pass's time hides the list's bytes; no walls, no tail of a pass. The method was within 1 to 1.5 of a published pass of an H100.";
 
     public IEnumerable<string> PassLines()
@@ -80,18 +83,25 @@ internal sealed class StepModel(CompiledLoops compiled, IReadOnlyList<PassLoop> 
     private double PassTime(NamedGpu gpu, string pass, int particles)
     {
         double issue = 0, chain = 0;
-        bool searches = false;
+        bool searches = false, inChunks = false;
         foreach (PassLoop loop in loops.Where(l => l.Pass == pass))
         {
             double turns = loop.Share * Turns(gpu, loop);
             issue += turns * gpu.Issue(Compiled(gpu, loop));
             chain += turns * gpu.Chain(Compiled(gpu, loop), loop.Gathers);
             searches |= !loop.OverNeighbours;
+            inChunks |= !loop.OverNeighbours && loop.PerTurn > 1;
         }
+        double rows = waves[gpu.Lanes].Rows;
         if (searches)
         {
-            issue += waves[gpu.Lanes].Rows * (gpu.CountsInstructions ? RowInstructions : RowCycles);
-            chain += waves[gpu.Lanes].Rows * RowChain;
+            issue += rows * (gpu.CountsInstructions ? RowInstructions : RowCycles);
+            chain += rows * RowChain;
+        }
+        if (inChunks)
+        {
+            issue += rows * (gpu.CountsInstructions ? ChunkInstructions : ChunkCycles);
+            chain += rows * ChunkChain;
         }
         return gpu.Time(particles, issue, chain);
     }

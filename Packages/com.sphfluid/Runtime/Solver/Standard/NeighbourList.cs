@@ -32,7 +32,7 @@ namespace SphFluid
 
         /// <summary>A list for a number of particles.</summary>
         /// <param name="particleCount">Number of particles.</param>
-        /// <param name="length">Most neighbours of a particle that are listed; 0 for a step that searches twice.</param>
+        /// <param name="length">Most neighbours of a particle that are listed, even; 0 for a step that searches twice.</param>
         public NeighbourList(int particleCount, int length)
         {
             Length = length;
@@ -43,9 +43,9 @@ namespace SphFluid
         /// <summary>Most neighbours of a particle that are listed.</summary>
         public int Length { get; }
 
-        /// <summary>Entries a particle by κ = R/dx: 4π κ³/3 neighbours on a lattice, and half as many again. 51, 72, 99 for κ = 2, 2.25, 2.5.</summary>
+        /// <summary>Entries a particle by κ = R/dx: 4π κ³/3 neighbours on a lattice, and half as many again, even. 52, 72, 100 for κ = 2, 2.25, 2.5.</summary>
         public static int LengthFor(in FluidSolverSettings settings) =>
-            (int)Math.Ceiling(Reserve * Expected(settings));
+            2 * (int)Math.Ceiling(Reserve / 2.0 * Expected(settings));
 
         /// <summary>Whether one buffer of the device holds the list; a step does without where it does not.</summary>
         public static bool Fits(int particleCount, int length) => EntryCount(particleCount, length) * sizeof(uint) <= SystemInfo.maxGraphicsBufferSize;

@@ -6,7 +6,10 @@ namespace SphFluid
     /// </summary>
     internal sealed class StandardBuffers : BufferSet
     {
-        /// <summary>Positions at and in the order of the last sort [m]; w: MeetingReach in Shaders/Solver/Standard/MeetingReach.hlsl.</summary>
+        /// <summary>
+        /// Positions at and in the order of the last sort [m]; w: MeetingReach in Shaders/Solver/Standard/MeetingReach.hlsl. The search reads
+        /// four at a time, so three more stand at the end, whatever they are.
+        /// </summary>
         public readonly FluidBuffer Positions;
 
         /// <summary>Velocities with which the step begins [m/s]; w: the id's bits.</summary>
@@ -46,7 +49,7 @@ namespace SphFluid
 
         public StandardBuffers(int particleCount, int cellCount)
         {
-            Positions = Add("Positions", particleCount, 16);
+            Positions = Add("Positions", particleCount + 3L, 16);
             Velocities = Add("Velocities", particleCount, 16);
             NewPositions = Add("NewPositions", particleCount, 16);
             NewVelocities = Add("NewVelocities", particleCount, 16);

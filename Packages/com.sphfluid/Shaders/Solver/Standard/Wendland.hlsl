@@ -8,15 +8,14 @@ float _InverseSupport; // 1/R
 // W without its factor; zero outside.
 float WendlandShape(float distanceSquared)
 {
-    const float q = min(sqrt(distanceSquared) * _InverseSupport, 1.0);
-    const float u = (1.0 - q) * (1.0 - q);
-    return u * u * (4.0 * q + 1.0);
+    const float u = saturate(1.0 - sqrt(distanceSquared) * _InverseSupport); // 1 - q
+    return u * u * (u * u) * (5.0 - 4.0 * u);
 }
 
 // (1-q)^3: grad W = -210/(pi R^5) (1-q)^3 d for the separation d. No division by r, so none by zero.
 float WendlandSlope(float distanceSquared)
 {
-    const float u = 1.0 - min(sqrt(distanceSquared) * _InverseSupport, 1.0);
+    const float u = saturate(1.0 - sqrt(distanceSquared) * _InverseSupport);
     return u * u * u;
 }
 

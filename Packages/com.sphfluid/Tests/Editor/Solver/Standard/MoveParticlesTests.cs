@@ -64,6 +64,32 @@ namespace SphFluid.Tests
             }
         }
 
+        // In a line of memory before and after others, so that lists are odd and even.
+        [Test]
+        public void ParticlesInOnePlacePartByTheirOrder([Values(2, 3, 4)] int together, [Values] bool listed)
+        {
+            const int others = 5;
+            FluidSolverSettings settings = Settings(FluidAxes.None);
+            using (var rig = new StandardStateRig(settings, together + others))
+            {
+                FluidParticle[] all = ParticleSets.Random(together + others, 0.2f * Domain, 0f, 4);
+                for (int i = 0; i < all.Length; i++)
+                    all[i].Position = i < together ? Vector3.zero : new Vector3(0.1f, 0.15f, -0.1f) + Vector3.one * (0.1f * Spacing * i);
+                FluidParticle[] start = rig.FillSorted(all);
+                FillDensities(rig, start, 9);
+                FillList(rig, start, listed);
+                FluidParticle[] end = Move(rig, new FluidStep(TimeStep, TimeStep, false), out _);
+                Vector3 gained = TimeStep * settings.Gravity;
+                Vector3[] pushed = Enumerable.Range(0, start.Length).Where(i => start[i].Position == Vector3.zero)
+                    .Select(i => end[i].VelT0 - start[i].VelT0 - gained).ToArray();
+                Assert.That(pushed.Length, Is.EqualTo(together));
+                Assert.That(pushed[0].x, Is.GreaterThan(1e-5f), "the first goes along x");
+                Assert.That(pushed.Select(v => v.x), Is.Ordered.Descending.And.Unique);
+                Assert.That(pushed.Sum(v => v.x), Is.Zero.Within(1e-4f * pushed[0].x), "momentum");
+                Assert.That(pushed.Max(v => Mathf.Abs(v.y) + Mathf.Abs(v.z)), Is.LessThan(1e-6f));
+            }
+        }
+
         // u += a dt / 2 of the first step, then by the mean of both steps' lengths: x follows g t² / 2.
         [TestCase(true, 0.5f)]
         [TestCase(false, 0.75f)]
@@ -282,6 +308,10 @@ namespace SphFluid.Tests
                     if (counts[i] < length) entries[(i / 32 * length + (int)counts[i]) * 32 + i % 32] = (uint)j;
                     counts[i]++;
                 }
+
+                // After an odd number of neighbours stands the particle itself.
+                if (listed && counts[i] % 2u == 1u && counts[i] < length)
+                    entries[(i / 32 * length + (int)counts[i]) * 32 + i % 32] = (uint)i;
             }
 
             rig.State.List.Counts.SetData(counts);

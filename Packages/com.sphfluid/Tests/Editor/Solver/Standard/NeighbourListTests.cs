@@ -25,7 +25,7 @@ namespace SphFluid.Tests
             AssertSame(Run(settings, true, start, 3), Run(settings, false, start, 3));
         }
 
-        // 200 particles within R of each other; a list holds 99 at most.
+        // 200 particles within R of each other; a list holds 100 at most.
         [Test]
         public void WhoHasMoreNeighboursThanTheListHoldsSearchesAgain()
         {
@@ -54,9 +54,9 @@ namespace SphFluid.Tests
             AssertSame(Run(true), Run(false));
         }
 
-        [TestCase(2f, 51)]
+        [TestCase(2f, 52)]
         [TestCase(2.25f, 72)]
-        [TestCase(2.5f, 99)]
+        [TestCase(2.5f, 100)]
         public void TheListHoldsHalfAsManyAgain(float ratio, int length)
         {
             FluidSolverSettings settings = BodyRig.Water(Domain, Spacing, 0.3f);

@@ -58,6 +58,8 @@ namespace SphFluid.Tests
                         (int)entries[(i / 32 * list.Length + n) * 32 + i % 32]));
                     Assert.That(found.Count, Is.EqualTo(listed), $"neighbours of {i} are listed once each");
                     Assert.That(found.IsSubsetOf(perhaps), Is.True, $"list of {i}");
+                    if (listed % 2 == 1 && listed == counts[i])
+                        Assert.That(entries[(i / 32 * list.Length + listed) * 32 + i % 32], Is.EqualTo(i), "an odd list ends with the particle itself");
                 }
 
                 if (count == 1009)
