@@ -6,7 +6,7 @@ namespace SphFluid
     /// <summary>
     /// Steps a liquid by the Standard method in four dependent dispatches: ScanCells, Scatter, StandardDensity, MoveParticles;
     /// the stable order makes Scatter two. Triangles add three: GatherWalls before the density, FindContacts and ResolveContacts after
-    /// the motion. A step that keeps the order and lists of an earlier one has two, ListedDensity and MoveParticles, and the two of contact.
+    /// the motion. A step that keeps the order and lists of an earlier one has two, ListedDensity and MoveParticles, and the same three of triangles.
     /// </summary>
     internal sealed class StandardStepper : IFluidStepper
     {
