@@ -51,6 +51,25 @@ namespace SphFluid.Tests
             return colliders.AddMesh(mesh).transform;
         }
 
+        /// <summary>Adds a ball around the origin, of rings of quads.</summary>
+        public Transform AddBall(float radius, int rings)
+        {
+            Vector3 At(int ring, int step)
+            {
+                float polar = Mathf.PI * ring / rings, turn = Mathf.PI * step / rings;
+                return radius * new Vector3(Mathf.Sin(polar) * Mathf.Cos(turn), Mathf.Cos(polar), Mathf.Sin(polar) * Mathf.Sin(turn));
+            }
+            var corners = new List<Vector3>();
+            for (int ring = 0; ring < rings; ring++)
+                for (int step = 0; step < 2 * rings; step++)
+                {
+                    Vector3 a = At(ring, step), b = At(ring, step + 1), c = At(ring + 1, step), d = At(ring + 1, step + 1);
+                    if (ring > 0) corners.AddRange(new[] { a, b, c });
+                    if (ring < rings - 1) corners.AddRange(new[] { b, d, c });
+                }
+            return Add(corners);
+        }
+
         public Transform AddBox(Vector3 size)
         {
             Transform box = colliders.AddMesh(TestMeshes.Cube()).transform;

@@ -45,6 +45,32 @@ namespace SphFluid.Tests
 
         static Vector3[] Points(int count, Vector3 size, int seed) => ParticleSets.Random(count, size, 0f, seed).Select(p => p.Position).ToArray();
 
+        // Flat walls at right angles are the same planes from any place nearby; all others are not.
+        [Test]
+        public void WallsThatAreNotFlatOrNotAtRightAnglesBend()
+        {
+            FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f);
+            float near = 0.5f * settings.SupportRadius;
+            Assert.That(Flags(rig => rig.Add(Box(0.6f * Vector3.one, 4)), (0.3f - near) * Vector3.one), Is.All.Zero, "in the corner of a box");
+            Assert.That(Flags(rig => rig.AddBox(0.3f * Vector3.one), (0.15f + near) * Vector3.right), Is.All.Zero, "on the face of a box");
+            Assert.That(Flags(rig => rig.AddBox(0.3f * Vector3.one), (0.15f + 0.4f * near) * Vector3.one), Is.All.Not.Zero, "off the corner of a box");
+            Assert.That(Flags(rig => rig.AddBall(0.2f, 12), (0.2f + near) * Vector3.right), Is.All.Not.Zero, "at a ball");
+            Assert.That(Flags(rig =>
+            {
+                rig.Add(new[] { new Vector3(-0.4f, 0f, -0.4f), new Vector3(-0.4f, 0f, 0.4f), new Vector3(0.4f, 0f, 0f) });
+                rig.Add(new[] { new Vector3(-0.4f, 0f, -0.4f), new Vector3(-0.4f, 0f, 0.4f), new Vector3(0.2f, 0.4f, 0f) });
+            }, new Vector3(-0.2f, 0.05f, 0f)), Is.All.Not.Zero, "between two that meet at 34 degrees");
+
+            uint[] Flags(Action<BodyRig> add, Vector3 point)
+            {
+                using (var rig = new BodyRig(settings))
+                {
+                    add(rig);
+                    return Gather(rig, new[] { point }).Select(w => w.Flags & 8u).ToArray();
+                }
+            }
+        }
+
         [Test]
         public void WallStrideIsTheSizeOfTheStruct() => Assert.That(Marshal.SizeOf<StoredWall.Packed>(), Is.EqualTo(MeshWallBuffers.WallStride));
 

@@ -45,6 +45,32 @@ namespace SphFluid.Tests
             Assert.That(error, Is.LessThan(0.01 * fastest));
         }
 
+        // A ball's planes turn with the place they are seen from, and who is behind it changes: both are made anew in every step.
+        [Test]
+        public void BesideACurvedBodyStepsThatKeepTheOrderMoveTheLiquidAsFreshOnes()
+        {
+            FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(11, 9, 9), Spacing, 0.1f * Spacing, 3)
+                .Where(p => p.Position.magnitude > 0.12f).Select((p, i) => new FluidParticle(p.Position, p.VelT0, (uint)i)).ToArray();
+            FluidParticle[] kept = AroundABall(8), fresh = AroundABall(1);
+            float fastest = fresh.Max(p => p.VelT0.magnitude);
+            FluidParticle[] near = fresh.Where(p => p.Position.magnitude < 0.1f + 2f * Spacing).ToArray();
+            double error = Math.Sqrt(near.Average(p => (double)(p.VelT0 - kept[p.Id].VelT0).sqrMagnitude));
+            Assert.That(near.Length, Is.GreaterThan(50));
+            Assert.That(error, Is.LessThan(0.01 * fastest));
+
+            FluidParticle[] AroundABall(int stepsPerSort)
+            {
+                using (var rig = new BodyRig(Water(stepsPerSort)))
+                {
+                    rig.AddBall(0.1f, 10);
+                    rig.Start(start);
+                    rig.Solver.FlowSpeed = 0f;
+                    rig.Frame(24);
+                    return rig.Particles().OrderBy(p => p.Id).ToArray();
+                }
+            }
+        }
+
         // Each pair is in both lists or in none, and is computed from the same places.
         [Test]
         public void MomentumStays([Values(63, 257, 1009)] int count)
