@@ -84,16 +84,15 @@ float3 FromTriangle(float3 x, BodyTriangle tri)
     const bool atA = cornerA;
     const bool atB = !atA && cornerB;
     const bool atC = !atA && !atB && cornerC && !edgeAB;
-    const bool toA = atC;
     const bool alongAB = atA || !atB && !atC && edgeAB;
     const bool alongAC = !alongAB && !atB && !atC && edgeAC;
     const bool alongBC = atB || !alongAB && !atC && !alongAC && edgeBC;
     float3 r;
     [branch]
-    if (alongAB || alongAC || alongBC || toA)
+    if (alongAB || alongAC || alongBC || atC)
     {
-        const float3 from = toA ? tri.C : (alongBC ? tri.B : tri.A);
-        const float3 to = toA ? tri.A : (alongAB ? tri.B : tri.C);
+        const float3 from = atC ? tri.C : (alongBC ? tri.B : tri.A);
+        const float3 to = atC ? tri.A : (alongAB ? tri.B : tri.C);
         r = FromEdge(x, from, to);
     }
     else
