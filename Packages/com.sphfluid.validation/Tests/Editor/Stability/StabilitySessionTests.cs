@@ -33,7 +33,7 @@ namespace SphFluid.Tests
         [Test]
         public void WritesEveryRunAndAScriptAMap()
         {
-            string[] words = { "--map", "M5", "M3", "--method", "thesis", "standard" };
+            string[] words = { "--map", "M5", "M3", "--method", "thesis", "standard", "--quick" };
             StabilityPlan plan = Plan(words);
             Finish(plan, words);
 

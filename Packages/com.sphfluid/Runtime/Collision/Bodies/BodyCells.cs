@@ -18,11 +18,10 @@ namespace SphFluid
 
         public int Count => CountX * CountY * CountZ;
 
-        /// <summary>Cells of at least the reach over a box, more than which there are only <paramref name="most"/>.</summary>
-        public static BodyCells Over(Vector3 low, Vector3 high, float reach, long most)
+        /// <summary>Cells of a side over a box, larger ones where these would be more than <paramref name="most"/>.</summary>
+        public static BodyCells Over(Vector3 low, Vector3 high, float reach, float side, long most)
         {
             Vector3 size = Vector3.Max(high - low, Vector3.zero);
-            float side = reach;
             while (Math.Ceiling(size.x / side) * Math.Ceiling(size.y / side) * Math.Ceiling(size.z / side) > most) side *= 1.26f;
             return new BodyCells
             {
@@ -36,12 +35,13 @@ namespace SphFluid
         }
     }
 
-    /// <summary>Goes through the cells that list a triangle: those whose cube, inflated by the reach, intersects its box and its plane.</summary>
+    /// <summary>Goes through the cells that list a triangle: those whose cube is within the reach of its box and of its plane.</summary>
     internal struct BodyCellWalk
     {
         readonly BodyCells cells;
         readonly BodyTriangle triangle;
-        readonly double farthest; // of a cell's middle from the plane
+        readonly double reach, farthest; // of a cell's cube from the box, and of its middle from the plane
+        readonly Vector3 min, max;
         readonly int x0, x1, y0, y1, z1;
         int x, y, z;
 
@@ -49,15 +49,16 @@ namespace SphFluid
         {
             this.cells = cells;
             this.triangle = triangle;
-            double inflate = cells.Reach * (1.0 + BodyCells.Slack);
-            Vector3 min = Vector3.Min(triangle.A, Vector3.Min(triangle.B, triangle.C)), max = Vector3.Max(triangle.A, Vector3.Max(triangle.B, triangle.C));
-            x0 = Cell((min.x - inflate - cells.Origin.x) / cells.Side, cells.CountX);
-            x1 = Cell((max.x + inflate - cells.Origin.x) / cells.Side, cells.CountX);
-            y0 = Cell((min.y - inflate - cells.Origin.y) / cells.Side, cells.CountY);
-            y1 = Cell((max.y + inflate - cells.Origin.y) / cells.Side, cells.CountY);
-            int z0 = Cell((min.z - inflate - cells.Origin.z) / cells.Side, cells.CountZ);
-            z1 = Cell((max.z + inflate - cells.Origin.z) / cells.Side, cells.CountZ);
-            farthest = (0.5 * cells.Side + inflate) * (Math.Abs(triangle.NormalX) + Math.Abs(triangle.NormalY) + Math.Abs(triangle.NormalZ)) + BodyCells.Slack * cells.Side;
+            reach = cells.Reach * (1.0 + BodyCells.Slack);
+            min = Vector3.Min(triangle.A, Vector3.Min(triangle.B, triangle.C));
+            max = Vector3.Max(triangle.A, Vector3.Max(triangle.B, triangle.C));
+            x0 = Cell((min.x - reach - cells.Origin.x) / cells.Side, cells.CountX);
+            x1 = Cell((max.x + reach - cells.Origin.x) / cells.Side, cells.CountX);
+            y0 = Cell((min.y - reach - cells.Origin.y) / cells.Side, cells.CountY);
+            y1 = Cell((max.y + reach - cells.Origin.y) / cells.Side, cells.CountY);
+            int z0 = Cell((min.z - reach - cells.Origin.z) / cells.Side, cells.CountZ);
+            z1 = Cell((max.z + reach - cells.Origin.z) / cells.Side, cells.CountZ);
+            farthest = 0.5 * cells.Side * (Math.Abs(triangle.NormalX) + Math.Abs(triangle.NormalY) + Math.Abs(triangle.NormalZ)) + reach + BodyCells.Slack * cells.Side;
             x = x0 - 1;
             y = y0;
             z = z0;
@@ -82,12 +83,25 @@ namespace SphFluid
                     }
                 }
             }
-            while (!IntersectsPlane());
+            while (!IsNearBox() || !IsNearPlane());
             return true;
         }
 
+        bool IsNearBox()
+        {
+            double dx = Apart(cells.Origin.x, x, min.x, max.x), dy = Apart(cells.Origin.y, y, min.y, max.y), dz = Apart(cells.Origin.z, z, min.z, max.z);
+            return dx * dx + dy * dy + dz * dz <= (reach + BodyCells.Slack * cells.Side) * (reach + BodyCells.Slack * cells.Side);
+        }
+
+        // Of a cell and the box along an axis.
+        double Apart(double origin, int cell, double low, double high)
+        {
+            double begin = origin + cell * (double)cells.Side;
+            return Math.Max(0.0, Math.Max(low - begin - cells.Side, begin - high));
+        }
+
         // A needle's normal is zero: its box decides.
-        bool IntersectsPlane()
+        bool IsNearPlane()
         {
             double dx = cells.Origin.x + (x + 0.5) * cells.Side - triangle.A.x;
             double dy = cells.Origin.y + (y + 0.5) * cells.Side - triangle.A.y;

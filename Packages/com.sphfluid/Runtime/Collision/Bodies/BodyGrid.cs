@@ -6,12 +6,15 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// Lists of triangles by cell: a cell has each triangle whose box and plane intersect the cell inflated by the reach. A particle's own cell
+    /// Lists of triangles by cell: a cell has each triangle whose box and plane are within the reach of the cell. A particle's own cell
     /// then has every triangle within that reach of it. Made by Burst jobs.
     /// </summary>
     internal sealed class BodyGrid : IDisposable
     {
         const long MostCells = 2 * 1024 * 1024;
+
+        // 64 MiB: lists that would be longer are of cells of twice the side, which takes a quarter of the memory.
+        const long MostReferences = 16 * 1024 * 1024;
 
         NativeArray<uint> starts, references;
 
@@ -38,11 +41,10 @@ namespace SphFluid
                 low = Vector3.Max(low, within.Value.min - margin);
                 high = Vector3.Min(high, within.Value.max + margin);
             }
-            Cells = BodyCells.Over(low, high, reach, MostCells);
             using (var given = new NativeArray<BodyTriangle>(triangles, Allocator.TempJob))
             {
-                starts = new NativeArray<uint>(Cells.Count + 1, Allocator.Persistent);
-                new BodyCountJob { Cells = Cells, FirstReference = firstReference, Triangles = given, Starts = starts }.Run();
+                Count(given, BodyCells.Over(low, high, reach, 0.5f * reach, MostCells), firstReference);
+                if (starts[Cells.Count] - (long)firstReference > MostReferences) Count(given, BodyCells.Over(low, high, reach, reach, MostCells), firstReference);
                 references = new NativeArray<uint>((int)(starts[Cells.Count] - firstReference), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
                 new BodyListJob
                 {
@@ -56,7 +58,7 @@ namespace SphFluid
             }
         }
 
-        public BodyCells Cells { get; }
+        public BodyCells Cells { get; private set; }
         public Vector3 BoundsMin { get; }
         public Vector3 BoundsMax { get; }
 
@@ -65,6 +67,14 @@ namespace SphFluid
 
         /// <summary>Numbers of triangles, cell by cell.</summary>
         public NativeArray<uint> References => references;
+
+        void Count(NativeArray<BodyTriangle> triangles, in BodyCells cells, uint firstReference)
+        {
+            Dispose();
+            Cells = cells;
+            starts = new NativeArray<uint>(cells.Count + 1, Allocator.Persistent);
+            new BodyCountJob { Cells = cells, FirstReference = firstReference, Triangles = triangles, Starts = starts }.Run();
+        }
 
         public void Dispose()
         {

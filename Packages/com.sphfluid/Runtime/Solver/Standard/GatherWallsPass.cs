@@ -8,8 +8,7 @@ namespace SphFluid
         static readonly int ParticleCount = Id("_ParticleCount");
         static readonly int TimeStep = Id("_TimeStep");
         static readonly int GapScale = Id("_GapScale");
-        static readonly int KeepsFlat = Id("_KeepsFlat");
-        static readonly int SortedPositions = Id("_SortedPositions");
+        static readonly int IsKept = Id("_IsKept");
 
         readonly ComputeKernel kernel;
 
@@ -22,8 +21,8 @@ namespace SphFluid
         /// <param name="cmd">Command buffer.</param>
         /// <param name="state">Buffers.</param>
         /// <param name="positions">Where the particles are in the order of the last sort.</param>
-        /// <param name="keepsFlat">Whether flat walls at rest that were gathered at the last sort stay.</param>
-        public void Record(CommandBuffer cmd, StandardState state, FluidBuffer positions, bool keepsFlat = false)
+        /// <param name="isKept">Whether walls at rest that were gathered before stay until their particle has gone far.</param>
+        public void Record(CommandBuffer cmd, StandardState state, FluidBuffer positions, bool isKept = false)
         {
             using (Sample(cmd))
             {
@@ -33,9 +32,8 @@ namespace SphFluid
                 kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
                 kernel.SetFloat(cmd, TimeStep, state.BodyStep.z);
                 kernel.SetFloat(cmd, GapScale, state.Bodies.IsUnderWay ? 0f : 0.999f);
-                kernel.SetInt(cmd, KeepsFlat, keepsFlat ? 1 : 0);
+                kernel.SetInt(cmd, IsKept, isKept ? 1 : 0);
                 kernel.SetBuffer(cmd, state.Buffers.Positions.Id, positions);
-                kernel.SetBuffer(cmd, SortedPositions, state.Buffers.Positions);
                 kernel.SetOut(cmd, state.Walls.WallSlot);
                 kernel.SetOut(cmd, state.Walls.NearWalls);
                 kernel.SetOut(cmd, state.Walls.WallGap);

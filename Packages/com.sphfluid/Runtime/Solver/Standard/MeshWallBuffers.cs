@@ -14,7 +14,7 @@ namespace SphFluid
         /// <summary>PackedWall each.</summary>
         public readonly FluidBuffer NearWalls;
 
-        /// <summary>Distance to which each particle surely has no triangle at rest near it [m], 0 where that is not known.</summary>
+        /// <summary>Where each particle gathered its walls, and how near to there surely no triangle at rest is [m], 0 where that is not known.</summary>
         public readonly FluidBuffer WallGap;
 
         /// <summary>Particles whose step is not free.</summary>
@@ -27,7 +27,7 @@ namespace SphFluid
         {
             WallSlot = Add("WallSlot", particleCount, 4);
             NearWalls = Add("NearWalls", particleCount, WallStride);
-            WallGap = Add("WallGap", particleCount, 4);
+            WallGap = Add("WallGap", particleCount, 16);
             ContactList = Add("ContactList", particleCount, 4);
             // With Direct3D 11 Unity gives a buffer of indirect arguments typed and raw views, never structured ones.
             ContactArguments = Add("ContactArguments", 4, 4, GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw);

@@ -21,6 +21,7 @@ namespace SphFluid
 
         static readonly int ListLength = Shader.PropertyToID("_ListLength");
         static readonly int InverseSupport = Shader.PropertyToID("_InverseSupport");
+        static readonly int SupportSquared = Shader.PropertyToID("_SupportSquared");
         static readonly int Ahead = Shader.PropertyToID("_Ahead");
         static readonly int FewNeighbours = Shader.PropertyToID("_FewNeighbours");
 
@@ -71,6 +72,7 @@ namespace SphFluid
         {
             FluidSolverSettings settings = state.Settings;
             kernel.SetFloat(cmd, InverseSupport, 1f / settings.SupportRadius);
+            kernel.SetFloat(cmd, SupportSquared, settings.SupportRadius * settings.SupportRadius);
             kernel.SetFloat(cmd, Ahead, state.ListTime);
             kernel.SetInt(cmd, FewNeighbours, (int)(Surface * Expected(settings)));
             kernel.Set(cmd, Counts);

@@ -17,12 +17,6 @@ NearWall WallOf(uint slot, float3 position)
     return UnpackWall(_NearWalls[max(slot, 1u) - 1u], position);
 }
 
-// Whether the walls of a particle, if any, bend: what is cut off behind them changes with every step.
-bool Bends(uint slot)
-{
-    return slot != 0u && Bends(_NearWalls[max(slot, 1u) - 1u]);
-}
-
 // 1 - L = product over the planes of 1 - weight L(d); the gradient is exact but for the weights.
 WallDensity DensityOf(NearWall wall)
 {

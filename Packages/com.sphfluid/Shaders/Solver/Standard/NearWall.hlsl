@@ -12,7 +12,7 @@ struct NearWall
     float3 Approach;   // speed of each plane along its normal, m/s
     float Friction;    // of the first triangle's wall, 0 free slip to 1 no slip; negative: that of the domain's faces
     float3 Velocity;   // of the first triangle's wall, m/s
-    uint Flags;        // bits 0 to 2: the plane is a face's, not one beyond an edge; WALL_BENDS; bits 4 and 5: the first triangle's plane, 3 for none
+    uint Flags;        // bits 0 to 2: the plane is a face's, not one beyond an edge; bits 4 and 5: the first triangle's plane, 3 for none
 };
 
 // The same as it is stored, for any place of the particle until the walls are gathered again: a plane's distance is n.x - offset.
@@ -32,9 +32,6 @@ struct PackedWall
 };
 
 #define DOMAIN_FRICTION 1023u
-
-// Flag of walls that are not flat faces at right angles: their planes hold where they were gathered, and a little farther on are others.
-#define WALL_BENDS 8u
 
 // Cigolle et al., A Survey of Efficient Representations for Independent Unit Vectors, 2014: oct32.
 uint PackNormal(float3 n)
@@ -85,11 +82,6 @@ uint2 PackMotion(float3 velocity, float friction, uint flags)
 {
     const uint thousandths = friction < 0.0 ? DOMAIN_FRICTION : uint(round(friction * 1000.0));
     return uint2(PackHalves(velocity.x, velocity.y), (f32tof16(velocity.z) << 16u) | (thousandths << 6u) | flags);
-}
-
-bool Bends(PackedWall packed)
-{
-    return (packed.VelocityZ & WALL_BENDS) != 0u;
 }
 
 // A bit for each plane that is a face's.

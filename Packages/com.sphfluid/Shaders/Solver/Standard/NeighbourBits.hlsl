@@ -14,25 +14,27 @@ groupshared uint2 waiting[CHUNKS * STANDARD_THREADS]; // first particle of a chu
 
 StructuredBuffer<float4> _Positions; // as sorted; w: MeetingReach.hlsl; three more than there are particles
 
-bool IsNear(float3 position, uint j)
+// Whether a particle is within R or may come there.
+bool IsNear(float4 place, uint j)
 {
-    const float3 d = Separation(position, _Positions[j].xyz);
-    return dot(d, d) < _SupportSquared;
+    const float4 other = _Positions[j];
+    const float3 d = Separation(place.xyz, other.xyz);
+    return dot(d, d) < MeetingSquared(place.w, other.w);
 }
 
 // Bits of the neighbours among the first candidates of a run, itself not among them. Four in a turn, and up to three behind the last of
 // the run, so that loads do not wait for each other. Shifts of constants: FXC drops the top bit of a condition that is shifted.
-uint NeighbourBits(uint2 run, uint id, float3 position)
+uint NeighbourBits(uint2 run, uint id, float4 place)
 {
     const uint count = min(run.y - run.x, CHUNK);
     const uint end = run.x + count;
     uint bits = 0u;
     for (uint j = run.x; j < end; j += 4u)
     {
-        uint four = IsNear(position, j) ? 1u << 28u : 0u;
-        four |= IsNear(position, j + 1u) ? 1u << 29u : 0u;
-        four |= IsNear(position, j + 2u) ? 1u << 30u : 0u;
-        four |= IsNear(position, j + 3u) ? 1u << 31u : 0u;
+        uint four = IsNear(place, j) ? 1u << 28u : 0u;
+        four |= IsNear(place, j + 1u) ? 1u << 29u : 0u;
+        four |= IsNear(place, j + 2u) ? 1u << 30u : 0u;
+        four |= IsNear(place, j + 3u) ? 1u << 31u : 0u;
         bits = (bits >> 4u) | four;
     }
     // Worked example, 6 candidates: two turns leave their bits in the top eight, two of these are not of the run.

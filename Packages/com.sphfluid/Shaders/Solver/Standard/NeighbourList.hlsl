@@ -5,6 +5,8 @@
 // one line of memory. Worked example: particle 33, the second of its 32, length 72: entry 0 stands at 72 * 32 + 1, entry 1 32 behind.
 // After an odd number of neighbours stands the particle itself, which is at no distance and at rest to itself: the motion pass takes
 // two in a turn and need not ask. The length is even, so it has its place.
+// Entries of particles that are behind a face, as things stand, have a bit more: every density pass notes it anew.
+#define LIST_BEHIND 0x80000000u
 #define LIST_LANES 32u // mirrored by NeighbourList.Lanes
 
 uint _ListLength; // most neighbours of a particle that are listed; who has more searches again: all, where it is 0
@@ -12,6 +14,25 @@ uint _ListLength; // most neighbours of a particle that are listed; who has more
 uint ListPlace(uint id, uint n)
 {
     return (id / LIST_LANES * _ListLength + n) * LIST_LANES + id % LIST_LANES;
+}
+
+// The particle of an entry, and its squared distance or one that is beyond any R: what is behind a face is neither felt nor counted.
+uint ListedParticle(uint entry)
+{
+#if defined(FLUID_MESH_WALLS)
+    return entry & ~LIST_BEHIND;
+#else
+    return entry;
+#endif
+}
+
+float SeenSquared(uint entry, float distanceSquared)
+{
+#if defined(FLUID_MESH_WALLS)
+    return entry < LIST_BEHIND ? distanceSquared : 1e30;
+#else
+    return distanceSquared;
+#endif
 }
 
 #endif

@@ -40,35 +40,29 @@ namespace SphFluid.Tests
             for (uint r = grid.Starts[cell]; r < grid.Starts[cell + 1]; r++) yield return (int)grid.References[(int)r];
         }
 
-        // Whether a cell of one axis is among those that a triangle's corners, inflated, reach.
-        static bool Spans(double low, double high, double origin, double side, int cell, int count)
-        {
-            int first = (int)Math.Floor((low - origin) / side), last = (int)Math.Floor((high - origin) / side);
-            return cell >= Mathf.Clamp(first, 0, count - 1) && cell <= Mathf.Clamp(last, 0, count - 1);
-        }
-
+        // Whether a cell's cube is within the reach of a triangle's box and of its plane.
         static bool Intersects(BodyCells cells, BodyTriangle tri, int x, int y, int z)
         {
-            double inflate = cells.Reach * (1.0 + 1e-4);
+            double reach = cells.Reach * (1.0 + 1e-4) + 1e-4 * cells.Side, across = 0.0, spread = 0.0, apart = 0.0;
             var cell = new Vector3Int(x, y, z);
-            var counts = new Vector3Int(cells.CountX, cells.CountY, cells.CountZ);
-            double across = 0.0, spread = 0.0;
             for (int axis = 0; axis < 3; axis++)
             {
                 double low = Mathf.Min(tri.A[axis], Mathf.Min(tri.B[axis], tri.C[axis])), high = Mathf.Max(tri.A[axis], Mathf.Max(tri.B[axis], tri.C[axis]));
-                if (!Spans(low - inflate, high + inflate, cells.Origin[axis], cells.Side, cell[axis], counts[axis])) return false;
+                double middle = cells.Origin[axis] + (cell[axis] + 0.5) * cells.Side, half = 0.5 * cells.Side;
+                double gap = Math.Max(0.0, Math.Max(low - (middle + half), middle - half - high));
+                apart += gap * gap;
                 double normal = axis == 0 ? tri.NormalX : axis == 1 ? tri.NormalY : tri.NormalZ;
-                across += (cells.Origin[axis] + (cell[axis] + 0.5) * cells.Side - tri.A[axis]) * normal;
-                spread += Math.Abs(normal);
+                across += (middle - tri.A[axis]) * normal;
+                spread += half * Math.Abs(normal);
             }
-            return Math.Abs(across) <= (0.5 * cells.Side + inflate) * spread + 1e-4 * cells.Side;
+            return apart <= reach * reach && Math.Abs(across) <= spread + reach;
         }
 
         [TestCase(1, false)]
         [TestCase(2, true)]
         [TestCase(101, false)]
         [TestCase(101, true)]
-        public void TheJobsListWhatEachCellIntersectsInTheTrianglesOrder(int count, bool within)
+        public void TheJobsListWhatIsWithinReachOfEachCellInTheTrianglesOrder(int count, bool within)
         {
             BodyTriangle[] triangles = Soup(count, 11).ToArray();
             Bounds? bounds = within ? new Bounds(Vector3.zero, new Vector3(0.6f, 0.8f, 1f)) : (Bounds?)null;
@@ -91,9 +85,23 @@ namespace SphFluid.Tests
         [Test]
         public void CellsGrowUntilTheyAreFewEnough()
         {
-            BodyCells cells = BodyCells.Over(-5f * Vector3.one, 5f * Vector3.one, 0.1f, 1000);
+            BodyCells cells = BodyCells.Over(-5f * Vector3.one, 5f * Vector3.one, 0.1f, 0.05f, 1000);
             Assert.That(cells.Count, Is.LessThanOrEqualTo(1000).And.GreaterThan(200));
             Assert.That(cells.CountX * cells.Side, Is.GreaterThanOrEqualTo(10f));
+        }
+
+        // 300 triangles as large as all cells, 41 a side, would be 20 million entries.
+        [Test]
+        public void ListsThatWouldBeTooLongAreOfLargerCells()
+        {
+            BodyTriangle[] Large(int count) => Enumerable.Range(0, count)
+                .Select(i => BodyTriangle.Of(new Vector3(-1f, -1f, 1e-3f * i), new Vector3(1f, 1f, 1e-3f * i), new Vector3(-1f, -1f, 1e-3f * i + 1f))).ToArray();
+            using (var few = new BodyGrid(Large(3), 1f, null))
+            using (var many = new BodyGrid(Large(400000), 1f, null))
+            {
+                Assert.That(few.Cells.Side, Is.EqualTo(0.5f));
+                Assert.That(many.Cells.Side, Is.EqualTo(1f));
+            }
         }
 
         [TestCase(false)]

@@ -125,11 +125,15 @@ namespace SphFluid.Tests
             }
         }
 
-        // What GatherWalls said of the distance is trusted, so a triangle across the path is found only where the gap is used up.
-        [TestCase(0.5f, 0)]
-        [TestCase(2.05f, 0)]
-        [TestCase(2.3f, 1)]
-        public void WithinTheGapNothingIsLookedUp(float gapOverDisplacement, int far)
+        // What GatherWalls said of the distance is trusted, so a triangle across the path is found only where the gap is used up: by how far
+        // the particle is from where that was said, here a displacement back, at both ends of its step.
+        [TestCase(0.5f, 0f)]
+        [TestCase(1.05f, 0f)]
+        [TestCase(1.3f, 0f)]
+        [TestCase(1.9f, 1f)]
+        [TestCase(2.3f, 1f)]
+        [TestCase(1.3f, -1f)]
+        public void WithinTheGapNothingIsLookedUp(float gapOverDisplacement, float backOverDisplacement)
         {
             FluidSolverSettings settings = StandardStateRig.Water(2f * Vector3.one, Spacing);
             using (var rig = new StandardStateRig(settings, 1))
@@ -138,27 +142,28 @@ namespace SphFluid.Tests
                 rig.State.Bodies = bodies;
                 const float displacement = 0.5f * Spacing;
                 rig.FillSorted(new[] { new FluidParticle(Vector3.zero, Vector3.zero, 0u) });
+                float gone = Mathf.Max(Mathf.Abs(backOverDisplacement), Mathf.Abs(1f + backOverDisplacement)) * displacement;
                 float gap = gapOverDisplacement * displacement;
-                bool free = gap > displacement + 1.02f * Rest;
-                Assert.That(Find(rig, new[] { displacement * Vector3.up }, gap).Length, Is.EqualTo(free ? 0 : 1));
-                float left = GpuTest.Read<float>(rig.State.Walls.WallGap, 1)[0];
-                Assert.That(left, Is.EqualTo(free ? gap - displacement : 0f).Within(0.2f).Percent.Or.EqualTo(0f).And.EqualTo(free ? left : 0f));
-                rig.FillSorted(new[] { new FluidParticle(Vector3.zero, Vector3.zero, 0u) });
-                if (free) Assert.That(Find(rig, new[] { displacement * Vector3.up }, left).Length, Is.EqualTo(1 - far), "the next step");
+                bool free = gap > gone + 1.02f * Rest;
+                Assert.That(Find(rig, new[] { displacement * Vector3.up }, gap, backOverDisplacement * displacement * Vector3.down).Length, Is.EqualTo(free ? 0 : 1));
             }
         }
 
+        // The place where the gap was said is then a domain away.
         [Test]
         public void ThroughAPeriodicFaceTheGapIsLost()
         {
             FluidSolverSettings settings = StandardStateRig.Water(2f * Vector3.one, Spacing, FluidAxes.X);
             using (var rig = new StandardStateRig(settings, 1))
-            using (CollisionBodies bodies = Bodies(settings, FarTriangle))
+            using (CollisionBodies bodies = Bodies(settings, AcrossTriangle.Select(p => p + Vector3.left).ToList()))
             {
                 rig.State.Bodies = bodies;
-                rig.FillSorted(new[] { new FluidParticle(new Vector3(0.9995f, 0f, 0f), Vector3.zero, 0u) });
-                Find(rig, new[] { new Vector3(-0.9995f, 0f, 0f) }, Spacing);
-                Assert.That(GpuTest.Read<float>(rig.State.Walls.WallGap, 1)[0], Is.Zero);
+                var from = new Vector3(-1f, 0f, 0f);
+                rig.FillSorted(new[] { new FluidParticle(from, Vector3.zero, 0u) });
+                Vector3 to = from + 0.5f * Spacing * Vector3.up;
+                Assert.That(Find(rig, new[] { to }, Spacing, from), Is.Empty);
+                rig.FillSorted(new[] { new FluidParticle(from, Vector3.zero, 0u) });
+                Assert.That(Find(rig, new[] { to }, Spacing, -from).Length, Is.EqualTo(1));
             }
         }
 
@@ -172,14 +177,14 @@ namespace SphFluid.Tests
             new Vector3(0f, -0.9f, 0f), new Vector3(0.01f, -0.9f, 0f), new Vector3(0f, -0.9f, 0.01f),
         };
 
-        // Runs the pass and returns the list, its arguments checked.
-        int[] Find(StandardStateRig rig, Vector3[] to, float gap = 0f)
+        // Runs the pass and returns the list, its arguments checked. gapAt: from where nothing is nearer than the gap.
+        int[] Find(StandardStateRig rig, Vector3[] to, float gap = 0f, Vector3 gapAt = default)
         {
             StandardState state = rig.State;
             state.RequireWalls();
             state.Buffers.NewPositions.SetData(to.Select(p => (Vector4)p).ToArray());
             StandardStateRig.EmptyContacts(state);
-            state.Walls.WallGap.SetData(Enumerable.Repeat(gap, state.ParticleCount).ToArray());
+            state.Walls.WallGap.SetData(Enumerable.Repeat(new Vector4(gapAt.x, gapAt.y, gapAt.z, gap), state.ParticleCount).ToArray());
             var pass = new FindContactsPass(shaders);
             GpuTest.Run(cmd => pass.Record(cmd, state, new FluidStep(1e-3f, 1e-3f, false)));
             uint[] arguments = GpuTest.Read<uint>(state.Walls.ContactArguments, 4);

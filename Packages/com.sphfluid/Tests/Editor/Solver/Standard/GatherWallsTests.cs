@@ -45,30 +45,31 @@ namespace SphFluid.Tests
 
         static Vector3[] Points(int count, Vector3 size, int seed) => ParticleSets.Random(count, size, 0f, seed).Select(p => p.Position).ToArray();
 
-        // Flat walls at right angles are the same planes from any place nearby; all others are not.
-        [Test]
-        public void WallsThatAreNotFlatOrNotAtRightAnglesBend()
+        // In a step that keeps the order a particle's walls are gathered anew where it has gone 0.02 R since, and 0.45 R where it had none.
+        [TestCase(0.9f, 0.018f, false)]
+        [TestCase(0.9f, 0.022f, true)]
+        [TestCase(1.1f, 0.44f, false)]
+        [TestCase(1.1f, 0.46f, true)]
+        public void KeptWallsAreGatheredAnewWhereTheirParticleHasGoneFar(float distanceOverRadius, float goneOverRadius, bool gathers)
         {
             FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f);
-            float near = 0.5f * settings.SupportRadius;
-            Assert.That(Flags(rig => rig.Add(Box(0.6f * Vector3.one, 4)), (0.3f - near) * Vector3.one), Is.All.Zero, "in the corner of a box");
-            Assert.That(Flags(rig => rig.AddBox(0.3f * Vector3.one), (0.15f + near) * Vector3.right), Is.All.Zero, "on the face of a box");
-            Assert.That(Flags(rig => rig.AddBox(0.3f * Vector3.one), (0.15f + 0.4f * near) * Vector3.one), Is.All.Not.Zero, "off the corner of a box");
-            Assert.That(Flags(rig => rig.AddBall(0.2f, 12), (0.2f + near) * Vector3.right), Is.All.Not.Zero, "at a ball");
-            Assert.That(Flags(rig =>
+            float radius = settings.SupportRadius;
+            FluidShaderSet set = TestShaders.CreateSet();
+            using (var rig = new BodyRig(settings))
             {
-                rig.Add(new[] { new Vector3(-0.4f, 0f, -0.4f), new Vector3(-0.4f, 0f, 0.4f), new Vector3(0.4f, 0f, 0f) });
-                rig.Add(new[] { new Vector3(-0.4f, 0f, -0.4f), new Vector3(-0.4f, 0f, 0.4f), new Vector3(0.2f, 0.4f, 0f) });
-            }, new Vector3(-0.2f, 0.05f, 0f)), Is.All.Not.Zero, "between two that meet at 34 degrees");
+                rig.AddBall(0.2f, 12);
+                rig.Start(new[] { new FluidParticle((0.2f + distanceOverRadius * radius) * Vector3.right, Vector3.zero, 0u) });
+                rig.Setup();
+                float was = Gap();
+                Vector4[] at = GpuTest.Read<Vector4>(rig.State.Buffers.Positions, 1);
+                at[0] += (Vector4)(goneOverRadius * radius * Vector3.left);
+                rig.State.Buffers.Positions.SetData(at);
+                GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.State, rig.State.Buffers.Positions, isKept: true));
+                Assert.That(Gap() < was - 1e-3f * radius, Is.EqualTo(gathers));
 
-            uint[] Flags(Action<BodyRig> add, Vector3 point)
-            {
-                using (var rig = new BodyRig(settings))
-                {
-                    add(rig);
-                    return Gather(rig, new[] { point }).Select(w => w.Flags & 8u).ToArray();
-                }
+                float Gap() => GpuTest.Read<Vector4>(rig.State.Walls.WallGap, 1)[0].w;
             }
+            UnityEngine.Object.DestroyImmediate(set);
         }
 
         [Test]
@@ -158,13 +159,14 @@ namespace SphFluid.Tests
                 rig.Start(ParticleSets.Random(count, 0.9f * Vector3.one, 0f, 2));
                 rig.Setup();
                 Vector4[] at = GpuTest.Read<Vector4>(rig.State.Buffers.Positions, count);
-                float[] gaps = GpuTest.Read<float>(rig.State.Walls.WallGap, count);
+                Vector4[] gaps = GpuTest.Read<Vector4>(rig.State.Walls.WallGap, count);
                 for (int i = 0; i < count; i++)
                 {
                     double nearest = settings.SupportRadius;
                     for (int t = 0; t < corners.Count; t += 3)
                         nearest = Math.Min(nearest, ExactGeometry.Distance(at[i], corners[t], corners[t + 1], corners[t + 2]));
-                    Assert.That(gaps[i], Is.LessThanOrEqualTo(nearest).And.GreaterThan(0.998 * nearest - 1e-6), $"particle {i}");
+                    Assert.That((Vector3)gaps[i], Is.EqualTo((Vector3)at[i]));
+                    Assert.That(gaps[i].w, Is.LessThanOrEqualTo(nearest).And.GreaterThan(0.998 * nearest - 1e-6), $"particle {i}");
                 }
             }
         }

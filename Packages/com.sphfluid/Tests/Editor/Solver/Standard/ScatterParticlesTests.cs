@@ -64,8 +64,9 @@ namespace SphFluid.Tests
                     int source = stable && place < live ? byId[place] : byRank[place];
                     Assert.That((Vector3)sortedPositions[place], Is.EqualTo((Vector3)positions[source]), $"position at {place}");
                     // Every third had many neighbours at the last sort.
-                    float reach = source % 3 == 0 ? -16f
-                        : 4f * Mathf.Min(((Vector3)velocities[source]).magnitude * ListTime / rig.State.Settings.SupportRadius, 1f);
+                    float radius = rig.State.Settings.SupportRadius;
+                    float reach = source % 3 == 0 ? -16f * radius * radius
+                        : 4f * radius * Mathf.Min(((Vector3)velocities[source]).magnitude * ListTime, radius);
                     Assert.That(sortedPositions[place].w, Is.EqualTo(reach).Within(1e-3).Percent, $"reach at {place}");
                     Vector4 velocity = sortedVelocities[place];
                     Assert.That((Vector3)velocity, Is.EqualTo((Vector3)velocities[source]), $"velocity at {place}");
