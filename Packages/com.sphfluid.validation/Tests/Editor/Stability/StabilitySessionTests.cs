@@ -30,15 +30,17 @@ namespace SphFluid.Tests
                 Directory.Delete(folder, true);
         }
 
-        [Test]
-        public void WritesEveryRunAndAScriptAMap()
+        // The borders between clamps are in the long plan alone.
+        [TestCase("--map M5 M3 --method thesis standard --quick", "stability-m5.gp", "stability-m3.gp")]
+        [TestCase("--map M5 --method thesis standard", "stability-m5.gp", "stability-m5-clamps.gp")]
+        public void WritesEveryRunAndAScriptAMap(string line, params string[] files)
         {
-            string[] words = { "--map", "M5", "M3", "--method", "thesis", "standard", "--quick" };
+            string[] words = line.Split(' ');
             StabilityPlan plan = Plan(words);
             Finish(plan, words);
 
             Assert.That(Lines("stability.csv"), Has.Length.EqualTo(1 + plan.Runs.Count + plan.Clamped.Count));
-            foreach (string file in new[] { "stability-m5.gp", "stability-m3.gp", "stability-m3-clamps.gp", "stability-m5-clamps.gp" })
+            foreach (string file in files)
                 Assert.That(Lines(file), Has.Some.Contain("boxxyerror"), file);
             Assert.That(said.Last(), Does.StartWith($"All {plan.Runs.Count + plan.Clamped.Count} runs and borders are done"));
         }

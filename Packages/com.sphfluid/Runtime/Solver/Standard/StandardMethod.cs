@@ -6,7 +6,7 @@ namespace SphFluid
     internal sealed class StandardMethod : FluidMethod
     {
         static readonly ShaderGroup Group = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
-            groupThreads: 256, buffers: 13, writableBuffers: 7, groupMemory: 7680, vertexBuffers: 0,
+            groupThreads: 256, buffers: 13, writableBuffers: 6, groupMemory: 7680, vertexBuffers: 0,
             "LoadParticles", "ScanCells", "ScatterParticles", "StandardDensity", "MoveParticles", "GatherWalls", "FindContacts",
             "ResolveContacts", "DampVelocities", "PublishParticles");
 
