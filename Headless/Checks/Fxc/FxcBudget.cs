@@ -17,7 +17,7 @@ internal sealed class FxcBudget(string packageRoot)
         // 27 samples a thread in registers through nested loops: half the time of a row of 13 where it was measured. 4.7 s on a quiet
         // machine; on a busy one 6.9 s by the yardstick, whose share of memory traffic is another.
         ["SampleBlocks"] = 10000,
-        // With meshes four loops over the cells around or a list: the search, pairs that will meet, and twice what is behind a face.
+        // With meshes three loops over the cells around or a list: the search, and twice what is behind a face.
         ["StandardDensity"] = 4000,
     };
 

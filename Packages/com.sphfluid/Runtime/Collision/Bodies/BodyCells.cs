@@ -40,7 +40,7 @@ namespace SphFluid
     {
         readonly BodyCells cells;
         readonly BodyTriangle triangle;
-        readonly double reach, farthest; // of a cell's cube from the box, and of its middle from the plane
+        readonly double reachSquared, farthest; // of a cell's cube from the box, and of its middle from the plane
         readonly Vector3 min, max;
         readonly int x0, x1, y0, y1, z1;
         int x, y, z;
@@ -49,7 +49,8 @@ namespace SphFluid
         {
             this.cells = cells;
             this.triangle = triangle;
-            reach = cells.Reach * (1.0 + BodyCells.Slack);
+            double reach = cells.Reach * (1.0 + BodyCells.Slack), slack = BodyCells.Slack * cells.Side;
+            reachSquared = (reach + slack) * (reach + slack);
             min = Vector3.Min(triangle.A, Vector3.Min(triangle.B, triangle.C));
             max = Vector3.Max(triangle.A, Vector3.Max(triangle.B, triangle.C));
             x0 = Cell((min.x - reach - cells.Origin.x) / cells.Side, cells.CountX);
@@ -58,7 +59,7 @@ namespace SphFluid
             y1 = Cell((max.y + reach - cells.Origin.y) / cells.Side, cells.CountY);
             int z0 = Cell((min.z - reach - cells.Origin.z) / cells.Side, cells.CountZ);
             z1 = Cell((max.z + reach - cells.Origin.z) / cells.Side, cells.CountZ);
-            farthest = 0.5 * cells.Side * (Math.Abs(triangle.NormalX) + Math.Abs(triangle.NormalY) + Math.Abs(triangle.NormalZ)) + reach + BodyCells.Slack * cells.Side;
+            farthest = 0.5 * cells.Side * (Math.Abs(triangle.NormalX) + Math.Abs(triangle.NormalY) + Math.Abs(triangle.NormalZ)) + reach + slack;
             x = x0 - 1;
             y = y0;
             z = z0;
@@ -90,7 +91,7 @@ namespace SphFluid
         bool IsNearBox()
         {
             double dx = Apart(cells.Origin.x, x, min.x, max.x), dy = Apart(cells.Origin.y, y, min.y, max.y), dz = Apart(cells.Origin.z, z, min.z, max.z);
-            return dx * dx + dy * dy + dz * dz <= (reach + BodyCells.Slack * cells.Side) * (reach + BodyCells.Slack * cells.Side);
+            return dx * dx + dy * dy + dz * dz <= reachSquared;
         }
 
         // Of a cell and the box along an axis.

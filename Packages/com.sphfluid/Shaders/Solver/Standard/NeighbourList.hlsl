@@ -16,11 +16,22 @@ uint ListPlace(uint id, uint n)
     return (id / LIST_LANES * _ListLength + n) * LIST_LANES + id % LIST_LANES;
 }
 
-// The particle of an entry, and its squared distance or one that is beyond any R: what is behind a face is neither felt nor counted.
+bool IsBehind(uint entry)
+{
+    return entry >= LIST_BEHIND;
+}
+
+uint ParticleOf(uint entry)
+{
+    return entry & ~LIST_BEHIND;
+}
+
+// For kernels of the method: without triangles no entry has the bit. The particle of an entry, and its squared distance or one that is
+// beyond any R: what is behind a face is neither felt nor counted.
 uint ListedParticle(uint entry)
 {
 #if defined(FLUID_MESH_WALLS)
-    return entry & ~LIST_BEHIND;
+    return ParticleOf(entry);
 #else
     return entry;
 #endif
@@ -29,7 +40,7 @@ uint ListedParticle(uint entry)
 float SeenSquared(uint entry, float distanceSquared)
 {
 #if defined(FLUID_MESH_WALLS)
-    return entry < LIST_BEHIND ? distanceSquared : 1e30;
+    return IsBehind(entry) ? 1e30 : distanceSquared;
 #else
     return distanceSquared;
 #endif

@@ -90,7 +90,7 @@ namespace SphFluid.Tests
             Assert.That(cells.CountX * cells.Side, Is.GreaterThanOrEqualTo(10f));
         }
 
-        // 300 triangles as large as all cells, 41 a side, would be 20 million entries.
+        // 400,000 triangles in some hundred cells each would be more than 16 million entries.
         [Test]
         public void ListsThatWouldBeTooLongAreOfLargerCells()
         {

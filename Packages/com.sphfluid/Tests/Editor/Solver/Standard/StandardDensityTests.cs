@@ -114,8 +114,8 @@ namespace SphFluid.Tests
             }
         }
 
-        // A face at x = 0: to the right of it particles see its normal along x, to the left against x. In a step that sorts and in two that keep
-        // the list; in the second of these the plane is no face any more.
+        // A face at x = 0: to the right of it particles see its normal along x, to the left against x. In a step that sorts and in three that
+        // keep the list; in the second of these the plane is no face.
         [Test]
         public void LiquidBehindAFaceThatBothSeeAddsNothing()
         {
