@@ -12,6 +12,8 @@
 StructuredBuffer<uint> _WallSlot;      // 0: none; else 1 + place in _NearWalls
 StructuredBuffer<PackedWall> _NearWalls;
 
+static const float OPPOSITE_FACES = -0.5; // the product of their normals: a wedge of up to 60 degrees parts what is beside it
+
 NearWall WallOf(uint slot, float3 position)
 {
     return UnpackWall(_NearWalls[max(slot, 1u) - 1u], position);
@@ -50,24 +52,26 @@ WallDensity MeshDensity(uint slot, float3 position, WallDensity off)
     return off;
 }
 
-// Whether a segment from a particle, -d, goes through a face that it sees.
-bool PassesFace(NearWall wall, float3 d)
+// Whether a segment from a particle, -d, goes through a face that it sees and whose normal has less than this along n.
+bool PassesFace(NearWall wall, float3 d, float3 n, float most)
 {
     bool passes = false;
     [unroll]
     for (uint k = 0u; k < uint(WALL_PLANES); k++)
     {
-        passes = passes || ((wall.Flags >> k) & 1u) != 0u && dot(wall.Planes[k].xyz, d) > wall.Planes[k].w;
+        const bool seen = ((wall.Flags >> k) & 1u) != 0u;
+        passes = passes || seen && dot(wall.Planes[k].xyz, d) > wall.Planes[k].w && dot(wall.Planes[k].xyz, n) < most;
     }
     return passes;
 }
 
-// Liquid on the other side of a thin sheet: both see a face between them. Symmetric, so momentum is kept. The other's walls
-// are read only where the own ones are passed, which elsewhere no neighbour does.
+// Liquid on the other side of a thin sheet: both see a face between them, and these look against each other. Round a curved
+// or a cornered body both see one as well, but that is one liquid: cut on and off as it moves, it never rests. Symmetric, so
+// momentum is kept. The other's walls are read only where the own ones are passed, which elsewhere no neighbour does.
 bool IsCut(NearWall wall, uint other, float3 otherPosition, float3 d)
 {
     bool cut = false;
-    for (bool passes = PassesFace(wall, d); passes; passes = false)
+    for (bool passes = PassesFace(wall, d, float3(0.0, 0.0, 0.0), 1.0); passes; passes = false)
     {
         const uint otherSlot = _WallSlot[other];
         const uint otherWall = max(otherSlot, 1u) - 1u;
@@ -76,7 +80,8 @@ bool IsCut(NearWall wall, uint other, float3 otherPosition, float3 d)
         {
             const PackedPlane plane = _NearWalls[otherWall].Planes[k];
             const float3 n = UnpackNormal(plane.Normal);
-            cut = ((faces >> k) & 1u) != 0u && dot(n, -d) > dot(n, otherPosition) - plane.Offset;
+            const bool passesBack = ((faces >> k) & 1u) != 0u && dot(n, -d) > dot(n, otherPosition) - plane.Offset;
+            cut = passesBack && PassesFace(wall, d, n, OPPOSITE_FACES);
         }
     }
     return cut;

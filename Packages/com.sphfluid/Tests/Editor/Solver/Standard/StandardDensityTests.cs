@@ -98,7 +98,7 @@ namespace SphFluid.Tests
                 for (int i = 0; i < count; i++)
                 {
                     float distance = 0.01f * i * Spacing;
-                    records.Add(Record(particles[i].Position, 32767u, distance, 1f, false));
+                    records.Add(Record(particles[i].Position, Vector3.right, distance, 1f, false));
                     if (i % 2 != 0) continue;
                     double value = StandardReference.Mirror(distance, settings.SupportRadius, Spacing);
                     double domain = StandardReference.Walls(particles[i].Position, settings);
@@ -114,49 +114,54 @@ namespace SphFluid.Tests
             }
         }
 
-        // A face at x = 0: to the right of it particles see its normal along x, to the left against x. In a step that sorts and in three that
-        // keep the list; in the second of these the plane is no face.
-        [Test]
-        public void LiquidBehindAFaceThatBothSeeAddsNothing()
+        // Faces of a wedge along z whose edge is the origin's: to the right of x = 0 particles see the right one, to the left the left one. In a
+        // step that sorts and in three that keep the list; in the second of these the planes are no faces. A blunt wedge parts no liquid.
+        [TestCase(0f, true)]
+        [TestCase(55f, true)]
+        [TestCase(65f, false)]
+        [TestCase(90f, false)]
+        [TestCase(170f, false)]
+        public void LiquidBehindFacesThatLookAgainstEachOtherAddsNothing(float angle, bool parts)
         {
             const int count = 257;
+            Vector3 toRight = Quaternion.Euler(0f, 0f, 0.5f * angle) * Vector3.right, toLeft = new Vector3(-toRight.x, toRight.y, 0f);
+            Vector3 Face(Vector3 place) => place.x > 0f ? toRight : toLeft;
+            bool IsHidden(Vector3 one, Vector3 other) =>
+                one.x > 0f != other.x > 0f && Vector3.Dot(Face(one), other) < 0f && Vector3.Dot(Face(other), one) < 0f;
+            bool IsClear(Vector3 place) => // of the rounding of normals
+                Mathf.Min(Mathf.Abs(place.x), Mathf.Abs(Vector3.Dot(toRight, place)), Mathf.Abs(Vector3.Dot(toLeft, place))) > 1e-3f * Spacing;
+
             FluidSolverSettings settings = StandardStateRig.Water(Domain, Spacing);
             using (StandardStateRig rig = WithAWall(settings, count, out CollisionBodies bodies))
             using (bodies)
             {
-                FluidParticle[] all = ParticleSets.Random(count, 0.5f * Domain, 1f, 6);
-                for (int i = 0; i < count; i++) // clear of the distance's rounding
-                    all[i].Position.x += (all[i].Position.x < 0f ? -0.02f : 0.02f) * Spacing;
-
-                FluidParticle[] particles = rig.FillSorted(all);
-                SetPlane(rig, particles, true);
-                AssertDensities(Record(rig), particles, settings, true);
+                FluidParticle[] particles = rig.FillSorted(ParticleSets.Random(2 * count, 0.5f * Domain, 1f, 6)
+                    .Where(p => IsClear(p.Position)).Take(count).Select((p, i) => new FluidParticle(p.Position, p.VelT0, (uint)i)).ToArray());
+                Assert.That(particles.Sum(p => particles.Count(q => IsHidden(p.Position, q.Position))), Is.GreaterThan(count));
+                SetFaces(true);
+                AssertDensities(Record(rig), true);
                 StandardStateRig.Fill(rig.State.Buffers.NewPositions, particles.Select(p => (Vector4)p.Position).ToArray());
-                foreach (bool isFace in new[] { true, false, true })
+                foreach (bool areFaces in new[] { true, false, true })
                 {
-                    SetPlane(rig, particles, isFace);
+                    SetFaces(areFaces);
                     GpuTest.Run(cmd => new StandardDensityPass(rig.Shaders).RecordListed(cmd, rig.State));
-                    AssertDensities(rig.Terms(), particles, settings, isFace);
+                    AssertDensities(rig.Terms(), areFaces);
                 }
-            }
-        }
 
-        static void SetPlane(StandardStateRig rig, FluidParticle[] particles, bool isFace)
-        {
-            const uint alongX = 32767u, againstX = 32769u; // octahedral, 16 bits a coordinate
-            SetWalls(rig, particles.Select(p => Record(p.Position, p.Position.x > 0f ? alongX : againstX, Mathf.Abs(p.Position.x), 0f, isFace)).ToList(), _ => true);
-        }
+                void SetFaces(bool areFaces) =>
+                    SetWalls(rig, particles.Select(p => Record(p.Position, Face(p.Position), Vector3.Dot(Face(p.Position), p.Position), 0f, areFaces)).ToList(), _ => true);
 
-        static void AssertDensities(Vector2[] terms, FluidParticle[] particles, in FluidSolverSettings settings, bool isFace)
-        {
-            for (int i = 0; i < terms.Length; i++)
-            {
-                bool right = particles[i].Position.x > 0f;
-                FluidParticle[] seen = particles.Where(p => !isFace || p.Position.x > 0f == right).ToArray();
-                int own = Array.FindIndex(seen, p => p.Id == particles[i].Id);
-                double walls = StandardReference.Walls(particles[i].Position, settings);
-                double expected = StandardReference.Density(seen, own, settings) - settings.RestDensity * walls / StandardReference.Response(settings);
-                Assert.That(terms[i].x, Is.EqualTo(expected).Within(2e-5 * settings.RestDensity), $"particle {i}, a face: {isFace}");
+                void AssertDensities(Vector2[] terms, bool areFaces)
+                {
+                    for (int i = 0; i < terms.Length; i++)
+                    {
+                        FluidParticle[] seen = particles.Where(p => !(areFaces && parts && IsHidden(particles[i].Position, p.Position))).ToArray();
+                        int own = Array.FindIndex(seen, p => p.Id == particles[i].Id);
+                        double walls = StandardReference.Walls(particles[i].Position, settings);
+                        double expected = StandardReference.Density(seen, own, settings) - settings.RestDensity * walls / StandardReference.Response(settings);
+                        Assert.That(terms[i].x, Is.EqualTo(expected).Within(2e-5 * settings.RestDensity), $"particle {i}, faces: {areFaces}");
+                    }
+                }
             }
         }
 
@@ -252,11 +257,12 @@ namespace SphFluid.Tests
         }
 
         // PackedWall of NearWall.hlsl with one plane along x or against it, the others far away; a weight of 0 only hides.
-        static uint[] Record(Vector3 position, uint normal, float distance, float weight, bool isFace)
+        static uint[] Record(Vector3 position, Vector3 normal, float distance, float weight, bool isFace)
         {
             var words = new uint[MeshWallBuffers.WallStride / 4];
-            words[0] = normal;
-            words[1] = StandardStateRig.ToBits(position.x * ((short)normal > 0 ? 1f : -1f) - distance);
+            Vector3 octahedral = 32767f / (Mathf.Abs(normal.x) + Mathf.Abs(normal.y)) * normal; // 16 bits a coordinate; normals lie in z = 0
+            words[0] = (ushort)(short)Mathf.Round(octahedral.x) | (uint)(ushort)(short)Mathf.Round(octahedral.y) << 16;
+            words[1] = StandardStateRig.ToBits(Vector3.Dot(normal, position) - distance);
             words[2] = (uint)(65535f * weight);
             words[4] = words[7] = StandardStateRig.ToBits(-1e30f);
             words[10] = isFace ? 1u : 0u;
