@@ -19,26 +19,30 @@ NearWall WallOf(uint slot, float3 position)
     return UnpackWall(_NearWalls[max(slot, 1u) - 1u], position);
 }
 
-// 1 - L = product over the planes of 1 - weight L(d); the gradient is exact but for the weights.
+// 1 - L = product over the planes of 1 - what each adds: its mirror image, as far as the ones before it leave it in sight. The
+// gradient is exact while the planes stay: where it is not, the push goes round in circles and liquid beside creases never rests.
 WallDensity DensityOf(NearWall wall)
 {
-    float2 profile[WALL_PLANES];
-    float open = 1.0;
     WallDensity density;
+    density.Value = 0.0;
     density.Gradient = float3(0.0, 0.0, 0.0);
     [unroll]
     for (int k = 0; k < WALL_PLANES; k++)
     {
-        profile[k] = wall.Weights[k] * MirrorProfile(wall.Planes[k].w);
-        open *= 1.0 - profile[k].x;
+        const float4 plane = wall.Planes[k];
+        const float2 profile = wall.Solid[k] * MirrorProfile(plane.w);
+        float value = profile.x;
+        float3 gradient = -profile.y * _InverseSupport * plane.xyz;
+        [unroll]
+        for (int before = 0; before < k; before++)
+        {
+            const float4 sight = InSight(wall.Planes[before], plane, _MirrorSpacing / _InverseSupport);
+            gradient = gradient * sight.w + value * sight.xyz;
+            value *= sight.w;
+        }
+        density.Gradient = density.Gradient * (1.0 - value) + gradient * (1.0 - density.Value);
+        density.Value += value * (1.0 - density.Value);
     }
-    [unroll]
-    for (int m = 0; m < WALL_PLANES; m++)
-    {
-        const float others = open / max(1.0 - profile[m].x, 1e-6);
-        density.Gradient -= profile[m].y * _InverseSupport * others * wall.Planes[m].xyz;
-    }
-    density.Value = 1.0 - open;
     return density;
 }
 

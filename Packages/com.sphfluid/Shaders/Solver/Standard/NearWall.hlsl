@@ -8,7 +8,7 @@
 struct NearWall
 {
     float4 Planes[WALL_PLANES]; // unit normal towards the particle, distance of the place [m]; no plane: far away
-    float3 Weights;    // of each plane's density, 0 to 1; 0: no plane
+    float3 Solid;      // how much of each plane is there, 0 to 1: less than all beyond an edge; 0: no plane
     float3 Approach;   // speed of each plane along its normal, m/s
     float Friction;    // of the first triangle's wall, 0 free slip to 1 no slip; negative: that of the domain's faces
     float3 Velocity;   // of the first triangle's wall, m/s
@@ -16,12 +16,12 @@ struct NearWall
 };
 
 // The same as it is stored, for any place of the particle until the walls are gathered again: a plane's distance is n.x - offset.
-// Weights to 1e-5, normals to 3e-5, what only holds velocities back to 3 digits. Mirrored by MeshWallBuffers.WallStride; 44 bytes.
+// Solid to 1e-5, normals to 3e-5, what only holds velocities back to 3 digits. Mirrored by MeshWallBuffers.WallStride; 44 bytes.
 struct PackedPlane
 {
     uint Normal;       // octahedral, 16 bits a coordinate; axes are exact
     float Offset;      // m
-    uint Weight;       // in 16 bits, and the speed along the normal as a half float
+    uint Solid;        // in 16 bits, and the speed along the normal as a half float
 };
 
 struct PackedWall
@@ -32,6 +32,17 @@ struct PackedWall
 };
 
 #define DOMAIN_FRICTION 1023u
+
+// How much of a plane one that comes before it leaves in sight, in w, and the gradient of that: triangles of one plane hide each
+// other, those square to each other do not. The gradient is bounded by that at 0.1 dx; particles come no nearer.
+float4 InSight(float4 before, float4 plane, float spacing)
+{
+    const float cosine = dot(before.xyz, plane.xyz);
+    const float ratio = plane.w / max(before.w, 1e-6 * spacing);
+    const float hidden = cosine * ratio;
+    const float slope = hidden > 0.0 && hidden < 1.0 ? cosine / max(before.w, 0.1 * spacing) : 0.0;
+    return float4(slope * (ratio * before.xyz - plane.xyz), 1.0 - saturate(hidden));
+}
 
 // Cigolle et al., A Survey of Efficient Representations for Independent Unit Vectors, 2014: oct32.
 uint PackNormal(float3 n)
@@ -61,12 +72,12 @@ float2 UnpackHalves(uint packed)
 }
 
 // A plane at a distance from a place: the offset fits the normal as it is stored.
-PackedPlane PackPlane(float3 position, float3 normal, float distance, float weight, float approach)
+PackedPlane PackPlane(float3 position, float3 normal, float distance, float solid, float approach)
 {
     PackedPlane packed;
     packed.Normal = PackNormal(normal);
     packed.Offset = dot(UnpackNormal(packed.Normal), position) - distance;
-    packed.Weight = uint(round(saturate(weight) * 65535.0)) | (f32tof16(approach) << 16u);
+    packed.Solid = uint(round(saturate(solid) * 65535.0)) | (f32tof16(approach) << 16u);
     return packed;
 }
 
@@ -99,8 +110,8 @@ NearWall UnpackWall(PackedWall packed, float3 position)
         const PackedPlane plane = packed.Planes[k];
         const float3 normal = UnpackNormal(plane.Normal);
         wall.Planes[k] = float4(normal, dot(normal, position) - plane.Offset);
-        wall.Weights[k] = float(plane.Weight & 0xffffu) / 65535.0;
-        wall.Approach[k] = f16tof32(plane.Weight >> 16u);
+        wall.Solid[k] = float(plane.Solid & 0xffffu) / 65535.0;
+        wall.Approach[k] = f16tof32(plane.Solid >> 16u);
     }
     const uint friction = (packed.VelocityZ >> 6u) & 1023u;
     wall.Velocity = float3(UnpackHalves(packed.VelocityXY), UnpackHalves(packed.VelocityZ).y);

@@ -89,23 +89,23 @@ namespace SphFluid.Tests
         {
             const int count = 65;
             FluidSolverSettings settings = StandardStateRig.Water(Domain, Spacing);
-            using (StandardStateRig rig = WithAWall(settings, count, out CollisionBodies bodies))
+            using (StandardStateRig rig = WalledStateRig.Create(settings, count, out CollisionBodies bodies))
             {
                 FluidParticle[] particles = rig.FillSorted(ParticleSets.Random(count, Domain, 1f, 4));
                 double[] expected = Enumerable.Range(0, count).Select(i =>
                     StandardReference.Density(particles, i, settings)).ToArray();
-                var records = new List<uint[]>();
+                var records = new List<StoredWall.Packed>();
                 for (int i = 0; i < count; i++)
                 {
                     float distance = 0.01f * i * Spacing;
-                    records.Add(Record(particles[i].Position, Vector3.right, distance, 1f, false));
+                    records.Add(StoredWall.Pack(particles[i].Position, 1f, false, (Vector3.right, distance)));
                     if (i % 2 != 0) continue;
                     double value = StandardReference.Mirror(distance, settings.SupportRadius, Spacing);
                     double domain = StandardReference.Walls(particles[i].Position, settings);
                     expected[i] += settings.RestDensity * (value - domain) / StandardReference.Response(settings);
                 }
 
-                SetWalls(rig, records, i => i % 2 == 0);
+                WalledStateRig.SetWalls(rig, records, i => i % 2 == 0);
                 Vector2[] terms = Record(rig);
                 bodies.Dispose();
                 double error = 2e-5 * settings.RestDensity;
@@ -132,7 +132,7 @@ namespace SphFluid.Tests
                 Mathf.Min(Mathf.Abs(place.x), Mathf.Abs(Vector3.Dot(toRight, place)), Mathf.Abs(Vector3.Dot(toLeft, place))) > 1e-3f * Spacing;
 
             FluidSolverSettings settings = StandardStateRig.Water(Domain, Spacing);
-            using (StandardStateRig rig = WithAWall(settings, count, out CollisionBodies bodies))
+            using (StandardStateRig rig = WalledStateRig.Create(settings, count, out CollisionBodies bodies))
             using (bodies)
             {
                 FluidParticle[] particles = rig.FillSorted(ParticleSets.Random(2 * count, 0.5f * Domain, 1f, 6)
@@ -149,7 +149,8 @@ namespace SphFluid.Tests
                 }
 
                 void SetFaces(bool areFaces) =>
-                    SetWalls(rig, particles.Select(p => Record(p.Position, Face(p.Position), Vector3.Dot(Face(p.Position), p.Position), 0f, areFaces)).ToList(), _ => true);
+                    WalledStateRig.SetWalls(rig, particles.Select(p =>
+                        StoredWall.Pack(p.Position, 0f, areFaces, (Face(p.Position), Vector3.Dot(Face(p.Position), p.Position)))).ToList());
 
                 void AssertDensities(Vector2[] terms, bool areFaces)
                 {
@@ -239,40 +240,5 @@ namespace SphFluid.Tests
                 particles[i], particles[j], settings.PeriodLength).Length < part * settings.SupportRadius));
 
         // A body somewhere, so that the pass reads walls.
-        static StandardStateRig WithAWall(in FluidSolverSettings settings, int count, out CollisionBodies bodies)
-        {
-            var rig = new StandardStateRig(settings, count);
-            bodies = new CollisionBodies(settings);
-            using (var colliders = new ColliderRig { DomainSize = settings.DomainSize, Spacing = settings.Spacing })
-            {
-                colliders.AddMesh(TestMeshes.Cube()).transform.localScale = 0.1f * Vector3.one;
-                colliders.Gather();
-                bodies.Update(colliders.Scene.Solids);
-            }
-
-            rig.State.Bodies = bodies;
-            rig.State.RequireWalls();
-            Assert.That(rig.State.HasBodies, Is.True);
-            return rig;
-        }
-
-        // PackedWall of NearWall.hlsl with one plane along x or against it, the others far away; a weight of 0 only hides.
-        static uint[] Record(Vector3 position, Vector3 normal, float distance, float weight, bool isFace)
-        {
-            var words = new uint[MeshWallBuffers.WallStride / 4];
-            Vector3 octahedral = 32767f / (Mathf.Abs(normal.x) + Mathf.Abs(normal.y)) * normal; // 16 bits a coordinate; normals lie in z = 0
-            words[0] = (ushort)(short)Mathf.Round(octahedral.x) | (uint)(ushort)(short)Mathf.Round(octahedral.y) << 16;
-            words[1] = StandardStateRig.ToBits(Vector3.Dot(normal, position) - distance);
-            words[2] = (uint)(65535f * weight);
-            words[4] = words[7] = StandardStateRig.ToBits(-1e30f);
-            words[10] = isFace ? 1u : 0u;
-            return words;
-        }
-
-        static void SetWalls(StandardStateRig rig, List<uint[]> records, Func<int, bool> hasRecord)
-        {
-            rig.State.Walls.NearWalls.SetData(records.SelectMany(words => words).ToArray());
-            rig.State.Walls.WallSlot.SetData(records.Select((_, i) => hasRecord(i) ? 1u + (uint)i : 0u).ToArray());
-        }
     }
 }

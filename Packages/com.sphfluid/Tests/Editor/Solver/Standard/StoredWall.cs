@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using System.Runtime.InteropServices;
 using UnityEngine;
@@ -45,25 +46,34 @@ namespace SphFluid.Tests
 
         public double Gradient(int axis)
         {
-            const double step = 1e-5;
+            const double step = 1e-7;
             var e = new Double3(axis == 0 ? step : 0, axis == 1 ? step : 0, axis == 2 ? step : 0);
             return packed.Plane0 == 0u ? 0.0 : (ValueAt((Double3)position + e) - ValueAt((Double3)position - e)) / (2.0 * step);
         }
 
+        // Each plane's part is what those before it leave in sight.
         double ValueAt(Double3 x)
         {
             double open = 1.0;
             uint[] planes = { packed.Plane0, packed.Plane1, packed.Plane2 };
             for (int k = 0; k < 3; k++)
-                open *= 1.0 - (planes[k] & 0xffffu) / 65535.0 * StandardReference.Mirror(Away(x, k), settings.SupportRadius, settings.Spacing);
+            {
+                double part = (planes[k] & 0xffffu) / 65535.0 * StandardReference.Mirror(Away(x, k), settings.SupportRadius, settings.Spacing);
+                for (int before = 0; before < k; before++) part *= 1.0 - HiddenBy(before, k, x);
+                open *= 1.0 - part;
+            }
             return 1.0 - open;
         }
 
-        double Away(Double3 x, int k)
-        {
-            Vector3 n = Octahedral(k == 0 ? packed.Normal0 : k == 1 ? packed.Normal1 : packed.Normal2);
-            return x.X * n.x + x.Y * n.y + x.Z * n.z - (k == 0 ? packed.Offset0 : k == 1 ? packed.Offset1 : packed.Offset2);
-        }
+        double HiddenBy(int before, int plane, Double3 x) =>
+            Math.Min(Math.Max(Double3.Dot(NormalOf(before), NormalOf(plane)) * Away(x, plane) / Math.Max(Away(x, before), 1e-6 * settings.Spacing), 0.0), 1.0);
+
+        Double3 NormalOf(int k) => Octahedral(k == 0 ? packed.Normal0 : k == 1 ? packed.Normal1 : packed.Normal2);
+
+        // Of the second plane by the first, 0 to 1.
+        public double Hidden => packed.Plane1 == 0u ? 0.0 : HiddenBy(0, 1, position);
+
+        double Away(Double3 x, int k) => Double3.Dot(x, NormalOf(k)) - (k == 0 ? packed.Offset0 : k == 1 ? packed.Offset1 : packed.Offset2);
 
         static float Half(uint bits) => Mathf.HalfToFloat((ushort)bits);
 
@@ -72,6 +82,33 @@ namespace SphFluid.Tests
             float x = (short)bits / 32767f, y = (short)(bits >> 16) / 32767f, z = 1f - Mathf.Abs(x) - Mathf.Abs(y);
             if (z < 0f) (x, y) = ((1f - Mathf.Abs(y)) * (x < 0f ? -1f : 1f), (1f - Mathf.Abs(x)) * (y < 0f ? -1f : 1f));
             return new Vector3(x, y, z).normalized;
+        }
+
+        static uint OfOctahedral(Vector3 n)
+        {
+            n /= Mathf.Abs(n.x) + Mathf.Abs(n.y) + Mathf.Abs(n.z);
+            if (n.z < 0f) (n.x, n.y) = ((1f - Mathf.Abs(n.y)) * (n.x < 0f ? -1f : 1f), (1f - Mathf.Abs(n.x)) * (n.y < 0f ? -1f : 1f));
+            return (ushort)(short)Mathf.Round(32767f * n.x) | (uint)(ushort)(short)Mathf.Round(32767f * n.y) << 16;
+        }
+
+        /// <summary>Up to three planes as GatherWalls stores them, at rest and without friction of their own.</summary>
+        /// <param name="position">Where the particle is.</param>
+        /// <param name="solid">How much of each plane is there, 0 to 1; 0 only hides what is behind.</param>
+        /// <param name="areFaces">Whether they are faces, not beyond edges.</param>
+        /// <param name="planes">Unit normals towards the particle and distances [m].</param>
+        public static Packed Pack(Vector3 position, float solid, bool areFaces, params (Vector3 Normal, float Distance)[] planes)
+        {
+            (uint, float, uint) Plane(int k)
+            {
+                if (k >= planes.Length) return (0u, -1e30f, 0u);
+                uint normal = OfOctahedral(planes[k].Normal);
+                return (normal, Vector3.Dot(Octahedral(normal), position) - planes[k].Distance, (uint)Mathf.Round(65535f * solid));
+            }
+            var packed = new Packed { VelocityZ = areFaces ? (1u << planes.Length) - 1u : 0u };
+            (packed.Normal0, packed.Offset0, packed.Plane0) = Plane(0);
+            (packed.Normal1, packed.Offset1, packed.Plane1) = Plane(1);
+            (packed.Normal2, packed.Offset2, packed.Plane2) = Plane(2);
+            return packed;
         }
 
         /// <summary>The walls of each particle in the order of the last sort.</summary>
