@@ -50,7 +50,7 @@ namespace SphFluid
         /// <summary>Number of bodies.</summary>
         public int Count => bodies.Count;
 
-        /// <summary>Grows whenever the set of bodies was made anew.</summary>
+        /// <summary>Grows whenever the set of bodies was made anew or one of them jumped: what was found of walls does not hold any more.</summary>
         public int Version { get; private set; }
 
         /// <summary>Whether a body has a friction of its own that is not zero.</summary>
@@ -101,6 +101,8 @@ namespace SphFluid
                 {
                     Jumped(motions[i].Collider, BodyFollowing.TooFar);
                     motions[i].Arrive();
+                    stale = true;
+                    Version++;
                 }
                 IsUnderWay |= !motions[i].IsAtRest;
                 if (!motions[i].IsAtRest) LongestMotion = Mathf.Max(LongestMotion, motions[i].LongestDisplacement(bodies[i].BoundsMin, bodies[i].BoundsMax));

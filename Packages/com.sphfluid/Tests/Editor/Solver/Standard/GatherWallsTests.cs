@@ -72,6 +72,28 @@ namespace SphFluid.Tests
             UnityEngine.Object.DestroyImmediate(set);
         }
 
+        // A body that has moved, has rested for some frames and then jumps is at its new place in the next step.
+        [Test]
+        public void ABodyThatRestedAndJumpsIsAWallWhereItIsNow()
+        {
+            FluidSolverSettings settings = BodyRig.Water(20f * Vector3.one, 0.1f, 0.3f);
+            float jump = 70f * settings.SupportRadius;
+            using (var rig = new BodyRig(settings))
+            {
+                Transform box = rig.AddBox(0.4f * Vector3.one);
+                box.localPosition = new Vector3(-8f, 0f, 0f);
+                rig.Start(new[] { new FluidParticle(new Vector3(-8f + 0.01f + jump, 0.21f, 0f), Vector3.zero, 0u) });
+                box.Translate(0.01f, 0f, 0f);
+                for (int frame = 0; frame < 4; frame++) rig.Frame(1);
+                Assert.That((rig.Bodies.Jumps, Slot()), Is.EqualTo((0, 0u)));
+                box.Translate(jump, 0f, 0f);
+                rig.Frame(1);
+                Assert.That((rig.Bodies.Jumps, Slot()), Is.EqualTo((1, 1u)));
+
+                uint Slot() => GpuTest.Read<uint>(rig.State.Walls.WallSlot, 1)[0];
+            }
+        }
+
         [Test]
         public void WallStrideIsTheSizeOfTheStruct() => Assert.That(Marshal.SizeOf<StoredWall.Packed>(), Is.EqualTo(MeshWallBuffers.WallStride));
 
