@@ -238,7 +238,5 @@ namespace SphFluid.Tests
         static HashSet<int> Within(FluidParticle[] particles, int i, FluidSolverSettings settings, double part) =>
             new HashSet<int>(Enumerable.Range(0, particles.Length).Where(j => j != i && ThesisReference.Separation(
                 particles[i], particles[j], settings.PeriodLength).Length < part * settings.SupportRadius));
-
-        // A body somewhere, so that the pass reads walls.
     }
 }
