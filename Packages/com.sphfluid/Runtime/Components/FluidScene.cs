@@ -22,21 +22,66 @@ namespace SphFluid
         public static List<VolumeSpec> Volumes(FluidSimulation simulation) => FindVolumes(simulation).ConvertAll(v => v.Spec);
 
         /// <summary>The simulation that a volume belongs to; null when several could have it and none holds its centre.</summary>
-        public static FluidSimulation Owner(FluidVolume volume, FluidSimulation[] simulations)
+        public static FluidSimulation Owner(FluidVolume volume, IReadOnlyList<FluidSimulation> simulations) =>
+            Owner(volume, volume.Simulation, simulations);
+
+        /// <summary>The simulation that a component belongs to, which may name it; null when several could have it and none holds its place.</summary>
+        static FluidSimulation Owner(Component component, FluidSimulation named, IReadOnlyList<FluidSimulation> simulations)
         {
-            if (volume.Simulation != null) return volume.Simulation;
+            if (named != null) return named;
             // Nothing in a prefab asset is active.
-            FluidSimulation parent = volume.GetComponentInParent<FluidSimulation>(SceneObjects.IsPrefabAsset(volume));
+            FluidSimulation parent = component.GetComponentInParent<FluidSimulation>(SceneObjects.IsPrefabAsset(component));
             if (parent != null) return parent;
-            FluidSimulation only = null;
+            FluidSimulation only = null, holder = null;
             int count = 0;
-            foreach (FluidSimulation simulation in simulations)
+            Vector3 place = component.transform.position;
+            for (int i = 0; i < simulations.Count; i++)
             {
-                if (!simulation.enabled) continue;
+                if (!simulations[i].enabled) continue;
                 count++;
-                only = simulation;
+                only = simulations[i];
+                if (holder == null && Holds(only, place)) holder = only;
             }
-            return count == 1 ? only : Array.Find(simulations, s => s.enabled && Holds(s, volume.transform.position));
+            return count == 1 ? only : holder;
+        }
+
+        /// <summary>The emitters that belong to a simulation, in hierarchy order where the scene plays.</summary>
+        /// <param name="simulation">The simulation.</param>
+        /// <param name="emitters">Receives them.</param>
+        public static void Emitters(FluidSimulation simulation, List<EmitterSpec> emitters)
+        {
+            emitters.Clear();
+            if (!TryFind(simulation, FluidEmitter.Active, out IReadOnlyList<FluidEmitter> found, out IReadOnlyList<FluidSimulation> simulations)) return;
+            for (int i = 0; i < found.Count; i++)
+                if (found[i].enabled && Owner(found[i], found[i].Simulation, simulations) == simulation) emitters.Add(found[i].Spec);
+        }
+
+        /// <summary>The drains that belong to a simulation, in hierarchy order where the scene plays.</summary>
+        /// <param name="simulation">The simulation.</param>
+        /// <param name="drains">Receives them.</param>
+        public static void Drains(FluidSimulation simulation, List<DrainSpec> drains)
+        {
+            drains.Clear();
+            if (!TryFind(simulation, FluidDrain.Active, out IReadOnlyList<FluidDrain> found, out IReadOnlyList<FluidSimulation> simulations)) return;
+            for (int i = 0; i < found.Count; i++)
+                if (found[i].enabled && Owner(found[i], found[i].Simulation, simulations) == simulation) drains.Add(found[i].Spec);
+        }
+
+        // In play the enabled ones list themselves, so that a frame makes no garbage.
+        static bool TryFind<T>(FluidSimulation simulation, List<T> active, out IReadOnlyList<T> found, out IReadOnlyList<FluidSimulation> simulations) where T : Component
+        {
+            bool plays = Application.isPlaying;
+            if (plays && !IsSorted(active)) active.Sort(HierarchyOrder.Compare);
+            found = plays ? active : (IReadOnlyList<T>)SceneObjects.Find<T>(simulation);
+            simulations = plays || found.Count == 0 ? FluidSimulation.Active : SceneObjects.Find<FluidSimulation>(simulation);
+            return found.Count > 0;
+        }
+
+        static bool IsSorted<T>(List<T> components) where T : Component
+        {
+            for (int i = 1; i < components.Count; i++)
+                if (HierarchyOrder.Compare(components[i - 1], components[i]) > 0) return false;
+            return true;
         }
 
         static bool Holds(FluidSimulation simulation, Vector3 world)

@@ -78,6 +78,16 @@ namespace SphFluid
             "each other or to walls. Hydrostatic: under gravity. Takes hundreds to thousands of steps at the start, without Start Jitter; method Standard only. A change starts the liquid again.")]
         FluidStartRelaxation startRelaxation;
 
+        [Header("Particles that come and go")]
+        [SerializeField, Tooltip("What happens when emitters give more particles than there are slots for. Grow: twice as many slots, up to Max Particles of " +
+            "the profile. Fixed: as many as Capacity from the start, and no more come in. Recycle Oldest: the oldest leave.")]
+        FluidCapacityPolicy capacityPolicy;
+
+        [SerializeField, Min(0), Tooltip("Particles that Fixed and Recycle Oldest hold. 0: Max Particles of the profile.")]
+        int capacity;
+
+        readonly List<EmitterSpec> emitters = new List<EmitterSpec>();
+        readonly List<DrainSpec> drains = new List<DrainSpec>();
         FluidRun run;
         bool requested;
         (FluidStartKey, FluidLiveKey)? failed;
@@ -158,6 +168,12 @@ namespace SphFluid
         /// <summary>How the liquid is brought to rest before the first frame. Standard method only; its step count is among the messages.</summary>
         public FluidStartRelaxation StartRelaxation { get => startRelaxation; set => startRelaxation = value; }
 
+        /// <summary>What happens when emitters give more particles than there are slots for.</summary>
+        public FluidCapacityPolicy CapacityPolicy { get => capacityPolicy; set => capacityPolicy = value; }
+
+        /// <summary>Particles that the policies Fixed and RecycleOldest hold; 0: as many as the profile allows.</summary>
+        public int Capacity { get => capacity; set => capacity = value; }
+
         /// <summary>The solver; null when stopped. A new start makes a new one.</summary>
         public FluidSolver Solver => run?.Solver;
 
@@ -170,10 +186,10 @@ namespace SphFluid
         /// </summary>
         public bool IsAsleep => run != null && run.IsAsleep;
 
-        /// <summary>Number of particles at the start; 0 when stopped.</summary>
-        public int ParticleCount => run?.Solver.ParticleCount ?? 0;
+        /// <summary>Number of particles, as of a few frames ago where some are emitted or leave; 0 when stopped.</summary>
+        public int ParticleCount => (int)(run?.Solver.LiveCount ?? 0);
 
-        /// <summary>Particles that have left the domain through an open face since, as of a few frames ago; see <see cref="FluidBoundaries.Open"/>.</summary>
+        /// <summary>Particles that have left since the start, as of a few frames ago: through an open face (<see cref="FluidBoundaries.Open"/>), by a drain, or recycled.</summary>
         public long RemovedParticles => run?.Solver.Counters.Removed ?? 0;
 
         /// <summary>Time since the start [s], as far as the liquid has come; goes on while it is asleep.</summary>
@@ -207,8 +223,22 @@ namespace SphFluid
         public Vector3 EffectiveGravity => useSceneGravity ? Physics.gravity : gravity;
 
         /// <summary>All that the simulation is to be, as of now.</summary>
-        internal FluidSpec Spec => new FluidSpec
+        internal FluidSpec Spec
         {
+            get
+            {
+                FluidScene.Emitters(this, emitters);
+                FluidScene.Drains(this, drains);
+                return OwnSpec;
+            }
+        }
+
+        FluidSpec OwnSpec => new FluidSpec
+        {
+            CapacityPolicy = capacityPolicy,
+            Capacity = capacity,
+            Emitters = emitters,
+            Drains = drains,
             Owner = this,
             Position = transform.position,
             Rotation = transform.rotation,
@@ -267,6 +297,59 @@ namespace SphFluid
 
         /// <summary>Ends the liquid's sleep: it takes steps until it has rested again.</summary>
         public void Wake() => run?.Wake();
+
+        /// <summary>Adds the liquid of a box to the running liquid, where there is a place for it: not in colliders, and not where liquid is.</summary>
+        /// <param name="centre">World position [m].</param>
+        /// <param name="size">Edge lengths [m].</param>
+        /// <param name="rotation">World rotation.</param>
+        /// <param name="velocity">World velocity [m/s].</param>
+        /// <returns>Number of particles that are tried with the next steps; <see cref="FluidCounters.Blocked"/> counts those that find no place.</returns>
+        /// <exception cref="InvalidOperationException">The liquid does not run, or its method has a fixed number of particles.</exception>
+        public int AddLiquid(Vector3 centre, Vector3 size, Quaternion rotation, Vector3 velocity = default)
+        {
+            FluidRun running = ExchangingRun();
+            FluidSpec spec = Spec;
+            Matrix4x4 toLocal = spec.WorldToLocal;
+            return running.AddLiquid(spec, new LiquidBox("Added liquid", toLocal * Matrix4x4.TRS(centre, rotation, size), toLocal.MultiplyVector(velocity)));
+        }
+
+        /// <summary>Adds the liquid of a volume to the running liquid, where there is a place for it: not in colliders, and not where liquid is.</summary>
+        /// <param name="volume">A volume, enabled or not.</param>
+        /// <returns>Number of particles that are tried with the next steps; <see cref="FluidCounters.Blocked"/> counts those that find no place.</returns>
+        /// <exception cref="ArgumentNullException">There is no volume.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run, its method has a fixed number of particles, or the volume cannot be filled.</exception>
+        public int AddLiquid(FluidVolume volume)
+        {
+            if (volume == null) throw new ArgumentNullException(nameof(volume));
+            FluidRun running = ExchangingRun();
+            var found = new List<FluidMessage>();
+            FluidSpec spec = Spec;
+            LiquidShape shape = VolumeChecks.Check(volume.Spec, spec, running.Collision, found);
+            if (shape == null) throw new InvalidOperationException(FluidReports.Worst(found));
+            return running.AddLiquid(spec, shape);
+        }
+
+        /// <summary>Removes the liquid in a box with the next steps.</summary>
+        /// <param name="centre">World position [m].</param>
+        /// <param name="size">Edge lengths [m].</param>
+        /// <param name="rotation">World rotation.</param>
+        /// <exception cref="InvalidOperationException">The liquid does not run, or its method has a fixed number of particles.</exception>
+        public void RemoveLiquid(Vector3 centre, Vector3 size, Quaternion rotation) =>
+            ExchangingRun().Flows.Remove(DrainZone.Box(OwnSpec.WorldToLocal * Matrix4x4.TRS(centre, rotation, 0.5f * size)));
+
+        /// <summary>Removes the liquid in a sphere with the next steps.</summary>
+        /// <param name="centre">World position [m].</param>
+        /// <param name="radius">Radius [m].</param>
+        /// <exception cref="InvalidOperationException">The liquid does not run, or its method has a fixed number of particles.</exception>
+        public void RemoveLiquid(Vector3 centre, float radius) =>
+            ExchangingRun().Flows.Remove(DrainZone.Capsule(OwnSpec.WorldToLocal * Matrix4x4.TRS(centre, Quaternion.identity, radius * Vector3.one), 0f));
+
+        FluidRun ExchangingRun()
+        {
+            if (run == null) throw new InvalidOperationException($"'{name}' does not run, so no liquid can be added or removed.");
+            if (!run.Solver.Exchanges) throw new InvalidOperationException($"The method {method} of '{name}' has a fixed number of particles. Set Method to Standard.");
+            return run;
+        }
 
         /// <summary>Reads all collision meshes again, after an edit that left a mesh's counts and bounds as they were.</summary>
         public void RefreshColliders() => run?.InvalidateColliders();

@@ -14,7 +14,7 @@ namespace SphFluid
         /// <summary>Number of particles in the liquid.</summary>
         public int ParticleCount;
 
-        /// <summary>Particles that left the domain through an open face; nothing else counts them.</summary>
+        /// <summary>Slots of <see cref="FluidSolver.ParticleCount"/> without a particle: what has left, of a liquid into which nothing is born.</summary>
         public int Removed;
 
         /// <summary>Particles with a position, velocity or density that is not a finite number. All sums leave them out, and no other counts them.</summary>

@@ -16,8 +16,7 @@ namespace SphFluid
         readonly FluidSolver solver;
         readonly Queue<FluidMoment> pending = new Queue<FluidMoment>();
         readonly Action<AsyncGPUReadbackRequest> received;
-        readonly Vector4[] values;
-        readonly int groups;
+        Vector4[] values = new Vector4[0];
         GraphicsBuffer records;
 
         /// <summary>A meter for a solver.</summary>
@@ -30,9 +29,7 @@ namespace SphFluid
                 throw new ArgumentNullException(nameof(shaders), "A statistics meter needs a shader set: assign one in the fluid profile.");
             this.solver = solver ?? throw new ArgumentNullException(nameof(solver), "A statistics meter needs a running solver.");
             pass = new MeasureStatisticsPass(shaders);
-            groups = pass.Groups(solver.ParticleCount);
-            values = new Vector4[groups * FluidStatisticsRecord.Size];
-            records = GpuBuffers.Create("Statistics", values.Length, 4 * sizeof(float));
+            Reserve();
             received = Receive;
         }
 
@@ -79,7 +76,8 @@ namespace SphFluid
                 Graphics.ExecuteCommandBuffer(cmd);
             }
             records.GetData(values);
-            return FluidStatisticsRecord.Sum(values, groups, new FluidMoment(solver, false));
+            var moment = new FluidMoment(solver, false);
+            return FluidStatisticsRecord.Sum(values, pass.Groups(moment.ParticleCount), moment);
         }
 
         /// <summary>Frees the GPU memory. Measurements that have not arrived are dropped.</summary>
@@ -90,7 +88,18 @@ namespace SphFluid
             if (records == null)
                 throw new ObjectDisposedException(nameof(FluidStatisticsMeter));
             solver.RecordNeighbourSetup(cmd);
+            Reserve();
             pass.Record(cmd, solver, records);
+        }
+
+        // A read-back that is under way has the buffer that it was asked of.
+        void Reserve()
+        {
+            int length = pass.Groups(solver.ParticleCount) * FluidStatisticsRecord.Size;
+            if (values.Length >= length) return;
+            if (records != null) solver.State.Retired.Add(records);
+            values = new Vector4[Math.Max(length, 2 * values.Length)];
+            records = GpuBuffers.Create("Statistics", values.Length, 4 * sizeof(float));
         }
 
         void Receive(AsyncGPUReadbackRequest request)
@@ -101,8 +110,8 @@ namespace SphFluid
             if (request.hasError)
                 return;
             NativeArray<Vector4> data = request.GetData<Vector4>();
-            data.CopyTo(values);
-            FluidStatistics statistics = FluidStatisticsRecord.Sum(values, groups, moment);
+            NativeArray<Vector4>.Copy(data, values, data.Length);
+            FluidStatistics statistics = FluidStatisticsRecord.Sum(values, pass.Groups(moment.ParticleCount), moment);
             Measured?.Invoke(statistics);
             MeasuredAt?.Invoke(statistics, moment);
         }

@@ -90,6 +90,14 @@ namespace SphFluid
         ColliderJumped,
         /// <summary>The method is none that this version of the package has.</summary>
         MethodUnknown,
+        /// <summary>An emitter or a drain cannot do what it is set to.</summary>
+        EmitterInvalid,
+        /// <summary>Liquid, or a face of the domain, is where an emitter would put particles.</summary>
+        EmitterBlocked,
+        /// <summary>The liquid has as many particles as it may have, so that the oldest leave or nothing more comes in.</summary>
+        CapacityReached,
+        /// <summary>The liquid's buffers were made larger for more particles.</summary>
+        CapacityGrown,
     }
 
     /// <summary>One message to the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>

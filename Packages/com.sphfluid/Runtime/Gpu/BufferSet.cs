@@ -11,6 +11,7 @@ namespace SphFluid
         protected const GraphicsBuffer.Target Arguments = GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw;
 
         readonly List<FluidBuffer> buffers = new List<FluidBuffer>();
+        readonly List<(FluidBuffer buffer, int more)> forEach = new List<(FluidBuffer, int)>();
 
         /// <summary>Bytes of all buffers.</summary>
         public long Bytes
@@ -45,6 +46,34 @@ namespace SphFluid
                 Dispose();
                 throw;
             }
+        }
+
+        /// <summary>Makes a buffer with an element a particle, which <see cref="Resize"/> makes larger, and some more.</summary>
+        /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
+        protected FluidBuffer AddForEach(string name, int particleCount, int stride, int more = 0)
+        {
+            FluidBuffer buffer = Add(name, (long)particleCount + more, stride);
+            forEach.Add((buffer, more));
+            return buffer;
+        }
+
+        /// <summary>Makes the buffers of <see cref="AddForEach"/> anew for another number of particles; all of them, or none where one is too large.</summary>
+        /// <param name="particleCount">Number of particles.</param>
+        /// <param name="replaced">Receives what they held, for the caller to copy from and to dispose.</param>
+        /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
+        public void Resize(int particleCount, ICollection<IDisposable> replaced)
+        {
+            var made = new List<GraphicsBuffer>();
+            try
+            {
+                foreach ((FluidBuffer buffer, int more) in forEach) made.Add(buffer.Another((long)particleCount + more));
+            }
+            catch
+            {
+                foreach (GraphicsBuffer buffer in made) buffer.Dispose();
+                throw;
+            }
+            for (int i = 0; i < made.Count; i++) replaced.Add(forEach[i].buffer.Replace(made[i]));
         }
 
         /// <summary>Makes a buffer, or makes it anew where it is too small; what it held is lost then.</summary>

@@ -17,6 +17,9 @@ namespace SphFluid
         const int Overlap = 6;
         const int Contact = 7;
         const int Removed = 8;
+        const int Born = 9;
+        const int Blocked = 10;
+        const int Refused = 11;
         internal const int MaxSpeed = 12;
         const int MaxDensity = 13;
         const int FirstMaximum = 12;
@@ -38,6 +41,9 @@ namespace SphFluid
         public FluidCounters Counters => counters;
 
         public float RestDensity { get; set; }
+
+        /// <summary>Requested read-backs that have arrived.</summary>
+        public long Received => readback.Received;
 
         /// <summary>Records the start of a batch of steps: maxima begin anew, counts go on.</summary>
         public void RecordReset(CommandBuffer cmd)
@@ -74,6 +80,9 @@ namespace SphFluid
             counters.Overlaps += Added(values, Overlap);
             counters.Contacts += Added(values, Contact);
             counters.Removed += Added(values, Removed);
+            counters.Born += Added(values, Born);
+            counters.Blocked += Added(values, Blocked);
+            counters.Refused += Added(values, Refused);
             counters.MaxSpeed = ToFloat(values[MaxSpeed]);
             counters.MaxCompression = Mathf.Max(0f, ToFloat(values[MaxDensity]) / RestDensity - 1f);
         }

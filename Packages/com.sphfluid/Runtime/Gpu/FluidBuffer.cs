@@ -6,11 +6,13 @@ namespace SphFluid
     /// <summary>A buffer and the names that kernels know it by: of "Positions" that is _Positions to read and _PositionsOut to write.</summary>
     internal sealed class FluidBuffer
     {
+        readonly string name;
         GraphicsBuffer buffer;
 
         /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
         public FluidBuffer(string name, long count, int stride, GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured)
         {
+            this.name = name;
             Id = Shader.PropertyToID("_" + name);
             OutId = Shader.PropertyToID("_" + name + "Out");
             buffer = GpuBuffers.Create(name, count, stride, target);
@@ -36,6 +38,18 @@ namespace SphFluid
 
         /// <summary>Two buffers of equal layout exchange their contents; their names stay.</summary>
         public static void Exchange(FluidBuffer a, FluidBuffer b) => (a.buffer, b.buffer) = (b.buffer, a.buffer);
+
+        /// <summary>A buffer of the same kind for another number of elements.</summary>
+        /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
+        internal GraphicsBuffer Another(long count) => GpuBuffers.Create(name, count, buffer.stride);
+
+        /// <summary>Puts a structured buffer in the place of the present one, which the caller gets.</summary>
+        internal GraphicsBuffer Replace(GraphicsBuffer other)
+        {
+            GraphicsBuffer replaced = buffer;
+            buffer = other;
+            return replaced;
+        }
 
         internal void Dispose() => GpuBuffers.Dispose(ref buffer);
     }

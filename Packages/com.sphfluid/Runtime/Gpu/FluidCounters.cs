@@ -27,8 +27,17 @@ namespace SphFluid
         /// <summary>Times a step was longer than contact follows and was shortened, since the start.</summary>
         public long ShortenedSteps;
 
-        /// <summary>Particles that left the domain through an open face, since the start.</summary>
+        /// <summary>Particles that left the liquid since the start: through an open face, by a drain, or recycled.</summary>
         public long Removed;
+
+        /// <summary>Particles that were born since the start.</summary>
+        public long Born;
+
+        /// <summary>Particles that were not born since the start because liquid, or a face of the domain, was in their place.</summary>
+        public long Blocked;
+
+        /// <summary>Particles that were not born since the start because the liquid had as many as it may have.</summary>
+        public long Refused;
 
         /// <summary>Largest speed in the last recorded steps [m/s].</summary>
         public float MaxSpeed;

@@ -16,13 +16,13 @@ namespace SphFluid
         /// <summary>Position [m].</summary>
         public Vector3 Position;
 
-        /// <summary>Number given at the start; sorting moves particles, not their numbers.</summary>
+        /// <summary>Number given at the start or at birth; sorting moves particles, not their numbers.</summary>
         public uint Id;
 
         /// <summary>Velocity half a step after the last force [m/s]; the initial velocity before the first step.</summary>
         public Vector3 VelT0;
 
-        /// <summary>1 once the particle left the domain through an open face, else 0. It keeps its last place and velocity, and is liquid no more.</summary>
+        /// <summary>1 where there is no particle: one left the liquid, or none is born yet; all else is 0 then. 0 of a live particle.</summary>
         public float Removed;
 
         /// <summary>Velocity at the time of the last force [m/s], one step before <see cref="Position"/>.</summary>
@@ -45,7 +45,7 @@ namespace SphFluid
             Pad = 0f;
         }
 
-        /// <summary>Whether the particle left the domain; drawing and measurements pass it over.</summary>
+        /// <summary>Whether there is no particle; drawing and measurements pass it over.</summary>
         public readonly bool IsRemoved => Removed != 0f;
     }
 }

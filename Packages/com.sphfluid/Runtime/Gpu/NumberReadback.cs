@@ -13,6 +13,9 @@ namespace SphFluid
         readonly Action<uint[]> taken;
         bool disposed;
 
+        /// <summary>Requested read-backs that have arrived or failed.</summary>
+        public long Received { get; private set; }
+
         /// <param name="count">Numbers that the buffers have.</param>
         /// <param name="taken">Called with the numbers of each read-back, oldest first; the array is used again.</param>
         public NumberReadback(int count, Action<uint[]> taken)
@@ -46,6 +49,7 @@ namespace SphFluid
 
         void Receive(AsyncGPUReadbackRequest request)
         {
+            Received++;
             if (!disposed && !request.hasError)
             {
                 NativeArray<uint> read = request.GetData<uint>();

@@ -52,6 +52,7 @@ namespace SphFluid
                 if (SceneObjects.IsPrefabAsset(spec.Owner)) messages.Add(Unplaced(spec));
                 else start = CheckScene(spec, volumes, collision, spawn, messages);
                 BoundaryChecks.Check(spec, messages);
+                EmitterChecks.Check(spec, messages);
                 CellChecks.Check(spec, messages);
             }
             if (HasErrors(messages) || !TryDerive(spec, start, messages)) start = null;
@@ -132,7 +133,7 @@ namespace SphFluid
             messages.AddRange(collision.Messages);
             MeshColliderChecks.Check(query, messages);
             List<(VolumeSpec, LiquidShape shape)> found = LiquidChecks.Shapes(spec, volumes, collision, messages);
-            if (found.Count == 0) return null;
+            if (found.Count == 0 && (volumes.Count > 0 || !FluidMethods.Has(spec.Method, FluidMethodFeatures.ChangingCount))) return null;
             List<LiquidShape> shapes = found.ConvertAll(f => f.shape);
             SpawnResult result = spawn(SpawnRequests.For(spec, shapes, collision));
             return LiquidChecks.Check(spec, found, result, collision, messages)

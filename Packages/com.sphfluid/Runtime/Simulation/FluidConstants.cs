@@ -15,7 +15,7 @@ namespace SphFluid
         {
             Vector3 gravity = spec.LocalGravity;
             Vector3 fall = startGravity.sqrMagnitude > 0f ? startGravity : gravity;
-            float height = start.Extent.FallHeight(fall);
+            float height = LiquidExtent.FallHeight(spec, start.Extent, fall);
             FluidRuleInput input = spec.Profile.Rules;
             input.Method = spec.Method;
             input.DomainSize = spec.DomainSize;
@@ -23,7 +23,7 @@ namespace SphFluid
             input.Gravity = gravity;
             input.LiquidHeight = height;
             input.LiquidDepth = Mathf.Min(height, DepthAtRest(spec, start, fall));
-            input.InitialSpeed = Hypotenuse(start.InitialSpeed, start.Extent.SpeedBy(spec.BodyForce));
+            input.InitialSpeed = Hypotenuse(FastestSource(spec, start.InitialSpeed), start.Extent.SpeedBy(spec.BodyForce));
             input.MinSpeed = Mathf.Max(input.MinSpeed, Mathf.Max(spec.ExpectedSpeed, FastestWall(spec.Boundaries)));
             input.FixedTimeStep = spec.TimeStepMode == FluidTimeStepMode.Fixed ? spec.FixedTimeStep : 0f;
             if (!double.IsNaN(speed))
@@ -35,6 +35,13 @@ namespace SphFluid
             settings.Boundaries = spec.Boundaries;
             settings.BodyForce = spec.BodyForce;
             return settings;
+        }
+
+        static float FastestSource(in FluidSpec spec, float start)
+        {
+            double speed = start;
+            for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++) speed = System.Math.Max(speed, spec.Emitters[i].Speed(spec.Spacing));
+            return (float)speed;
         }
 
         static float FastestWall(in FluidBoundaries faces)

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -13,6 +14,7 @@ namespace SphFluid
         readonly SubstepMonitor substeps = new SubstepMonitor();
         readonly GuardMonitor guards = new GuardMonitor();
         readonly FluidPace pace;
+        readonly FluidFlows flows;
         FluidLiveKey live;
         Vector3 position;
         Quaternion rotation;
@@ -28,7 +30,9 @@ namespace SphFluid
             Key = FluidStartKey.Of(spec);
             live = FluidLiveKey.Of(spec);
             (position, rotation) = (spec.Position, spec.Rotation);
-            Solver = new FluidSolver(start.Constants, spec.Profile.Shaders, RelaxedStart.Particles(spec, start, collision, watch, report));
+            Solver = new FluidSolver(start.Constants, spec.Profile.Shaders, RelaxedStart.Particles(spec, start, collision, watch, report),
+                spec.CapacityPolicy == FluidCapacityPolicy.Fixed && spec.Capacity > 0 ? spec.MostParticles : 0);
+            flows = new FluidFlows(Solver, report);
             commands = new CommandBuffer { name = "SPH Fluid" };
             try
             {
@@ -81,15 +85,17 @@ namespace SphFluid
 
         void Advance(in FluidSpec spec, float deltaTime)
         {
-            if (WasChanged() | ApplyChanges(spec) | GatherColliders(spec) | Moved(spec)) pace.Wake();
+            if (WasChanged() | ApplyChanges(spec) | GatherColliders(spec) | Moved(spec) | flows.Acts(spec)) pace.Wake();
             if (pace.IsAsleep)
             {
                 Rest(deltaTime);
                 return;
             }
             FollowBodies();
-            int steps = pace.Advance(deltaTime, obstacles.Bodies?.LongestMotion ?? 0f);
+            int steps = pace.Advance(deltaTime, Math.Max(obstacles.Bodies?.LongestMotion ?? 0.0, deltaTime * flows.FastestSpeed(spec)));
+            flows.Begin(spec, steps * pace.Clock.TimeStep);
             Execute(steps);
+            flows.End(spec, steps);
             if (steps > 0) pace.Stepped(steps * pace.Clock.TimeStep);
             Know();
             if (substeps.Note(pace.Clock, steps, deltaTime) is string text)
@@ -98,6 +104,20 @@ namespace SphFluid
             if (guards.Note(Solver.Counters) is string guard)
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.GuardActed, spec.Owner, guard,
                     "Lower the profile's Time Step Fraction, or raise Expected Speed or set Time Step Mode to Adaptive when colliders or forces move the liquid faster than its fall."));
+        }
+
+        /// <summary>What comes into the liquid and leaves it.</summary>
+        public FluidFlows Flows => flows;
+
+        /// <summary>Adds a shape of liquid with the next steps.</summary>
+        /// <returns>Number of particles that are tried.</returns>
+        public int AddLiquid(in FluidSpec spec, LiquidShape shape)
+        {
+            SpawnRequest request = SpawnRequests.For(spec, new[] { shape }, Collision);
+            request.MaxParticles = int.MaxValue;
+            List<FluidParticle> particles = FluidSpawner.Fill(request).Particles;
+            flows.Add(particles);
+            return particles.Count;
         }
 
         /// <summary>Ends the liquid's sleep.</summary>

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace SphFluid
@@ -39,6 +40,18 @@ namespace SphFluid
         /// <summary>Gravity that acts, in world space [m/s²].</summary>
         public Vector3 Gravity;
 
+        /// <summary>What happens when more is emitted than there are slots for.</summary>
+        public FluidCapacityPolicy CapacityPolicy;
+
+        /// <summary>Particles that the policies Fixed and RecycleOldest hold; 0: as many as the profile allows.</summary>
+        public int Capacity;
+
+        /// <summary>Emitters of this liquid; null for none.</summary>
+        public IReadOnlyList<EmitterSpec> Emitters;
+
+        /// <summary>Drains of this liquid; null for none.</summary>
+        public IReadOnlyList<DrainSpec> Drains;
+
         public FluidBodyForce BodyForce;
         public FluidBoundaries Boundaries;
         public Func<Vector3, Vector3> VelocityField;
@@ -60,6 +73,16 @@ namespace SphFluid
 
         /// <summary>World space to simulation space.</summary>
         public readonly Matrix4x4 WorldToLocal => DomainSpace.FromWorld(Position, Rotation);
+
+        /// <summary>Most particles that may live.</summary>
+        public readonly int MostParticles
+        {
+            get
+            {
+                long most = LiquidChecks.MostParticles(this);
+                return (int)(CapacityPolicy != FluidCapacityPolicy.Grow && Capacity > 0 ? Math.Min(Capacity, most) : most);
+            }
+        }
 
         /// <summary>Where to look for colliders; for an owner that is in a scene.</summary>
         public readonly CollisionQuery Query() => new CollisionQuery

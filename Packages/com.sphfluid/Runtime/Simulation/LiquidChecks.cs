@@ -17,9 +17,9 @@ namespace SphFluid
             var shapes = new List<(VolumeSpec, LiquidShape)>();
             foreach (VolumeSpec volume in volumes)
                 if (VolumeChecks.Check(volume, spec, collision, messages) is LiquidShape shape) shapes.Add((volume, shape));
-            if (volumes.Count == 0)
+            if (volumes.Count == 0 && !(spec.Emitters?.Count > 0))
                 messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.NoLiquid, spec.Owner, "The domain holds no liquid.",
-                    "Add a Fluid Volume, for instance as a child: GameObject > Fluid > Fluid Volume."));
+                    "Add a Fluid Volume or a Fluid Emitter, for instance as a child: GameObject > Fluid > Fluid Volume."));
             return shapes;
         }
 
@@ -47,8 +47,11 @@ namespace SphFluid
             long device = DeviceLimit;
             owner = device < profile || !spec.HasProfile ? $"this device's buffers hold {device} particles"
                 : $"the profile '{spec.Profile.Name}' allows {profile} particles, and this device's buffers hold {device}";
-            return Math.Min(profile, device);
+            return MostParticles(spec);
         }
+
+        /// <summary>Most particles that a simulation may have.</summary>
+        internal static long MostParticles(in FluidSpec spec) => Math.Min(spec.HasProfile ? spec.Profile.MaxParticles : int.MaxValue, DeviceLimit);
 
         static long DeviceLimit => SystemInfo.maxGraphicsBufferSize / FluidParticle.Stride;
 

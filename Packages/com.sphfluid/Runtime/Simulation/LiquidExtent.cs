@@ -37,6 +37,21 @@ namespace SphFluid
             return Mathf.Min(top, reach) + reach;
         }
 
+        /// <summary>The same of a liquid with emitters, which may be higher than its start.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="start">Where the liquid starts.</param>
+        /// <param name="gravity">Gravity in simulation space [m/s²].</param>
+        public static float FallHeight(in FluidSpec spec, in LiquidExtent start, Vector3 gravity)
+        {
+            float height = start.FallHeight(gravity);
+            int count = spec.Emitters?.Count ?? 0;
+            if (count == 0) return height;
+            Matrix4x4 worldToLocal = spec.WorldToLocal;
+            var nozzles = new Vector3[count];
+            for (int i = 0; i < count; i++) nozzles[i] = worldToLocal.MultiplyPoint3x4(spec.Emitters[i].Position);
+            return Mathf.Max(height, new LiquidExtent(nozzles, 0.5f * spec.DomainSize).FallHeight(gravity));
+        }
+
         /// <summary>
         /// Speed that a body force can give the liquid [m/s]: ω times the distance from its centre, or where it pushes away, times
         /// that of the domain's farther face.

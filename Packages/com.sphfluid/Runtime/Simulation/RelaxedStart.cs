@@ -23,7 +23,7 @@ namespace SphFluid
         public static IReadOnlyList<FluidParticle> Particles(
             in FluidSpec spec, FluidStart start, CollisionScene collision, StartWatch watch, Action<FluidMessage> report)
         {
-            if (spec.StartRelaxation == FluidStartRelaxation.None) return start.Particles;
+            if (spec.StartRelaxation == FluidStartRelaxation.None || start.Particles.Count == 0) return start.Particles;
             if (!FluidMethods.Has(spec.Method, FluidMethodFeatures.RelaxedStart))
             {
                 Report(spec, report, FluidSeverity.Warning, $"Start Relaxation needs the method Standard; with {spec.Method} the liquid starts from its lattice.",

@@ -31,5 +31,8 @@ namespace SphFluid
 
         /// <summary>One neighbour setup serves several steps, more of a slow liquid: <see cref="FluidSolver.FlowSpeed"/>.</summary>
         KeptNeighbours = 128,
+
+        /// <summary>Particles are born and drained while the liquid runs: its stepper is an <see cref="IExchangingStepper"/>.</summary>
+        ChangingCount = 256,
     }
 }

@@ -16,10 +16,13 @@ namespace SphFluid
         readonly IFluidStepper stepper;
         readonly FluidState state;
         readonly CounterReadback counters;
+        ParticleExchange exchange;
         FluidObstacles obstacles;
         float previousStep;
         float? flowSpeed;
         int obstacleChanges;
+        uint nextId;
+        long loadedCount, bornBefore, removedBefore;
         bool loaded;
         bool neighboursFresh;
         bool published;
@@ -28,30 +31,43 @@ namespace SphFluid
         /// <summary>Uploads the particles and prepares the method.</summary>
         /// <param name="settings">The physics and its method; <see cref="FluidMethodKind.ThesisPrinted"/> sets its switches as printed.</param>
         /// <param name="shaders">The compute shaders.</param>
-        /// <param name="initial">Particles at the start, one or more, inside the domain.</param>
+        /// <param name="initial">Particles at the start, inside the domain; one or more, or none where the method brings particles into a running liquid.</param>
         /// <exception cref="ArgumentException">A constant or the particles cannot be computed with.</exception>
         /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold a buffer.</exception>
-        public FluidSolver(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> initial)
+        public FluidSolver(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> initial) : this(settings, shaders, initial, 0)
+        {
+        }
+
+        internal FluidSolver(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> initial, int capacity)
         {
             method = FluidMethods.Of(settings.Method);
             method.Check(settings);
-            FluidParticle[] particles = CheckParticles(settings, initial);
+            FluidParticle[] particles = CheckParticles(settings, initial, !method.Has(FluidMethodFeatures.ChangingCount));
             if (shaders == null)
             {
                 throw new ArgumentException("No fluid shader set is given. Assign one in the fluid profile.", nameof(shaders));
             }
 
-            stepper = method.Start(method.Prepare(settings), shaders, particles.Length);
+            stepper = method.Start(method.Prepare(settings), shaders, Math.Max(1, Math.Max(particles.Length, Exchangeable(capacity))));
             state = stepper.State;
-            state.Published.Particles.SetData(particles);
+            Upload(particles);
             counters = new CounterReadback(state.Published.Counters, settings.RestDensity);
         }
 
         /// <summary>The method.</summary>
         public FluidMethodKind Kind => state.Settings.Method;
 
-        /// <summary>Number of particles.</summary>
+        /// <summary>
+        /// Particles of <see cref="Particles"/> to look at, 1 or more: live ones come first, and <see cref="FluidParticle.Removed"/> marks the rest. The
+        /// number of live ones where none was born and none left. Ask again after each recording.
+        /// </summary>
         public int ParticleCount => state.ParticleCount;
+
+        /// <summary>Particles that live, as of the last finished read-back; only the GPU knows of those born or gone since.</summary>
+        public long LiveCount => loadedCount + counters.Counters.Born - bornBefore - (counters.Counters.Removed - removedBefore);
+
+        /// <summary>Particles that the buffers hold before larger ones are made.</summary>
+        public int Capacity => state.Capacity;
 
         /// <summary>The physics, a copy.</summary>
         public FluidSolverSettings Settings => state.Settings;
@@ -65,7 +81,7 @@ namespace SphFluid
         /// <summary>Whether the method keeps a list of each particle's neighbours from the density to the forces.</summary>
         public bool ListsNeighbours => state.ListsNeighbours;
 
-        /// <summary>FluidParticle a particle, in the order of the last neighbour setup, those that left the domain behind all others. Ask again after each recording: two buffers alternate.</summary>
+        /// <summary>FluidParticle a particle, in the order of the last neighbour setup, live ones first; see <see cref="ParticleCount"/>. Ask again after each recording: it may be another buffer.</summary>
         public GraphicsBuffer Particles => state.Published.Particles;
 
         /// <summary>Density [kg/m³], float a particle, in the order of <see cref="Particles"/>, as of the last neighbour setup.</summary>
@@ -111,7 +127,7 @@ namespace SphFluid
         public FluidCounters Counters => counters.Counters;
 
         /// <summary>Bytes of GPU memory that the solver holds.</summary>
-        public long GpuBytes => state.Bytes;
+        public long GpuBytes => state.Bytes + (exchange?.GpuBytes ?? 0);
 
         /// <summary>Grows with each change of physics, obstacles or particles from outside the steps.</summary>
         internal int Changes => obstacleChanges + SettingsChanges + ParticleChanges;
@@ -123,6 +139,15 @@ namespace SphFluid
         internal int ParticleChanges { get; private set; }
 
         internal FluidState State => state;
+
+        /// <summary>Whether particles can come and go.</summary>
+        internal bool Exchanges => stepper is IExchangingStepper;
+
+        /// <summary>What brings particles into the liquid and takes them out, made when it is first asked for.</summary>
+        /// <exception cref="InvalidOperationException">The method's number of particles is fixed.</exception>
+        internal ParticleExchange Exchange => exchange ??= stepper is IExchangingStepper exchanging
+            ? new ParticleExchange(state, exchanging, nextId)
+            : throw new InvalidOperationException($"The method {Kind} has a fixed number of particles: nothing is born or drained. Use the method Standard.");
 
         internal IFluidStepper Stepper => stepper;
 
@@ -216,6 +241,7 @@ namespace SphFluid
             }
 
             counters.RecordReset(cmd);
+            BoundParticles();
             if (state.WallsChange()) neighboursFresh = false; // what drawing was given has the walls at rest
             var blocks = new StepBlocks(steps, stepper.StepsPerSetup(steps, timeStep, FlowSpeed));
             stepper.PlanSteps(blocks.LongestBlock, timeStep);
@@ -224,7 +250,9 @@ namespace SphFluid
                 state.BeginBodyStep(i, steps, timeStep);
                 RecordSetup(cmd);
                 bool keeps = !blocks.IsLast(i);
+                if (!keeps) exchange?.RecordLeaving(cmd, SimulatedTime + timeStep, timeStep);
                 stepper.RecordMotion(cmd, new FluidStep(timeStep, StepCount == 0 ? timeStep : previousStep, StepCount == 0, keeps));
+                if (!keeps) exchange?.RecordBirths(cmd);
                 SetupCount += keeps ? 0 : 1;
                 previousStep = timeStep;
                 neighboursFresh = false;
@@ -234,6 +262,8 @@ namespace SphFluid
 
             state.EndBodySteps();
             counters.RecordRequest(cmd);
+            exchange?.Counts.RecordRequest(cmd);
+            state.Retired.EndFrame();
         }
 
         /// <summary>
@@ -253,18 +283,23 @@ namespace SphFluid
         }
 
         /// <summary>Puts other particles in the place of the present ones. What the GPU still has to do with those is done first.</summary>
-        /// <param name="particles">As many as there are, inside the domain.</param>
+        /// <param name="particles">Inside the domain; those that are marked as removed are passed over. With a method of fixed number as many as there are.</param>
         /// <exception cref="ArgumentException">Their number differs, or one lies outside the domain.</exception>
         public void SetParticles(IReadOnlyList<FluidParticle> particles)
         {
             ThrowIfDisposed();
-            if (particles == null || particles.Count != ParticleCount)
+            if (particles == null || !Exchanges && particles.Count != ParticleCount)
             {
                 throw new ArgumentException($"The solver holds {ParticleCount} particles, and {particles?.Count ?? 0} are given. Start a new solver for another number.",
                     nameof(particles));
             }
 
-            state.Published.Particles.SetData(CheckParticles(state.Settings, particles));
+            FluidParticle[] live = CheckParticles(state.Settings, particles, !Exchanges);
+            FluidCounters before = counters.ReadNow();
+            if (live.Length > state.Capacity) ((IExchangingStepper)stepper).Reserve(null, live.Length);
+            Upload(live);
+            (bornBefore, removedBefore) = (before.Born, before.Removed);
+            if (exchange != null) exchange.Births.NextId = nextId;
             loaded = false;
             neighboursFresh = false;
             ParticleChanges++;
@@ -306,6 +341,7 @@ namespace SphFluid
             {
                 disposed = true;
                 counters.Dispose();
+                exchange?.Dispose();
                 stepper.Dispose();
             }
         }
@@ -332,22 +368,26 @@ namespace SphFluid
         /// <param name="initial">The particles.</param>
         /// <returns>A copy of them.</returns>
         /// <exception cref="ArgumentException">There is no particle, or one lies outside the domain.</exception>
-        public static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial)
+        public static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial) =>
+            CheckParticles(settings, initial, true);
+
+        static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial, bool isFixed)
         {
-            if (initial == null || initial.Count == 0)
+            if (initial == null || isFixed && initial.Count == 0)
             {
                 throw new ArgumentException("A fluid needs one particle or more.", nameof(initial));
             }
 
             Vector3 half = 0.5f * settings.DomainSize;
             var particles = new FluidParticle[initial.Count];
-            int outside = 0;
+            int count = 0, outside = 0;
             for (int i = 0; i < particles.Length; i++)
             {
-                particles[i] = initial[i];
-                Vector3 p = particles[i].Position;
+                if (!isFixed && initial[i].IsRemoved) continue;
+                Vector3 p = initial[i].Position;
                 bool inside = Mathf.Abs(p.x) <= half.x && Mathf.Abs(p.y) <= half.y && Mathf.Abs(p.z) <= half.z;
                 outside += inside ? 0 : 1;
+                particles[count++] = initial[i];
             }
 
             if (outside > 0)
@@ -357,7 +397,28 @@ namespace SphFluid
                     nameof(initial));
             }
 
+            Array.Resize(ref particles, count);
             return particles;
+        }
+
+        int Exchangeable(int capacity) => method.Has(FluidMethodFeatures.ChangingCount) ? capacity : 0;
+
+        void Upload(FluidParticle[] particles)
+        {
+            state.Published.Particles.SetData(particles.Length > 0 ? particles : new[] { new FluidParticle { Removed = 1f } });
+            state.LoadedCount = particles.Length;
+            state.ParticleCount = Math.Max(1, particles.Length);
+            loadedCount = particles.Length;
+            foreach (FluidParticle particle in particles) nextId = Math.Max(nextId, unchecked(particle.Id + 1u));
+        }
+
+        // What the GPU has counted tells how many particles there can be.
+        void BoundParticles()
+        {
+            state.Retired.Release(counters.Received - 1);
+            if (exchange == null) return;
+            FluidCounters known = counters.Counters;
+            exchange.Bound(LiveCount, known.Born + known.Blocked + known.Refused);
         }
 
         void ThrowIfDisposed()

@@ -15,6 +15,7 @@ namespace SphFluid
             Settings = settings;
             Grid = FluidGrid.For(settings);
             Published = new PublishedBuffers(particleCount, Grid.CellCount);
+            Capacity = ParticleCount = LoadedCount = particleCount;
             SetTriangles(null, null, 0);
         }
 
@@ -48,8 +49,20 @@ namespace SphFluid
         /// <summary>Bytes of all buffers; the triangles belong to their maker.</summary>
         public long Bytes => Published.Bytes + OwnBytes;
 
-        /// <summary>Number of particles.</summary>
-        public int ParticleCount => Published.ParticleCount;
+        /// <summary>Slots for particles.</summary>
+        public int Capacity { get; protected set; }
+
+        /// <summary>Slots in use: live particles are the first of these, those that left may be among the last. Passes have a thread for each.</summary>
+        public int ParticleCount { get; set; }
+
+        /// <summary>Particles in <see cref="Published"/> that the next load takes.</summary>
+        public int LoadedCount { get; set; }
+
+        /// <summary>Whether particles were marked to leave in the step that is recorded.</summary>
+        public bool IsDrained { get; set; }
+
+        /// <summary>Buffers that were replaced.</summary>
+        public RetiredBuffers Retired { get; } = new RetiredBuffers();
 
         /// <summary>Triangles of the scene, CollisionTriangle in Shaders/Collision/CollisionTypes.hlsl; never null.</summary>
         public GraphicsBuffer Triangles { get; private set; }
@@ -94,6 +107,10 @@ namespace SphFluid
             GridNeighbours.SetNoList(cmd, kernel, Published.Density);
 
         /// <summary>Releases the buffers that the state made; the triangles belong to their maker.</summary>
-        public virtual void Dispose() => Published.Dispose();
+        public virtual void Dispose()
+        {
+            Retired.Dispose();
+            Published.Dispose();
+        }
     }
 }

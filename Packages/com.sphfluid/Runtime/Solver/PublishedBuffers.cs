@@ -6,7 +6,7 @@ namespace SphFluid
     /// </summary>
     internal sealed class PublishedBuffers : BufferSet
     {
-        /// <summary>Particles in the order of the last sort, <see cref="FluidParticle"/>.</summary>
+        /// <summary>Particles in the order of the last sort, <see cref="FluidParticle"/>, live ones first.</summary>
         public readonly FluidBuffer Particles;
 
         /// <summary>First and end of each cell's particles, uint2.</summary>
@@ -26,18 +26,14 @@ namespace SphFluid
 
         public PublishedBuffers(int particleCount, int cellCount)
         {
-            ParticleCount = particleCount;
-            Particles = Add("Particles", particleCount, FluidParticle.Stride);
+            Particles = AddForEach("Particles", particleCount, FluidParticle.Stride);
             GridIndices = Add("GridIndices", cellCount, 2 * sizeof(uint));
-            Density = Add("Density", particleCount, sizeof(float));
-            Pressure = Add("Pressure", particleCount, sizeof(float));
+            Density = AddForEach("Density", particleCount, sizeof(float));
+            Pressure = AddForEach("Pressure", particleCount, sizeof(float));
             Counters = Add("Counters", CounterReadback.Slots, sizeof(uint));
             Counters.SetData(new uint[CounterReadback.Slots]);
             NoTriangles = Add("NoTriangles", 1, 48);
             NoColliders = Add("NoColliders", 1, 32);
         }
-
-        /// <summary>Number of particles.</summary>
-        public int ParticleCount { get; }
     }
 }

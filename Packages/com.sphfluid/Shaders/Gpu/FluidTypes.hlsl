@@ -13,7 +13,7 @@ struct Particle
     float3 Position;
     uint Id;
     float3 VelT0; // velocity half a step after the last force
-    float Removed; // 1 once it left the domain through an open face
+    float Removed; // 1: no particle, the rest is 0
     float3 VelT1; // velocity at the time of the last force
     float Pad;
 };

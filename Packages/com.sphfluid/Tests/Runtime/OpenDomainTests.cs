@@ -35,7 +35,7 @@ namespace SphFluid.Tests
             }
             Assert.That(some, "it leaves little by little");
             Assert.That(simulation.RemovedParticles, Is.EqualTo(64));
-            Assert.That(simulation.ParticleCount, Is.EqualTo(64));
+            Assert.That(simulation.ParticleCount, Is.Zero);
             Assert.That(simulation.Messages.Select(m => m.ToString()), Is.Empty);
             Assert.That(simulation.ResetSimulation());
             Assert.That(simulation.RemovedParticles, Is.Zero);

@@ -5,7 +5,6 @@ namespace SphFluid
     /// <summary>The walls of triangles near each particle, and how far it is free of triangles at rest.</summary>
     internal sealed class GatherWallsPass : ComputePass
     {
-        static readonly int ParticleCount = Id("_ParticleCount");
         static readonly int TimeStep = Id("_TimeStep");
         static readonly int GapScale = Id("_GapScale");
         static readonly int IsKept = Id("_IsKept");
@@ -29,7 +28,7 @@ namespace SphFluid
                 StandardBindings.SetFaces(cmd, kernel, state.Settings);
                 MeshContact.Set(cmd, kernel, state.Settings);
                 state.Bodies.Bind(cmd, kernel, state.BodyStep.x, state.BodyStep.y);
-                kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
+                StandardBindings.SetCells(cmd, kernel, state.Cells, state.Buffers.CellStart);
                 kernel.SetFloat(cmd, TimeStep, state.BodyStep.z);
                 kernel.SetFloat(cmd, GapScale, state.Bodies.IsUnderWay ? 0f : 0.999f);
                 kernel.SetInt(cmd, IsKept, isKept ? 1 : 0);

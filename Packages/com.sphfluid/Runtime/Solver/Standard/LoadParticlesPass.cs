@@ -25,13 +25,13 @@ namespace SphFluid
                 clear.Set(cmd, state.Buffers.CellCount);
                 clear.DispatchThreads(cmd, state.Buffers.CellCount.Count);
                 StandardBindings.SetCells(cmd, load, state.Cells);
-                load.SetInt(cmd, ParticleCount, state.ParticleCount);
+                load.SetInt(cmd, ParticleCount, state.LoadedCount);
                 load.Set(cmd, state.Published.Particles);
                 load.SetOut(cmd, state.Buffers.NewPositions);
                 load.SetOut(cmd, state.Buffers.NewVelocities);
                 load.Set(cmd, state.Buffers.CellCount);
                 load.SetOut(cmd, state.Buffers.Rank);
-                load.DispatchThreads(cmd, state.ParticleCount);
+                load.DispatchThreads(cmd, state.LoadedCount);
             }
         }
     }

@@ -11,7 +11,6 @@ namespace SphFluid
         static readonly int SweepDistance = Shader.PropertyToID("_SweepDistance");
         static readonly int ContactFloor = Shader.PropertyToID("_ContactFloor");
         static readonly int ContactTolerance = Shader.PropertyToID("_ContactTolerance");
-        static readonly int ParticleCount = Shader.PropertyToID("_ParticleCount");
 
         public static void Set(CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings)
         {
@@ -27,7 +26,6 @@ namespace SphFluid
         {
             StandardBindings.SetSearch(cmd, kernel, state);
             DomainBindings.SetFaces(cmd, kernel, state.Settings, ContactDistances.Rest(state.Settings));
-            kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
             Set(cmd, kernel, state.Settings);
             state.Bodies.Bind(cmd, kernel, state.BodyStep.x, state.BodyStep.y);
             kernel.Set(cmd, state.Buffers.PositionTerms);

@@ -9,7 +9,6 @@ namespace SphFluid
         const float Shell = 0.25f;
 
         static readonly int FaceDistance = Id("_FaceDistance");
-        static readonly int ParticleCount = Id("_ParticleCount");
         static readonly int SlopeFactor = Id("_SlopeFactor");
         static readonly int WallPush = Id("_WallPush");
         static readonly int ViscosityFactor = Id("_ViscosityFactor");
@@ -46,7 +45,6 @@ namespace SphFluid
                 DomainBindings.SetWallVelocities(cmd, kernel, settings.Boundaries);
                 state.List.Set(cmd, kernel);
                 kernel.SetFloat(cmd, FaceDistance, ContactDistances.Rest(settings));
-                kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
                 kernel.SetFloat(cmd, SlopeFactor, (float)slope);
                 ClosePairs.Set(cmd, kernel, settings, slope, kick);
                 kernel.SetFloat(cmd, WallPush, (float)(settings.RestDensity / moment));

@@ -6,7 +6,6 @@ namespace SphFluid
     internal sealed class ScanCellsPass : ComputePass
     {
         static readonly int CellTotal = Id("_CellTotal");
-        static readonly int ParticleCount = Id("_ParticleCount");
 
         readonly ComputeKernel kernel;
 
@@ -21,7 +20,6 @@ namespace SphFluid
             using (Sample(cmd))
             {
                 kernel.SetInt(cmd, CellTotal, state.Buffers.CellTotal);
-                kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
                 kernel.Set(cmd, state.Buffers.CellCount);
                 kernel.SetOut(cmd, state.Buffers.CellStart);
                 kernel.DispatchThreads(cmd, CellRows.ScanGroups(state.Buffers.CellTotal) * kernel.GroupSize.x);

@@ -6,7 +6,6 @@ namespace SphFluid
     /// <summary>Particles in the order of their cells: one dispatch, or two for an order without chance.</summary>
     internal sealed class ScatterParticlesPass : ComputePass
     {
-        static readonly int ParticleCount = Id("_ParticleCount");
         static readonly int SumCount = Id("_SumCount");
 
         readonly ComputeKernel scatter, scatterOrder, reorder;
@@ -47,7 +46,6 @@ namespace SphFluid
         static void Bind(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
         {
             StandardBindings.SetCells(cmd, kernel, state.Cells, state.Buffers.CellStart);
-            kernel.SetInt(cmd, ParticleCount, state.ParticleCount);
             kernel.Set(cmd, state.Buffers.NewPositions);
             kernel.Set(cmd, state.Buffers.NewVelocities);
         }

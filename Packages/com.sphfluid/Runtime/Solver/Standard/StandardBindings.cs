@@ -13,6 +13,7 @@ namespace SphFluid
         static readonly int CellCounts = Shader.PropertyToID("_CellCounts");
         static readonly int CellStart = Shader.PropertyToID("_CellStart");
         static readonly int KeepsOrder = Shader.PropertyToID("_KeepsOrder");
+        static readonly int Drains = Shader.PropertyToID("_Drains");
         static readonly int InverseSupport = Shader.PropertyToID("_InverseSupport");
         static readonly int SupportRatio = Shader.PropertyToID("_SupportRatio");
         static readonly int MirrorSpacing = Shader.PropertyToID("_MirrorSpacing");
@@ -52,6 +53,7 @@ namespace SphFluid
         public static void SetCounting(CommandBuffer cmd, ComputeKernel kernel, StandardState state, in FluidStep step)
         {
             kernel.SetBool(cmd, KeepsOrder, step.KeepsOrder);
+            kernel.SetBool(cmd, Drains, state.IsDrained);
             kernel.SetOut(cmd, state.Buffers.NewPositions);
             kernel.Set(cmd, state.Buffers.CellCount);
             kernel.SetOut(cmd, state.Buffers.Rank);

@@ -38,7 +38,7 @@ namespace SphFluid
         /// </summary>
         public readonly FluidBuffer CellCount;
 
-        /// <summary>First particle of each cell, first of those that left the domain, and the end.</summary>
+        /// <summary>First particle of each cell, the number of live particles, and that with those that left in the last step.</summary>
         public readonly FluidBuffer CellStart;
 
         /// <summary>Cells, and one for those that left the domain.</summary>
@@ -49,14 +49,14 @@ namespace SphFluid
 
         public StandardBuffers(int particleCount, int cellCount)
         {
-            Positions = Add("Positions", particleCount + 3L, 16);
-            Velocities = Add("Velocities", particleCount, 16);
-            NewPositions = Add("NewPositions", particleCount, 16);
-            NewVelocities = Add("NewVelocities", particleCount, 16);
-            Densities = Add("Densities", particleCount, 4);
-            PositionTerms = Add("PositionTerms", particleCount, 16);
-            Rank = Add("Rank", particleCount, 4);
-            Order = Add("Order", particleCount, 4);
+            Positions = AddForEach("Positions", particleCount, 16, 3);
+            Velocities = AddForEach("Velocities", particleCount, 16);
+            NewPositions = AddForEach("NewPositions", particleCount, 16);
+            NewVelocities = AddForEach("NewVelocities", particleCount, 16);
+            Densities = AddForEach("Densities", particleCount, 4);
+            PositionTerms = AddForEach("PositionTerms", particleCount, 16);
+            Rank = AddForEach("Rank", particleCount, 4);
+            Order = AddForEach("Order", particleCount, 4);
             CellTotal = cellCount + 1;
             SumCount = CellRows.ScanSums(CellTotal);
             CellCount = Add("CellCount", CellTotal + (long)SumCount, 4);

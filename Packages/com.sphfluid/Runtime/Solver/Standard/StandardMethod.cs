@@ -6,9 +6,9 @@ namespace SphFluid
     internal sealed class StandardMethod : FluidMethod
     {
         static readonly ShaderGroup Group = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
-            groupThreads: 256, buffers: 13, writableBuffers: 6, groupMemory: 7680, vertexBuffers: 0,
+            groupThreads: 256, buffers: 13, writableBuffers: 7, groupMemory: 7680, vertexBuffers: 0,
             "LoadParticles", "ScanCells", "ScatterParticles", "StandardDensity", "MoveParticles", "GatherWalls", "FindContacts",
-            "ResolveContacts", "DampVelocities", "PublishParticles");
+            "ResolveContacts", "DampVelocities", "PublishParticles", "DrainParticles", "BirthParticles", "GrowParticles");
 
         static readonly string[] Fields = { "soundSpeedMode" };
 
@@ -16,7 +16,7 @@ namespace SphFluid
 
         public override FluidMethodFeatures Features => FluidMethodFeatures.OpenFaces | FluidMethodFeatures.BodyContact |
             FluidMethodFeatures.ColliderFriction | FluidMethodFeatures.RelaxedStart | FluidMethodFeatures.FollowingSoundSpeed |
-            FluidMethodFeatures.KeptNeighbours;
+            FluidMethodFeatures.KeptNeighbours | FluidMethodFeatures.ChangingCount;
 
         public override ShaderGroup Shaders => Group;
 

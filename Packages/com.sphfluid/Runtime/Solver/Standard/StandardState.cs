@@ -1,3 +1,5 @@
+using System;
+using System.Collections.Generic;
 using UnityEngine.Rendering;
 
 namespace SphFluid
@@ -39,7 +41,7 @@ namespace SphFluid
         public override bool ListsNeighbours => List != null && List.Length > 0;
 
         /// <summary>Whether settings and device allow lists of neighbours.</summary>
-        public bool MayListNeighbours => Own.NeighbourList && NeighbourList.Fits(ParticleCount, NeighbourList.LengthFor(Settings));
+        public bool MayListNeighbours => Own.NeighbourList && NeighbourList.Fits(Capacity, NeighbourList.LengthFor(Settings));
 
         /// <summary>How long the next lists of neighbours are to serve, from the first step that uses them to the last [s].</summary>
         public float ListTime { get; set; }
@@ -51,7 +53,7 @@ namespace SphFluid
         protected override long OwnBytes => Buffers.Bytes + (Walls?.Bytes ?? 0) + (List?.Bytes ?? 0);
 
         /// <summary>Makes <see cref="Walls"/>, if they are not there.</summary>
-        public void RequireWalls() => Walls ??= new MeshWallBuffers(ParticleCount);
+        public void RequireWalls() => Walls ??= new MeshWallBuffers(Capacity);
 
         /// <summary>Makes <see cref="List"/>, with entries or without as the settings and the device have it.</summary>
         public void RequireList()
@@ -60,7 +62,24 @@ namespace SphFluid
             if (List != null && List.Length > 0 == length > 0) return;
             List?.Dispose();
             List = null;
-            List = new NeighbourList(ParticleCount, length);
+            List = new NeighbourList(Capacity, length);
+        }
+
+        /// <summary>Makes all buffers for another number of particles; what they held waits in <see cref="FluidState.Retired"/>.</summary>
+        /// <param name="capacity">Number of slots.</param>
+        /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
+        public void Resize(int capacity)
+        {
+            int length = Own.NeighbourList && NeighbourList.Fits(capacity, NeighbourList.LengthFor(Settings)) ? NeighbourList.LengthFor(Settings) : 0;
+            var replaced = new List<IDisposable>();
+            NeighbourList list = new NeighbourList(capacity, length);
+            MeshWallBuffers walls = Walls == null ? null : new MeshWallBuffers(capacity);
+            Buffers.Resize(capacity, replaced);
+            Published.Resize(capacity, replaced);
+            if (List != null) replaced.Add(List);
+            if (Walls != null) replaced.Add(Walls);
+            (List, Walls, Capacity) = (list, walls, capacity);
+            foreach (IDisposable old in replaced) Retired.Add(old);
         }
 
         /// <inheritdoc/>

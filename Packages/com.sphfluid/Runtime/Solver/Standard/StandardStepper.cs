@@ -8,7 +8,7 @@ namespace SphFluid
     /// the stable order makes Scatter two. Triangles add three: GatherWalls before the density, FindContacts and ResolveContacts after
     /// the motion. A step that keeps the order and lists of an earlier one has two, ListedDensity and MoveParticles, and the same three of triangles.
     /// </summary>
-    internal sealed class StandardStepper : IFluidStepper
+    internal sealed class StandardStepper : IFluidStepper, IExchangingStepper
     {
         readonly StandardState state;
         readonly LoadParticlesPass loadParticles;
@@ -20,6 +20,10 @@ namespace SphFluid
         readonly FindContactsPass findContacts;
         readonly ResolveContactsPass resolveContacts;
         readonly PublishParticlesPass publishParticles;
+        readonly FluidShaderSet shaders;
+        DrainParticlesPass drainParticles;
+        BirthParticlesPass birthParticles;
+        GrowParticlesPass growParticles;
         Order order;
         bool isLoaded;
         float listTime;
@@ -45,6 +49,7 @@ namespace SphFluid
             findContacts = new FindContactsPass(shaders);
             resolveContacts = new ResolveContactsPass(shaders);
             publishParticles = new PublishParticlesPass(shaders);
+            this.shaders = shaders;
             state = new StandardState(settings, particleCount);
         }
 
@@ -111,6 +116,30 @@ namespace SphFluid
             }
 
             order = step.KeepsOrder ? Order.Left : Order.Counted;
+        }
+
+        /// <inheritdoc/>
+        public void Reserve(CommandBuffer cmd, int capacity)
+        {
+            growParticles ??= new GrowParticlesPass(shaders);
+            state.RequireList();
+            var old = new StandardRemains(state);
+            state.Resize(capacity);
+            if (cmd != null) growParticles.Record(cmd, state, old, state.ParticleCount);
+        }
+
+        /// <inheritdoc/>
+        public void RecordDrains(CommandBuffer cmd, in DrainBatch drains)
+        {
+            drainParticles ??= new DrainParticlesPass(shaders);
+            drainParticles.Record(cmd, state, drains);
+        }
+
+        /// <inheritdoc/>
+        public void RecordBirths(CommandBuffer cmd, in BirthBatch births)
+        {
+            birthParticles ??= new BirthParticlesPass(shaders);
+            birthParticles.Record(cmd, state, births);
         }
 
         /// <inheritdoc/>

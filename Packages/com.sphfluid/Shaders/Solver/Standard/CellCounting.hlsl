@@ -6,11 +6,13 @@
 #include "../DomainFaces.hlsl"
 
 // The last word of a step on a particle: where the next step sorts, it is counted into the cell of its new place or, beyond an open
-// face, taken out of the liquid. A particle that left keeps its place and velocity and stands behind all others from then on.
+// face or in a drain, taken out of the liquid: the sort leaves it behind.
 RWStructuredBuffer<float4> _NewPositionsOut; // w: 1 of a particle that left, else 0
-RWStructuredBuffer<uint> _RankOut;
-uint _ParticleCount;
+RWStructuredBuffer<uint> _RankOut; // place in the cell; before, where something is drained, DRAINED of a particle that is to leave
 uint _KeepsOrder; // 1: the next step goes on in the order of the last sort, so nothing is counted and nobody leaves
+uint _Drains;     // 1: DrainParticles has gone before
+
+#define DRAINED 0xffffffffu
 
 void CountInCell(uint id, float3 position)
 {
@@ -18,8 +20,11 @@ void CountInCell(uint id, float3 position)
     for (bool counts = !Switched(_KeepsOrder); counts; counts = false) // a loop that ends at once is skipped where a branch may not be
     {
         leaves = any(position < _OpenLow) || any(position > _OpenHigh);
-        const uint rank = CountCell(leaves ? RemovedCell() : CellNumber(CellAt(position)), id);
-        _RankOut[id] = leaves ? rank + _ParticleCount - LiveCount() : rank; // behind those that left before
+        for (bool drains = Switched(_Drains); drains; drains = false)
+        {
+            leaves = leaves || _RankOut[id] == DRAINED;
+        }
+        _RankOut[id] = CountCell(leaves ? RemovedCell() : CellNumber(CellAt(position)), id);
         if (leaves)
         {
             CountEvent(COUNTER_REMOVED);

@@ -10,7 +10,7 @@ float3 _CellOrigin;    // lower corner of the first border cell
 float3 _CellsPerMetre; // 1 over the side of a cell along each axis
 int3 _CellCounts;      // with the border
 
-StructuredBuffer<uint> _CellStart; // first particle of each cell, of those that left the domain, and the end of these
+StructuredBuffer<uint> _CellStart; // first particle of each cell, the number of live ones, and that with those that left in the last step
 
 int3 CellAt(float3 position)
 {
@@ -23,13 +23,13 @@ uint CellNumber(int3 cell)
     return uint(cell.x + _CellCounts.x * (cell.y + _CellCounts.y * cell.z));
 }
 
-// Particles that left the domain stand behind all others, as if in a cell after the last.
+// Particles that leave are counted as if in a cell after the last.
 uint RemovedCell()
 {
     return uint(_CellCounts.x * _CellCounts.y * _CellCounts.z);
 }
 
-// Particles that did not leave: the first of the sorted ones.
+// Live particles: the first of the sorted ones. What stands behind them is undefined.
 uint LiveCount()
 {
     return _CellStart[RemovedCell()];

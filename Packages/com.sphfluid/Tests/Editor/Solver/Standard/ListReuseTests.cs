@@ -184,7 +184,7 @@ namespace SphFluid.Tests
                 {
                     rig.Steps(16);
                     FluidParticle[] particles = rig.Particles();
-                    Assert.That(particles.Select(p => p.Id).OrderBy(id => id), Is.EqualTo(start.Select(p => p.Id)));
+                    Assert.That(particles.Where(p => !p.IsRemoved).Select(p => p.Id), Is.Unique);
                     Assert.That(particles.All(p => p.IsRemoved || p.Position.y >= -0.5f * Domain.y), "at a sort nobody is beyond an open face");
                 }
                 Assert.That(rig.Solver.ReadCountersNow().Removed, Is.EqualTo(start.Length));

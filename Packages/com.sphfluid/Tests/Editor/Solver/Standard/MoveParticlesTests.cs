@@ -165,7 +165,7 @@ namespace SphFluid.Tests
         [TestCase(1)]
         [TestCase(64)]
         [TestCase(257)]
-        public void ThroughAnOpenFaceParticlesLeaveAndStandBehindAllOthers(int count)
+        public void ThroughAnOpenFaceParticlesLeave(int count)
         {
             FluidSolverSettings settings = Settings(FluidAxes.None);
             settings.Boundaries.Open = FluidFaces.HighX;
@@ -187,18 +187,7 @@ namespace SphFluid.Tests
                 int[] leave = Enumerable.Range(0, live).Where(i => start[i].Position.x > face).ToArray();
                 Assert.That(Enumerable.Range(0, live).Where(i => end[i].IsRemoved), Is.EqualTo(leave));
                 Assert.That(rig.Counters()[Removed], Is.EqualTo((uint)leave.Length));
-                for (int i = live; i < count; i++)
-                {
-                    Assert.That(end[i].Position, Is.EqualTo(start[i].Position), $"place of {i}, which left before");
-                    Assert.That(end[i].VelT0, Is.EqualTo(start[i].VelT0), $"velocity of {i}, which left before");
-                    Assert.That(end[i].IsRemoved, Is.True, $"{i} left before");
-                }
-
                 StandardStateRig.AssertCounted(rig.State, places, Enumerable.Range(0, live).ToArray());
-                uint[] ranks = GpuTest.Read<uint>(rig.State.Buffers.Rank, count);
-                int[] left = leave.Concat(Enumerable.Range(live, count - live)).ToArray();
-                Assert.That(left.Select(i => (int)ranks[i]).OrderBy(rank => rank),
-                    Is.EqualTo(Enumerable.Range(0, left.Length)), "ranks of all that left");
             }
         }
 

@@ -50,7 +50,7 @@ namespace SphFluid.Tests
                     expected += counts[i];
                 }
 
-                Assert.That(starts[total], Is.EqualTo((uint)particleCount), "the end of those that left");
+                Assert.That(starts[total], Is.EqualTo(expected), "the end of those that left");
                 buffers.CellCount.GetData(counts);
                 Assert.That(counts.Take(total).All(count => count == 0u), Is.True, "cleared for the next step");
             }

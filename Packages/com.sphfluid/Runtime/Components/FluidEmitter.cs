@@ -1,0 +1,140 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// A nozzle from which liquid flows along this transform's forward axis, in layers of particles that keep their distance: liquid of the
+    /// rest density leaves with the speed of the nozzle, to which the nozzle's own motion is added. Method Standard.
+    /// </summary>
+    [AddComponentMenu("SPH Fluid/Fluid Emitter")]
+    public sealed class FluidEmitter : MonoBehaviour
+    {
+        static readonly List<FluidEmitter> ActiveList = new List<FluidEmitter>();
+
+        readonly EmitterState state = new EmitterState();
+
+        [SerializeField, Tooltip("Outline of the nozzle, across this transform's forward axis.")]
+        FluidEmitterShape shape;
+
+        [SerializeField, Tooltip("Edge lengths of the nozzle along this transform's x and y axes, in metres where its scale is one. Of a line only the first counts.")]
+        Vector2 size = new Vector2(0.1f, 0.1f);
+
+        [SerializeField, Tooltip("Whether the speed at the nozzle is given, or the volume a second.")]
+        FluidEmitterFlow flow;
+
+        [SerializeField, Min(0f), Tooltip("Speed of the liquid at the nozzle in m/s.")]
+        float speed = 1f;
+
+        [SerializeField, Min(0f), Tooltip("Volume that leaves the nozzle a second in m³/s: 0.001 is a litre.")]
+        float volumeRate = 0.001f;
+
+        [SerializeField, Tooltip("Flow from the moment when the component is enabled.")]
+        bool playOnEnable = true;
+
+        [SerializeField, Min(0f), Tooltip("Seconds of the liquid's time after which the flow ends. 0: it goes on.")]
+        float duration;
+
+        [SerializeField, Tooltip("Simulation that the liquid belongs to. Empty: the simulation among its parents, else the only one " +
+            "in the scene, else the one whose domain holds this object.")]
+        FluidSimulation simulation;
+
+        /// <summary>Outline of the nozzle.</summary>
+        public FluidEmitterShape Shape { get => shape; set => shape = value; }
+
+        /// <summary>Edge lengths of the nozzle in this transform's space [m at unit scale].</summary>
+        public Vector2 Size { get => size; set => size = value; }
+
+        /// <summary>What settles the flow: <see cref="Speed"/> or <see cref="VolumeRate"/>.</summary>
+        public FluidEmitterFlow Flow { get => flow; set => flow = value; }
+
+        /// <summary>Speed at the nozzle [m/s], where <see cref="Flow"/> goes by it. A change acts from the next layer on.</summary>
+        public float Speed { get => speed; set => speed = value; }
+
+        /// <summary>Volume a second [m³/s], where <see cref="Flow"/> goes by it.</summary>
+        public float VolumeRate { get => volumeRate; set => volumeRate = value; }
+
+        /// <summary>Whether the flow begins when the component is enabled.</summary>
+        public bool PlayOnEnable { get => playOnEnable; set => playOnEnable = value; }
+
+        /// <summary>Time after which a flow ends [s]; 0: it goes on.</summary>
+        public float Duration { get => duration; set => duration = value; }
+
+        /// <summary>Simulation that the liquid belongs to; null: found as the tooltip says.</summary>
+        public FluidSimulation Simulation { get => simulation; set => simulation = value; }
+
+        /// <summary>Whether liquid flows.</summary>
+        public bool IsPlaying => isActiveAndEnabled && state.IsOn;
+
+        /// <summary>Volume that came into the liquid [m³], as of a few frames ago.</summary>
+        public double EmittedVolume => state.Emitted;
+
+        /// <summary>Volume that found no place, as liquid or a face of the domain was there [m³], as of a few frames ago.</summary>
+        public double BlockedVolume => state.Blocked;
+
+        /// <summary>Volume that was not emitted, as the liquid had as many particles as it may have [m³], as of a few frames ago.</summary>
+        public double RefusedVolume => state.Refused;
+
+        /// <summary>Enabled emitters of all loaded scenes.</summary>
+        internal static List<FluidEmitter> Active => ActiveList;
+
+        /// <summary>The emitter as of now.</summary>
+        internal EmitterSpec Spec
+        {
+            get
+            {
+                Vector3 scale = transform.lossyScale;
+                return new EmitterSpec
+                {
+                    Owner = this,
+                    State = state,
+                    Position = transform.position,
+                    Rotation = transform.rotation,
+                    Shape = shape,
+                    Size = new Vector2(size.x * Mathf.Abs(scale.x), size.y * Mathf.Abs(scale.y)),
+                    Flow = flow,
+                    Amount = flow == FluidEmitterFlow.Speed ? speed : volumeRate,
+                };
+            }
+        }
+
+        /// <summary>Lets liquid flow, for <see cref="Duration"/> where that is given.</summary>
+        public void Play()
+        {
+            state.IsOn = true;
+            state.VolumeLeft = double.PositiveInfinity;
+            state.TimeLeft = duration > 0f ? duration : double.PositiveInfinity;
+        }
+
+        /// <summary>Lets a volume flow, to the nearest layer of particles, and stops.</summary>
+        /// <param name="volume">The volume [m³].</param>
+        /// <exception cref="System.ArgumentOutOfRangeException">It is not a positive number.</exception>
+        public void Play(float volume)
+        {
+            if (!(volume > 0f) || float.IsInfinity(volume))
+                throw new System.ArgumentOutOfRangeException(nameof(volume), volume, "The volume must be a positive number of cubic metres.");
+            state.IsOn = true;
+            state.VolumeLeft = volume;
+            state.TimeLeft = double.PositiveInfinity;
+        }
+
+        /// <summary>Ends the flow; what has left the nozzle goes on.</summary>
+        public void Stop() => state.IsOn = false;
+
+        void OnEnable()
+        {
+            ActiveList.Add(this);
+            if (playOnEnable) Play();
+        }
+
+        void OnDisable()
+        {
+            ActiveList.Remove(this);
+            state.IsOn = false;
+        }
+
+        // Without a domain reload statics outlive play mode.
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        internal static void ResetStatics() => ActiveList.Clear();
+    }
+}

@@ -1,0 +1,69 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// An emitter in a running liquid. Its particles are a lattice that moves with the liquid: layers leave the nozzle at the times at which the one
+    /// before has gone the distance of layers, wherever frames and steps begin and end. A change of the speed acts from the next layer on.
+    /// </summary>
+    internal sealed class EmitterRun
+    {
+        EmitterSpec shape;
+        EmitterSites sites;
+        double next = double.NegativeInfinity;
+        Vector3 position;
+        Quaternion rotation;
+        bool hasPose;
+
+        public EmitterRun(int source) => Source = source;
+
+        /// <summary>Number of the source.</summary>
+        public int Source { get; }
+
+        /// <summary>Whether the emitter is there in the present frame.</summary>
+        public bool IsUsed { get; set; }
+
+        /// <summary>Whether it was reported that liquid is in the way, or that there are no slots.</summary>
+        public bool ReportedBlocked { get; set; }
+
+        /// <summary>Queues the layers that leave the nozzle in a frame.</summary>
+        /// <param name="emitter">The emitter at the end of the frame.</param>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="begin">Simulated time at which the frame begins [s].</param>
+        /// <param name="end">And ends.</param>
+        /// <param name="births">Receives the particles.</param>
+        public void Emit(in EmitterSpec emitter, in FluidSpec spec, double begin, double end, BirthQueue births)
+        {
+            Vector3 newPosition = spec.WorldToLocal.MultiplyPoint3x4(emitter.Position);
+            Quaternion newRotation = Quaternion.Inverse(spec.Rotation) * emitter.Rotation;
+            if (!hasPose) (position, rotation, hasPose) = (newPosition, newRotation, true);
+            if (sites == null || !IsSame(emitter, shape))
+            {
+                sites = EmitterSites.For(emitter, spec.Spacing);
+                shape = emitter;
+            }
+
+            EmitterState state = emitter.State;
+            float speed = (float)emitter.Speed(spec.Spacing);
+            Vector3 carried = end > begin ? (newPosition - position) / (float)(end - begin) : Vector3.zero;
+            double layer = sites.Places.Count * System.Math.Pow(spec.Spacing, 3);
+            next = System.Math.Max(next, begin);
+            while (state.IsOn && speed > 0f && next < end)
+            {
+                float part = (float)((next - begin) / (end - begin));
+                Quaternion turn = Quaternion.Slerp(rotation, newRotation, part);
+                Vector3 centre = Vector3.Lerp(position, newPosition, part);
+                Vector3 velocity = turn * new Vector3(0f, 0f, speed) + carried;
+                foreach (Vector2 place in sites.Places) births.Add(centre + turn * (Vector3)place, velocity, next, Source);
+                double period = sites.LayerDistance / speed;
+                next += period;
+                state.VolumeLeft -= layer;
+                state.TimeLeft -= period;
+                state.IsOn = state.VolumeLeft > 0.5 * layer && state.TimeLeft > 1e-3 * period;
+            }
+            (position, rotation) = (newPosition, newRotation);
+        }
+
+        static bool IsSame(in EmitterSpec a, in EmitterSpec b) => a.Shape == b.Shape && a.Size.Equals(b.Size);
+    }
+}

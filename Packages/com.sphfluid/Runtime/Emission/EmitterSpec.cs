@@ -1,0 +1,66 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>What an emitter is, as of one moment.</summary>
+    internal struct EmitterSpec
+    {
+        /// <summary>The component: the context of messages.</summary>
+        public Component Owner;
+
+        /// <summary>What outlives the moment; the run writes into it.</summary>
+        public EmitterState State;
+
+        /// <summary>World position of the nozzle's centre [m].</summary>
+        public Vector3 Position;
+
+        /// <summary>World rotation; liquid leaves along its z axis.</summary>
+        public Quaternion Rotation;
+
+        public FluidEmitterShape Shape;
+
+        /// <summary>Edge lengths of the nozzle [m].</summary>
+        public Vector2 Size;
+
+        public FluidEmitterFlow Flow;
+
+        /// <summary>Speed [m/s] or volume rate [m³/s], by <see cref="Flow"/>.</summary>
+        public float Amount;
+
+        /// <summary>Area of the nozzle [m²] at a particle spacing [m].</summary>
+        public readonly double Area(float spacing) => Shape switch
+        {
+            FluidEmitterShape.Disc => System.Math.PI / 4.0 * Size.x * Size.y,
+            FluidEmitterShape.Line => (double)Size.x * spacing,
+            _ => (double)Size.x * Size.y,
+        };
+
+        /// <summary>Speed at the nozzle [m/s].</summary>
+        public readonly double Speed(float spacing) => Flow == FluidEmitterFlow.Speed ? Amount : Amount / Area(spacing);
+
+        /// <summary>The owner's name.</summary>
+        public readonly string Name => Owner.name;
+    }
+
+    /// <summary>An emitter at work: whether it is on, and what it gave.</summary>
+    internal sealed class EmitterState
+    {
+        /// <summary>Whether it emits.</summary>
+        public bool IsOn;
+
+        /// <summary>Volume after which it stops [m³].</summary>
+        public double VolumeLeft = double.PositiveInfinity;
+
+        /// <summary>Time after which it stops [s].</summary>
+        public double TimeLeft = double.PositiveInfinity;
+
+        /// <summary>The run that counts for it; another begins anew.</summary>
+        public object Run;
+
+        /// <summary>Volumes since the liquid's start, as of a few frames ago [m³].</summary>
+        public double Emitted, Blocked, Refused;
+
+        /// <summary>Of these, before the source that counts now.</summary>
+        public double EmittedBefore, BlockedBefore, RefusedBefore;
+    }
+}

@@ -1,0 +1,50 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>Rules about emitters and drains.</summary>
+    internal static class EmitterChecks
+    {
+        // Over the speed of sound: faster liquid is compressed by what it hits.
+        const double FastestShare = 0.25;
+
+        /// <summary>What keeps an emitter from working; null when nothing does.</summary>
+        /// <param name="emitter">The emitter.</param>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="soundSpeed">Its speed of sound [m/s]; infinite where it is not known yet.</param>
+        public static FluidMessage? Check(in EmitterSpec emitter, in FluidSpec spec, double soundSpeed)
+        {
+            if (!AffineMath.IsFinite(emitter.Size.x) || !AffineMath.IsFinite(emitter.Size.y) || !(emitter.Size.x > 0f && emitter.Size.y > 0f))
+                return Wrong(emitter, FormattableString.Invariant($"The nozzle's size is {emitter.Size.x} x {emitter.Size.y} m."), "Give Size two numbers greater than zero.");
+            if (!AffineMath.IsFinite(emitter.Amount) || emitter.Amount < 0f)
+                return Wrong(emitter, FormattableString.Invariant($"The emitter's flow is {emitter.Amount}."), "Give its speed or volume rate zero or a greater number.");
+            double speed = emitter.Speed(spec.Spacing), sites = emitter.Area(spec.Spacing) / ((double)spec.Spacing * spec.Spacing);
+            if (sites > EmitterSites.Most)
+                return Wrong(emitter, FormattableString.Invariant($"The nozzle needs {sites:0} particles a layer at a spacing of {spec.Spacing} m; {EmitterSites.Most} are allowed."),
+                    "Use a smaller Size or a larger Particle Spacing.");
+            if (speed > FastestShare * soundSpeed)
+                return Wrong(emitter, FormattableString.Invariant($"The emitter gives liquid of {speed:0.###} m/s, more than a quarter of the speed of sound of '{spec.Name}', {soundSpeed:0.#} m/s."),
+                    FormattableString.Invariant($"Use a larger Size or less flow, or set the simulation's Expected Speed to {speed:0.#} m/s."));
+            return null;
+        }
+
+        /// <summary>Checks the emitters and drains of a simulation before it starts.</summary>
+        public static void Check(in FluidSpec spec, List<FluidMessage> messages)
+        {
+            int count = (spec.Emitters?.Count ?? 0) + (spec.Drains?.Count ?? 0);
+            if (count > 0 && FluidMethods.Has(spec.Method) && !FluidMethods.Has(spec.Method, FluidMethodFeatures.ChangingCount))
+                messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, spec.Owner,
+                    $"The method {spec.Method} has a fixed number of particles: its emitters and drains do nothing.", "Set Method to Standard."));
+            for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
+                if (Check(spec.Emitters[i], spec, double.PositiveInfinity) is FluidMessage wrong) messages.Add(wrong);
+            if (spec.CapacityPolicy != FluidCapacityPolicy.Grow && spec.Capacity < 0)
+                messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.TooManyParticles, spec.Owner, $"The capacity is {spec.Capacity} particles.",
+                    "Give Capacity a number greater than zero, or zero for Max Particles of the profile."));
+        }
+
+        static FluidMessage Wrong(in EmitterSpec emitter, string text, string cure) =>
+            new FluidMessage(FluidSeverity.Error, FluidIssue.EmitterInvalid, emitter.Owner, text, cure);
+    }
+}

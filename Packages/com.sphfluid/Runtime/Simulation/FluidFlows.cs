@@ -1,0 +1,231 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>What emitters, drains and scripts bring into a running liquid and take out of it, frame by frame.</summary>
+    internal sealed class FluidFlows
+    {
+        // Of what an emitter gives: less is the first layer against liquid at rest.
+        const double BlockedShare = 0.02;
+
+        readonly FluidSolver solver;
+        readonly Action<FluidMessage> report;
+        readonly Dictionary<EmitterState, EmitterRun> emitters = new Dictionary<EmitterState, EmitterRun>();
+        readonly Dictionary<DrainState, int> drainSources = new Dictionary<DrainState, int>();
+        readonly List<EmitterState> gone = new List<EmitterState>();
+        readonly List<DrainState> goneDrains = new List<DrainState>();
+        readonly List<(DrainZone zone, int source)> zones = new List<(DrainZone, int)>();
+        readonly List<DrainZone> once = new List<DrainZone>();
+        int knownCapacity;
+        bool reportedRecycling, reportedFull;
+
+        public FluidFlows(FluidSolver solver, Action<FluidMessage> report)
+        {
+            this.solver = solver;
+            this.report = report;
+            knownCapacity = solver.Capacity;
+        }
+
+        /// <summary>Whether something comes or goes, so that the liquid cannot sleep.</summary>
+        public bool Acts(in FluidSpec spec)
+        {
+            if (spec.Drains?.Count > 0 || once.Count > 0 || IsUsed && solver.Exchange.Births.Waiting > 0) return true;
+            for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
+                if (spec.Emitters[i].State.IsOn) return true;
+            return false;
+        }
+
+        /// <summary>Speed of the fastest emitter that is on [m/s]: known before its liquid is there.</summary>
+        public double FastestSpeed(in FluidSpec spec)
+        {
+            double fastest = 0.0;
+            for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
+            {
+                double speed = spec.Emitters[i].State.IsOn ? spec.Emitters[i].Speed(spec.Spacing) : 0.0;
+                if (speed > fastest && !double.IsInfinity(speed)) fastest = speed;
+            }
+            return fastest;
+        }
+
+        /// <summary>Removes the liquid in a zone with the next steps.</summary>
+        public void Remove(in DrainZone zone)
+        {
+            Use();
+            once.Add(zone);
+        }
+
+        /// <summary>Adds particles with the next steps, where there is a place for them.</summary>
+        /// <param name="particles">Positions and velocities in simulation space.</param>
+        public void Add(IReadOnlyList<FluidParticle> particles)
+        {
+            Use();
+            for (int i = 0; i < particles.Count; i++)
+                solver.Exchange.Births.Add(particles[i].Position, particles[i].VelT0, solver.SimulatedTime, SourceCounts.Added);
+        }
+
+        /// <summary>To be called before the steps of a frame are recorded.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="time">Time that the steps take [s].</param>
+        public void Begin(in FluidSpec spec, double time)
+        {
+            if (!IsUsed && !(spec.Emitters?.Count > 0) && !(spec.Drains?.Count > 0)) return;
+            if (!solver.Exchanges) return; // a check has said so
+            Use();
+            ParticleExchange exchange = solver.Exchange;
+            exchange.MostParticles = spec.MostParticles;
+            exchange.Recycles = spec.CapacityPolicy == FluidCapacityPolicy.RecycleOldest;
+            Emit(spec, time);
+            Drain(spec);
+        }
+
+        /// <summary>To be called after they are recorded.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="steps">Number of steps.</param>
+        public void End(in FluidSpec spec, int steps)
+        {
+            if (!IsUsed) return;
+            if (steps > 0) once.Clear();
+            Count(spec);
+            Report(spec);
+        }
+
+        bool IsUsed { get; set; }
+
+        void Use() => IsUsed = true;
+
+        void Emit(in FluidSpec spec, double time)
+        {
+            foreach (EmitterRun run in emitters.Values) run.IsUsed = false;
+            double begin = solver.SimulatedTime;
+            for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
+            {
+                EmitterSpec emitter = spec.Emitters[i];
+                if (!emitters.TryGetValue(emitter.State, out EmitterRun run))
+                {
+                    if (!solver.Exchange.Counts.TryOpen(out int source))
+                    {
+                        ReportTooMany(spec, emitter.Owner);
+                        continue;
+                    }
+                    emitters.Add(emitter.State, run = new EmitterRun(source));
+                    Adopt(emitter.State);
+                }
+                run.IsUsed = true;
+                if (EmitterChecks.Check(emitter, spec, solver.Settings.SoundSpeed) is FluidMessage wrong) report(wrong);
+                else run.Emit(emitter, spec, begin, begin + time, solver.Exchange.Births);
+            }
+            gone.Clear();
+            foreach (KeyValuePair<EmitterState, EmitterRun> pair in emitters)
+                if (!pair.Value.IsUsed) gone.Add(pair.Key);
+            foreach (EmitterState state in gone)
+            {
+                solver.Exchange.Counts.Close(emitters[state].Source);
+                emitters.Remove(state);
+            }
+        }
+
+        // One that was disabled goes on counting.
+        void Adopt(EmitterState state)
+        {
+            if (state.Run != this) (state.Run, state.Emitted, state.Blocked, state.Refused) = (this, 0.0, 0.0, 0.0);
+            (state.EmittedBefore, state.BlockedBefore, state.RefusedBefore) = (state.Emitted, state.Blocked, state.Refused);
+        }
+
+        void Drain(in FluidSpec spec)
+        {
+            zones.Clear();
+            Matrix4x4 worldToLocal = spec.WorldToLocal;
+            for (int i = 0; i < (spec.Drains?.Count ?? 0); i++)
+            {
+                DrainSpec drain = spec.Drains[i];
+                if (!drainSources.TryGetValue(drain.State, out int source))
+                {
+                    if (!solver.Exchange.Counts.TryOpen(out source))
+                    {
+                        ReportTooMany(spec, drain.Owner);
+                        continue;
+                    }
+                    drainSources.Add(drain.State, source);
+                    if (drain.State.Run != this) (drain.State.Run, drain.State.Drained) = (this, 0.0);
+                    drain.State.Before = drain.State.Drained;
+                }
+                if (zones.Count < ParticleExchange.MostDrains) zones.Add((drain.Zone(worldToLocal), source));
+                else ReportTooMany(spec, drain.Owner);
+            }
+            goneDrains.Clear();
+            foreach (DrainState state in drainSources.Keys)
+                if (!IsThere(spec.Drains, state)) goneDrains.Add(state);
+            foreach (DrainState state in goneDrains)
+            {
+                solver.Exchange.Counts.Close(drainSources[state]);
+                drainSources.Remove(state);
+            }
+            for (int i = 0; i < once.Count; i++)
+            {
+                if (zones.Count < ParticleExchange.MostDrains) zones.Add((once[i], SourceCounts.Removed));
+                else ReportTooMany(spec, spec.Owner);
+            }
+            solver.Exchange.SetDrains(zones);
+        }
+
+        static bool IsThere(IReadOnlyList<DrainSpec> drains, DrainState state)
+        {
+            for (int i = 0; i < (drains?.Count ?? 0); i++)
+                if (drains[i].State == state) return true;
+            return false;
+        }
+
+        void Count(in FluidSpec spec)
+        {
+            double volume = Math.Pow(spec.Spacing, 3);
+            SourceCounts counts = solver.Exchange.Counts;
+            foreach (KeyValuePair<EmitterState, EmitterRun> pair in emitters)
+            {
+                EmitterState state = pair.Key;
+                int source = pair.Value.Source;
+                state.Emitted = state.EmittedBefore + volume * counts.Passed(source);
+                state.Blocked = state.BlockedBefore + volume * counts.Blocked(source);
+                state.Refused = state.RefusedBefore + volume * counts.Refused(source);
+            }
+            foreach (KeyValuePair<DrainState, int> pair in drainSources) pair.Key.Drained = pair.Key.Before + volume * counts.Passed(pair.Value);
+        }
+
+        void Report(in FluidSpec spec)
+        {
+            if (solver.Capacity > knownCapacity)
+                report(new FluidMessage(FluidSeverity.Info, FluidIssue.CapacityGrown, spec.Owner,
+                    FormattableString.Invariant($"There are slots for {solver.Capacity} particles now, as more liquid came in."), ""));
+            knownCapacity = solver.Capacity;
+            if (!reportedRecycling && solver.Exchange.Counts.Passed(SourceCounts.Recycled) > 0)
+            {
+                reportedRecycling = true;
+                report(new FluidMessage(FluidSeverity.Info, FluidIssue.CapacityReached, spec.Owner,
+                    FormattableString.Invariant($"The liquid has {spec.MostParticles} particles, and the oldest leave for those that come in."), ""));
+            }
+            if (!reportedFull && solver.Counters.Refused > 0)
+            {
+                reportedFull = true;
+                report(new FluidMessage(FluidSeverity.Warning, FluidIssue.CapacityReached, spec.Owner,
+                    FormattableString.Invariant($"The liquid has {spec.MostParticles} particles, as many as it may have: nothing more comes in."),
+                    "Raise Capacity, or Max Particles in the profile, add a Fluid Drain, or set Capacity Policy to Recycle Oldest."));
+            }
+            for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
+            {
+                EmitterSpec emitter = spec.Emitters[i];
+                if (!emitters.TryGetValue(emitter.State, out EmitterRun run) || run.ReportedBlocked) continue;
+                double given = emitter.State.Emitted + emitter.State.Blocked;
+                if (!(emitter.State.Blocked > BlockedShare * given)) continue;
+                run.ReportedBlocked = true;
+                report(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterBlocked, emitter.Owner,
+                    FormattableString.Invariant($"Of what the emitter gives {100.0 * emitter.State.Blocked / given:0} % finds no place: liquid stands before the nozzle, or the nozzle reaches out of the domain."),
+                    "Raise the nozzle out of the liquid, move it into the domain, or raise its speed."));
+            }
+        }
+
+        void ReportTooMany(in FluidSpec spec, Component owner) => report(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, owner,
+            $"'{spec.Name}' has {SourceCounts.Most} emitters and drains, or {ParticleExchange.MostDrains} drains, as many as a liquid may have; this one does nothing.",
+            "Disable some, or make one of several."));
+    }
+}

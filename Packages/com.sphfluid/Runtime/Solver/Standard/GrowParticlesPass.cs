@@ -1,0 +1,55 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Moves the particles into larger buffers, after the motion of a step that sorts.</summary>
+    internal sealed class GrowParticlesPass : ComputePass
+    {
+        static readonly int ParticleCount = Id("_ParticleCount");
+
+        readonly ComputeKernel kernel;
+
+        public GrowParticlesPass(FluidShaderSet shaders)
+            : base(shaders, "GrowParticles")
+        {
+            kernel = Kernel();
+        }
+
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="state">The new buffers.</param>
+        /// <param name="old">Those before.</param>
+        /// <param name="count">Particles to copy.</param>
+        public void Record(CommandBuffer cmd, StandardState state, in StandardRemains old, int count)
+        {
+            StandardBuffers buffers = state.Buffers;
+            using (Sample(cmd))
+            {
+                kernel.SetBuffer(cmd, buffers.NewPositions.Id, old.NewPositions);
+                kernel.SetBuffer(cmd, buffers.NewVelocities.Id, old.NewVelocities);
+                kernel.SetBuffer(cmd, buffers.Rank.Id, old.Rank);
+                kernel.SetBuffer(cmd, state.List.Counts.Id, old.NeighbourCounts);
+                kernel.SetOut(cmd, buffers.NewPositions);
+                kernel.SetOut(cmd, buffers.NewVelocities);
+                kernel.SetOut(cmd, buffers.Rank);
+                kernel.SetOut(cmd, state.List.Counts);
+                kernel.SetInt(cmd, ParticleCount, count);
+                kernel.DispatchThreads(cmd, count);
+            }
+        }
+    }
+
+    /// <summary>What a step that sorts leaves of the particles.</summary>
+    internal readonly struct StandardRemains
+    {
+        public readonly GraphicsBuffer NewPositions, NewVelocities, Rank, NeighbourCounts;
+
+        public StandardRemains(StandardState state)
+        {
+            NewPositions = state.Buffers.NewPositions;
+            NewVelocities = state.Buffers.NewVelocities;
+            Rank = state.Buffers.Rank;
+            NeighbourCounts = state.List.Counts;
+        }
+    }
+}

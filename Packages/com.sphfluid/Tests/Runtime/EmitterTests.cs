@@ -1,0 +1,202 @@
+using System.Collections;
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Liquid that comes and goes, by components and by script.</summary>
+    public sealed class EmitterTests
+    {
+        const float Spacing = 0.02f;
+
+        SimulationRig rig;
+
+        [SetUp]
+        public void SetUp() => rig = new SimulationRig();
+
+        [TearDown]
+        public void TearDown() => rig.Dispose();
+
+        FluidSimulation Tank(bool gravity, bool liquid = false)
+        {
+            FluidSimulation simulation = rig.Create("Tank", liquid);
+            simulation.DomainSize = new Vector3(0.4f, 0.8f, 0.4f);
+            simulation.Spacing = Spacing;
+            simulation.UseSceneGravity = gravity;
+            simulation.Gravity = Vector3.zero;
+            return simulation;
+        }
+
+        FluidEmitter Nozzle(FluidSimulation simulation, Vector3 place, Vector3 direction, float width, float speed)
+        {
+            GameObject holder = rig.NewObject("Nozzle");
+            holder.transform.SetParent(simulation.transform, false);
+            holder.transform.localPosition = place;
+            holder.transform.localRotation = Quaternion.LookRotation(direction, Vector3.right);
+            FluidEmitter emitter = holder.AddComponent<FluidEmitter>();
+            emitter.Size = new Vector2(width, width);
+            emitter.Speed = speed;
+            return emitter;
+        }
+
+        [UnityTest]
+        public IEnumerator AFreeJetHasTheDensityTheSpeedAndTheVolumeOfItsNozzle()
+        {
+            FluidSimulation simulation = Tank(false);
+            FluidEmitter emitter = Nozzle(simulation, new Vector3(0.03f, -0.3f, -0.01f), new Vector3(0.2f, 1f, 0.1f), 0.13f, 1.3f);
+            float longest = 0f;
+            for (int frame = 0; frame < 30; frame++)
+            {
+                yield return null;
+                if (!simulation.IsRunning) continue;
+                FluidParticle[] particles = SimulationRig.Read(simulation);
+                float[] density = GpuTest.Read<float>(simulation.Solver.Density, particles.Length);
+                if (density.Length > 0) longest = Mathf.Max(longest, density.Max());
+            }
+            FluidParticle[] jet = SimulationRig.Read(simulation);
+            double layer = emitter.Spec.Area(Spacing) * 1.3 * 0.01; // of a frame
+            double volume = jet.Length * System.Math.Pow(Spacing, 3), expected = emitter.Spec.Area(Spacing) * 1.3 * simulation.SimulatedTime;
+            int sites = EmitterSites.For(emitter.Spec, Spacing).Places.Count;
+            Assert.That(volume, Is.EqualTo(expected).Within(1.01 * sites * System.Math.Pow(Spacing, 3)), "one layer");
+            Assert.That(layer, Is.Positive);
+            Assert.That(longest, Is.LessThan(1010f), "largest density");
+            Vector3 along = (simulation.transform.InverseTransformDirection(emitter.transform.forward)).normalized;
+            foreach (FluidParticle particle in jet)
+                Assert.That((particle.VelT0 - 1.3f * along).magnitude, Is.LessThan(0.013f), $"velocity of {particle.Id}");
+            Assert.That(Nearest(jet), Is.GreaterThan(0.9f * Spacing));
+            FluidCounters counters = simulation.Solver.ReadCountersNow();
+            Assert.That((counters.Blocked, counters.Refused), Is.EqualTo((0L, 0L)));
+            Assert.That(simulation.Messages.Where(m => m.Severity != FluidSeverity.Info).Select(m => m.ToString()), Is.Empty);
+        }
+
+        static float Nearest(FluidParticle[] particles)
+        {
+            float nearest = float.PositiveInfinity;
+            for (int i = 0; i < particles.Length; i++)
+                for (int k = 0; k < i; k++) nearest = Mathf.Min(nearest, (particles[i].Position - particles[k].Position).sqrMagnitude);
+            return Mathf.Sqrt(nearest);
+        }
+
+        [UnityTest]
+        public IEnumerator WhatIsPouredDrainsAndTwoRunsAreEqual()
+        {
+            var ends = new List<FluidParticle[]>();
+            for (int run = 0; run < 2; run++)
+            {
+                FluidSimulation simulation = Tank(true);
+                simulation.DomainSize = new Vector3(0.3f, 0.4f, 0.3f);
+                simulation.CapacityPolicy = FluidCapacityPolicy.RecycleOldest;
+                simulation.Capacity = 500;
+                FluidEmitter emitter = Nozzle(simulation, new Vector3(0f, 0.15f, 0f), Vector3.down, 0.08f, 1f);
+                emitter.Shape = FluidEmitterShape.Rectangle;
+                GameObject holder = rig.NewObject("Drain");
+                holder.transform.SetParent(simulation.transform, false);
+                holder.transform.localPosition = new Vector3(0.12f, -0.17f, 0.12f);
+                FluidDrain drain = holder.AddComponent<FluidDrain>();
+                drain.Size = new Vector3(0.06f, 0.06f, 0.06f);
+                while (!simulation.IsRunning || simulation.SimulatedTime < 0.9) yield return null;
+                FluidCounters counters = simulation.Solver.ReadCountersNow();
+                FluidParticle[] particles = SimulationRig.Read(simulation);
+                Assert.That(particles.Length, Is.EqualTo(counters.Born - counters.Removed).And.LessThanOrEqualTo(500));
+                Assert.That(counters.Born, Is.GreaterThan(650));
+                Assert.That(drain.DrainedVolume, Is.GreaterThan(0.0));
+                Assert.That(emitter.EmittedVolume, Is.GreaterThan(600 * System.Math.Pow(Spacing, 3)));
+                Assert.That(simulation.Messages.Any(m => m.Issue == FluidIssue.CapacityReached), "recycling is reported");
+                Assert.That(simulation.Messages.Any(m => m.Issue == FluidIssue.CapacityGrown), "so is growth");
+                ends.Add(particles);
+                Object.DestroyImmediate(simulation.gameObject);
+            }
+            Assert.That(ends[0], Is.EqualTo(ends[1]), "to the last bit");
+        }
+
+        [UnityTest]
+        public IEnumerator LiquidIsAddedWhereThereIsAPlaceAndRemoved()
+        {
+            FluidSimulation simulation = Tank(false, true);
+            Assert.That(() => simulation.AddLiquid(Vector3.zero, Vector3.one, Quaternion.identity), Throws.InvalidOperationException);
+            while (!simulation.IsRunning) yield return null;
+            int start = simulation.ParticleCount;
+            Assert.That(start, Is.EqualTo(1000));
+            int tried = simulation.AddLiquid(new Vector3(0f, 0.1f, 0f), new Vector3(0.2f, 0.2f, 0.2f), Quaternion.identity, new Vector3(0f, 0f, 0f));
+            Assert.That(tried, Is.EqualTo(1000));
+            for (int frame = 0; frame < 5; frame++) yield return null; // one may have no step
+            FluidCounters counters = simulation.Solver.ReadCountersNow();
+            Assert.That(counters.Born + counters.Blocked, Is.EqualTo(1000));
+            Assert.That(counters.Born, Is.InRange(400, 500), "half of it is liquid already, and nobody stands nearer than 0.9 dx");
+            Assert.That(simulation.ParticleCount, Is.EqualTo(1000 + counters.Born));
+            simulation.RemoveLiquid(simulation.transform.TransformPoint(new Vector3(0f, 0.2f, 0f)), 0.08f);
+            for (int frame = 0; frame < 5; frame++) yield return null; // one may have no step
+            Assert.That(SimulationRig.Read(simulation).Count(p => (p.Position - new Vector3(0f, 0.2f, 0f)).magnitude < 0.06f), Is.Zero);
+            simulation.RemoveLiquid(simulation.transform.position, 2f * Vector3.one, Quaternion.identity);
+            for (int frame = 0; frame < 5; frame++) yield return null; // one may have no step
+            Assert.That(SimulationRig.Read(simulation), Is.Empty);
+            FluidVolume volume = rig.AddVolume(simulation);
+            Assert.That(simulation.AddLiquid(volume), Is.EqualTo(1000));
+            for (int frame = 0; frame < 5; frame++) yield return null;
+            FluidCounters end = simulation.Solver.ReadCountersNow();
+            Assert.That((end.Refused, end.Blocked - counters.Blocked), Is.EqualTo((0L, 0L)));
+            Assert.That(SimulationRig.Read(simulation).Length, Is.EqualTo(1000));
+            Assert.That(simulation.ParticleCount, Is.EqualTo(1000));
+        }
+
+        [UnityTest]
+        public IEnumerator AVolumeFlowsAndStops()
+        {
+            FluidSimulation simulation = Tank(true);
+            FluidEmitter emitter = Nozzle(simulation, new Vector3(0f, 0.3f, 0f), Vector3.down, 0.08f, 1f);
+            emitter.Shape = FluidEmitterShape.Rectangle;
+            emitter.Stop();
+            for (int frame = 0; frame < 3; frame++) yield return null;
+            Assert.That(simulation.IsRunning, "an empty liquid runs where something can pour into it");
+            Assert.That((emitter.IsPlaying, simulation.ParticleCount), Is.EqualTo((false, 0)));
+            emitter.Play(0.00064f); // 80 particles, 5 layers of 16
+            for (int frame = 0; frame < 25; frame++) yield return null;
+            Assert.That(emitter.IsPlaying, Is.False);
+            Assert.That(SimulationRig.Read(simulation).Length, Is.EqualTo(80));
+            Assert.That(emitter.EmittedVolume, Is.EqualTo(0.00064).Within(1e-9));
+            Assert.That(() => emitter.Play(0f), Throws.InstanceOf<System.ArgumentOutOfRangeException>());
+            emitter.Duration = 0.1f;
+            emitter.Play();
+            for (int frame = 0; frame < 25; frame++) yield return null;
+            Assert.That(SimulationRig.Read(simulation).Length, Is.EqualTo(160));
+        }
+
+        [UnityTest]
+        public IEnumerator WhatCannotBeIsReported()
+        {
+            FluidSimulation simulation = Tank(true);
+            FluidEmitter emitter = Nozzle(simulation, new Vector3(0f, 0.3f, 0f), Vector3.down, 0.08f, 1f);
+            while (!simulation.IsRunning) yield return null;
+            emitter.Speed = 1000f;
+            LogAssert.Expect(LogType.Error, new System.Text.RegularExpressions.Regex("Nozzle.*1000 m/s.*quarter.*Expected Speed"));
+            yield return null;
+            emitter.Speed = float.NaN;
+            LogAssert.Expect(LogType.Error, new System.Text.RegularExpressions.Regex("Nozzle.*flow is NaN"));
+            yield return null;
+            emitter.Size = new Vector2(0f, 1f);
+            LogAssert.Expect(LogType.Error, new System.Text.RegularExpressions.Regex("Nozzle.*size is 0 x 1 m"));
+            yield return null;
+            emitter.Size = new Vector2(0.08f, 0.08f);
+            emitter.Speed = 1f;
+            emitter.transform.localPosition = new Vector3(0f, 3f, 0f);
+            LogAssert.Expect(LogType.Warning, new System.Text.RegularExpressions.Regex("Nozzle.*100 % finds no place"));
+            for (int frame = 0; frame < 8; frame++) yield return null;
+            Assert.That(SimulationRig.Read(simulation).All(p => Mathf.Abs(p.Position.y) <= 0.4f));
+        }
+
+        [UnityTest]
+        public IEnumerator TheThesisMethodSaysThatItsNumberIsFixed()
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.Method = FluidMethodKind.Thesis;
+            Nozzle(simulation, new Vector3(0f, 0.15f, 0f), Vector3.down, 0.1f, 1f);
+            LogAssert.Expect(LogType.Warning, new System.Text.RegularExpressions.Regex("fixed number of particles"));
+            for (int frame = 0; frame < 3; frame++) yield return null;
+            Assert.That(simulation.ParticleCount, Is.EqualTo(64));
+            Assert.That(() => simulation.AddLiquid(Vector3.zero, Vector3.one, Quaternion.identity), Throws.InvalidOperationException);
+        }
+    }
+}
