@@ -30,11 +30,11 @@ namespace SphFluid.Editor
         });
 
         /// <summary>A number of particles, of which some may have left.</summary>
-        /// <param name="count">Those at the start.</param>
+        /// <param name="count">Those that are there.</param>
         /// <param name="removed">Those that left.</param>
         /// <returns>The text.</returns>
         public static string Particles(long count, long removed) =>
-            removed == 0 ? Invariant($"{count:N0}") : Invariant($"{count - removed:N0}; {removed:N0} left the domain");
+            removed == 0 ? Invariant($"{count:N0}") : Invariant($"{count:N0}; {removed:N0} have left");
 
         static (string, string) Cells(in FluidSolverSettings settings) =>
             ("Cells", Invariant($"{CellChecks.Needed(settings):N0} of {CellChecks.Most(settings.Method):N0} at most"));

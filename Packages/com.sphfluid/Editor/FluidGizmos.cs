@@ -8,6 +8,7 @@ namespace SphFluid.Editor
     {
         public static readonly Color DomainColor = new Color(0.35f, 0.75f, 1f, 1f);
         public static readonly Color VolumeColor = new Color(0.1f, 0.4f, 1f, 1f);
+        public static readonly Color DrainColor = new Color(1f, 0.55f, 0.1f, 1f);
         const float Faint = 0.4f;
         const float Fill = 0.12f;
 
@@ -62,6 +63,52 @@ namespace SphFluid.Editor
                     if (!solid) DrawLevel(volume);
                     break;
             }
+        }
+
+        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
+        static void DrawEmitter(FluidEmitter emitter, GizmoType type)
+        {
+            EmitterSpec spec = emitter.Spec;
+            Color color = VolumeColor;
+            color.a = (type & GizmoType.Selected) != 0 ? 1f : Faint;
+            Gizmos.color = color;
+            Gizmos.matrix = Matrix4x4.TRS(spec.Position, spec.Rotation, Vector3.one);
+            float arrow = Mathf.Max(spec.Size.x, spec.Size.y);
+            Gizmos.DrawLine(Vector3.zero, new Vector3(0f, 0f, arrow));
+            Gizmos.DrawLine(new Vector3(0f, 0f, arrow), new Vector3(0.15f * arrow, 0f, 0.75f * arrow));
+            Gizmos.DrawLine(new Vector3(0f, 0f, arrow), new Vector3(-0.15f * arrow, 0f, 0.75f * arrow));
+            if (spec.Shape == FluidEmitterShape.Disc) DrawEllipse(0.5f * spec.Size);
+            else Gizmos.DrawWireCube(Vector3.zero, new Vector3(spec.Size.x, spec.Shape == FluidEmitterShape.Line ? 0f : spec.Size.y, 0f));
+        }
+
+        static void DrawEllipse(Vector2 half)
+        {
+            const int sides = 32;
+            var last = new Vector3(half.x, 0f, 0f);
+            for (int i = 1; i <= sides; i++)
+            {
+                float angle = 2f * Mathf.PI * i / sides;
+                var next = new Vector3(half.x * Mathf.Cos(angle), half.y * Mathf.Sin(angle), 0f);
+                Gizmos.DrawLine(last, next);
+                last = next;
+            }
+        }
+
+        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
+        static void DrawDrain(FluidDrain drain, GizmoType type)
+        {
+            DrainSpec spec = drain.Spec;
+            Color color = DrainColor;
+            color.a = (type & GizmoType.Selected) != 0 ? 1f : Faint;
+            Gizmos.color = color;
+            Gizmos.matrix = spec.Frame;
+            if (spec.IsBox)
+            {
+                Gizmos.DrawWireCube(Vector3.zero, 2f * Vector3.one);
+                return;
+            }
+            Gizmos.DrawWireSphere(new Vector3(0f, spec.Length, 0f), 1f);
+            if (spec.Length > 0f) Gizmos.DrawWireSphere(new Vector3(0f, -spec.Length, 0f), 1f);
         }
 
         // The point that the vessel is filled round, and the height of the surface above it.

@@ -41,6 +41,21 @@ namespace SphFluid.Editor
         [MenuItem(Root + "Fluid Volume (Vessel)", false, Priority + 4)]
         public static void CreateVessel(MenuCommand command) => CreateShape(command, "Fluid Vessel", FluidVolumeShape.Vessel);
 
+        /// <summary>A nozzle that points down, child of the selected object.</summary>
+        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
+        [MenuItem(Root + "Fluid Emitter", false, Priority + 5)]
+        public static void CreateEmitter(MenuCommand command)
+        {
+            GameObject created = NewObject("Fluid Emitter", command.context as GameObject, typeof(FluidEmitter));
+            created.transform.localRotation = Quaternion.LookRotation(Vector3.down, Vector3.forward);
+            Finish(created);
+        }
+
+        /// <summary>A place where liquid leaves, child of the selected object.</summary>
+        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
+        [MenuItem(Root + "Fluid Drain", false, Priority + 6)]
+        public static void CreateDrain(MenuCommand command) => Finish(NewObject("Fluid Drain", command.context as GameObject, typeof(FluidDrain)));
+
         static void CreateShape(MenuCommand command, string name, FluidVolumeShape shape)
         {
             GameObject created = NewObject(name, command.context as GameObject, typeof(FluidVolume));

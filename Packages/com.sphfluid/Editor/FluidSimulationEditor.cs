@@ -86,6 +86,8 @@ namespace SphFluid.Editor
             if (!isFixed && !mode.hasMultipleDifferentValues) hidden.Add("fixedTimeStep");
             SerializedProperty sceneGravity = edited.FindProperty("useSceneGravity");
             if (sceneGravity.boolValue && !sceneGravity.hasMultipleDifferentValues) hidden.Add("gravity");
+            SerializedProperty policy = edited.FindProperty("capacityPolicy");
+            if (policy.enumValueIndex == (int)FluidCapacityPolicy.Grow && !policy.hasMultipleDifferentValues) hidden.Add("capacity");
             SerializedProperty relaxation = edited.FindProperty("startRelaxation");
             bool isSet = relaxation.enumValueIndex != (int)FluidStartRelaxation.None || relaxation.hasMultipleDifferentValues;
             if (!isSet && !AnyRelaxes(edited)) hidden.Add("startRelaxation");

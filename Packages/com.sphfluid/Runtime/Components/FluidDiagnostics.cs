@@ -99,14 +99,14 @@ namespace SphFluid
             }
             meter.MeasuredAt += Receive;
             detectors = new FluidDetectors(solver.Settings, simulation.Profile.KinematicViscosity);
-            colliderChanges = simulation.Collision.Changes;
+            colliderChanges = simulation.Collision.Changes + solver.BirthCount;
             Take(detectors.Check());
         }
 
         void Measure()
         {
-            // A collider that moved since the last measurement has done work.
-            long changes = simulation.Collision.Changes;
+            // A collider that moved since the last measurement has done work, and liquid that was born brings energy.
+            long changes = simulation.Collision.Changes + meter.Solver.BirthCount;
             commands ??= new CommandBuffer { name = "Fluid Diagnostics" };
             commands.Clear();
             meter.Record(commands, changes != colliderChanges);

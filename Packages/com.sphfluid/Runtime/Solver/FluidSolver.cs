@@ -140,6 +140,9 @@ namespace SphFluid
 
         internal FluidState State => state;
 
+        /// <summary>Births recorded since the start, whatever becomes of them.</summary>
+        internal long BirthCount => exchange?.Births.Taken ?? 0;
+
         /// <summary>Whether particles can come and go.</summary>
         internal bool Exchanges => stepper is IExchangingStepper;
 

@@ -40,7 +40,7 @@ namespace SphFluid.Tests
         public void ParticlesThatLeftAreSaid()
         {
             Assert.That(DomainText.Particles(12000, 0), Is.EqualTo("12,000"));
-            Assert.That(DomainText.Particles(12000, 3000), Is.EqualTo("9,000; 3,000 left the domain"));
+            Assert.That(DomainText.Particles(9000, 3000), Is.EqualTo("9,000; 3,000 have left"));
         }
 
         static string Value(DomainText text, string label) => text.Lines.Single(line => line.Label == label).Value;
