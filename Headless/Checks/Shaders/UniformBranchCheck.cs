@@ -19,6 +19,7 @@ internal sealed class UniformBranchCheck(ProjectPackages packages, string shader
         ["StandardDensity: _PeriodLength"] = NothingGained,
         ["MoveParticles: _PeriodLength"] = NothingGained,
         ["ListedDensity: _PeriodLength"] = NothingGained,
+        ["BirthParticles: _PeriodLength"] = "the same search in few steps, for few particles",
         ["BeginSurfaceRound: _LateRound"] = "a single thread of a few instructions; Mesa leaves kernels of 100 values or fewer alone",
         ["SetMCGridDensityFactors: _MCWallCompletion"] = "once a frame, and the frame's work of a second hides a translation of milliseconds",
     };

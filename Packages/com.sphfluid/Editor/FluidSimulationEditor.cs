@@ -123,7 +123,7 @@ namespace SphFluid.Editor
             FluidSimulation simulation = Simulation;
             EditorGUILayout.Space();
             EditorGUILayout.LabelField("Status", EditorStyles.boldLabel);
-            EditorGUILayout.LabelField("State", simulation.IsAsleep ? "asleep" : simulation.IsRunning ? "running" : "stopped");
+            EditorGUILayout.LabelField("State", !simulation.IsRunning ? "stopped" : simulation.Paused ? "paused" : simulation.IsAsleep ? "asleep" : "running");
             if (simulation.IsRunning)
             {
                 FluidCounters counters = simulation.Solver.Counters;

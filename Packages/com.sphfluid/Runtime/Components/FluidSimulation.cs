@@ -43,6 +43,12 @@ namespace SphFluid
         [SerializeField, Tooltip("Liquid that rests takes no steps until something touches it: a collider that moves, a changed setting, a script.")]
         bool sleepsAtRest = true;
 
+        [SerializeField, Tooltip("The liquid stands still and is drawn on. Colliders that move meanwhile go through their motion with the first step after it.")]
+        bool paused;
+
+        [SerializeField, Min(0f), Tooltip("Time of this liquid over the scene's time: 1 as fast as the scene, 0.5 half as fast, 0 stands still. Time.timeScale acts besides.")]
+        float timeScale = 1f;
+
         [SerializeField, Range(1, 1000), Tooltip("Most steps a frame. Where more are needed the liquid moves slower than time, and the console says so.")]
         int maxSubstepsPerFrame = 64;
 
@@ -90,6 +96,7 @@ namespace SphFluid
         readonly List<DrainSpec> drains = new List<DrainSpec>();
         FluidRun run;
         bool requested;
+        int singleSteps;
         (FluidStartKey, FluidLiveKey)? failed;
         readonly List<FluidMessage> messages = new List<FluidMessage>();
 
@@ -128,6 +135,19 @@ namespace SphFluid
 
         /// <summary>Time step in fixed mode [s].</summary>
         public float FixedTimeStep { get => fixedTimeStep; set => fixedTimeStep = value; }
+
+        /// <summary>
+        /// Whether the liquid stands still: it keeps its state, is drawn on and takes no steps but those of <see cref="StepOnce"/>. No time is made up
+        /// for afterwards. Changed settings act with the next step. The motion of colliders during the pause joins into one that the next frame with
+        /// steps goes through; one too long to follow is a jump, reported as <see cref="FluidIssue.ColliderJumped"/>.
+        /// </summary>
+        public bool Paused { get => paused; set => paused = value; }
+
+        /// <summary>
+        /// Time of this liquid over Unity's scaled time, 0 or more; 1 by default. Time.timeScale acts besides. Faster than the liquid can be computed
+        /// it moves as fast as <see cref="MaxSubstepsPerFrame"/> allows. Below 0 or not finite it is reported, and the liquid stands still.
+        /// </summary>
+        public float TimeScale { get => timeScale; set => timeScale = value; }
 
         /// <summary>Most steps a frame, at least 1.</summary>
         public int MaxSubstepsPerFrame { get => Mathf.Max(1, maxSubstepsPerFrame); set => maxSubstepsPerFrame = value; }
@@ -351,6 +371,16 @@ namespace SphFluid
             return run;
         }
 
+        /// <summary>
+        /// Pauses the liquid and takes one step of <see cref="TimeStep"/> in the next LateUpdate, whatever Time.timeScale and <see cref="TimeScale"/> are; two
+        /// calls take two. Liquid that is asleep wakes. Stopped, or when <see cref="Paused"/> is set to false before, no step is taken.
+        /// </summary>
+        public void StepOnce()
+        {
+            paused = true;
+            if (run != null) singleSteps++;
+        }
+
         /// <summary>Reads all collision meshes again, after an edit that left a mesh's counts and bounds as they were.</summary>
         public void RefreshColliders() => run?.InvalidateColliders();
 
@@ -399,10 +429,29 @@ namespace SphFluid
                 if (failed == null || !failed.Value.Equals(KeysOf(spec))) StartSimulation();
                 return;
             }
-            if (run.TryAdvance(spec, Time.deltaTime, out FluidMessage failure)) return;
+            if (TryAdvance(spec, out FluidMessage failure)) return;
             foreach (FluidMessage message in FluidReports.ErrorsOf(Validate(), failure)) Report(message);
             Release();
             failed = KeysOf(Spec);
+        }
+
+        bool TryAdvance(in FluidSpec spec, out FluidMessage failure)
+        {
+            int steps = paused ? singleSteps : 0;
+            singleSteps = 0;
+            if (steps == 0) return run.TryAdvance(spec, paused ? 0f : Time.deltaTime * UsableTimeScale(), out failure);
+            failure = default;
+            for (; steps > 0; steps--)
+                if (!run.TryAdvance(spec, null, out failure)) return false;
+            return true;
+        }
+
+        float UsableTimeScale()
+        {
+            if (timeScale >= 0f && !float.IsInfinity(timeScale)) return timeScale;
+            Report(new FluidMessage(FluidSeverity.Error, FluidIssue.TimeScaleInvalid, this,
+                FormattableString.Invariant($"Time Scale is {timeScale}, so the liquid stands still."), "Set Time Scale to 0 or more; 1 is as fast as the scene."));
+            return 0f;
         }
 
         // After a failure the next try comes with the next change.
@@ -422,6 +471,7 @@ namespace SphFluid
             if (run == null) return;
             run.Dispose();
             run = null;
+            singleSteps = 0;
             Stopped?.Invoke(this);
         }
 

@@ -98,6 +98,8 @@ namespace SphFluid
         CapacityReached,
         /// <summary>The liquid's buffers were made larger for more particles.</summary>
         CapacityGrown,
+        /// <summary>The time scale of a simulation is negative or not a number.</summary>
+        TimeScaleInvalid,
     }
 
     /// <summary>One message to the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>

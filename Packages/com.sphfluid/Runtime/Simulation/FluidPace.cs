@@ -83,13 +83,28 @@ namespace SphFluid
         /// <param name="bodyMotion">How far the fastest collider goes in it [m].</param>
         public int Advance(double deltaTime, double bodyMotion)
         {
+            Prepare(deltaTime, bodyMotion);
+            return Clock.Advance(deltaTime);
+        }
+
+        /// <summary>Takes one step, whatever the time.</summary>
+        /// <param name="bodyMotion">How far the fastest collider goes in it [m].</param>
+        /// <returns>One.</returns>
+        public int StepOnce(double bodyMotion)
+        {
+            Prepare(Clock.TimeStep, bodyMotion);
+            Clock.StepOnce();
+            return 1;
+        }
+
+        void Prepare(double deltaTime, double bodyMotion)
+        {
             if (speeds != null) solver.FlowSpeed = (float)(SpeedMargin * speeds.Sample.Bulk);
             if (adaptive != null)
             {
                 if (deltaTime > 0.0) Follow(deltaTime, bodyMotion / deltaTime);
                 adaptive.StableStep = LongestStep();
             }
-            return Clock.Advance(deltaTime);
         }
 
         // A collider that moves is known before it hits.

@@ -65,10 +65,10 @@ namespace SphFluid
 
         /// <summary>Advances by a frame.</summary>
         /// <param name="spec">The simulation as it is now.</param>
-        /// <param name="deltaTime">Frame time [s].</param>
+        /// <param name="deltaTime">Frame time [s]; null: one step, whatever the time.</param>
         /// <param name="failure">What went wrong.</param>
         /// <returns>False when it cannot go on.</returns>
-        public bool TryAdvance(in FluidSpec spec, float deltaTime, out FluidMessage failure)
+        public bool TryAdvance(in FluidSpec spec, float? deltaTime, out FluidMessage failure)
         {
             failure = default;
             try
@@ -83,16 +83,18 @@ namespace SphFluid
             }
         }
 
-        void Advance(in FluidSpec spec, float deltaTime)
+        void Advance(in FluidSpec spec, float? frameTime)
         {
-            if (WasChanged() | ApplyChanges(spec) | GatherColliders(spec) | Moved(spec) | flows.Acts(spec)) pace.Wake();
+            float deltaTime = frameTime ?? 0f;
+            if (WasChanged() | ApplyChanges(spec) | GatherColliders(spec) | Moved(spec) | frameTime == null | flows.Acts(spec)) pace.Wake();
             if (pace.IsAsleep)
             {
                 Rest(deltaTime);
                 return;
             }
             FollowBodies();
-            int steps = pace.Advance(deltaTime, Math.Max(obstacles.Bodies?.LongestMotion ?? 0.0, deltaTime * flows.FastestSpeed(spec)));
+            double motion = Math.Max(obstacles.Bodies?.LongestMotion ?? 0.0, deltaTime * flows.FastestSpeed(spec));
+            int steps = frameTime == null ? pace.StepOnce(motion) : pace.Advance(deltaTime, motion);
             flows.Begin(spec, steps * pace.Clock.TimeStep);
             Execute(steps);
             flows.End(spec, steps);

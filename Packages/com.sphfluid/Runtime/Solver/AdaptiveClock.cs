@@ -90,5 +90,12 @@ namespace SphFluid
             LastDroppedTime = needed > steps ? time - steps * target : 0.0;
             return steps;
         }
+
+        /// <inheritdoc/>
+        public void StepOnce()
+        {
+            LastDroppedTime = 0.0;
+            TimeStep = Math.Min(target, stable / Margin);
+        }
     }
 }

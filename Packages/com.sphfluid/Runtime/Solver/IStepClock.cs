@@ -16,5 +16,8 @@ namespace SphFluid
         /// <param name="deltaTime">Time since the last call [s]; not negative.</param>
         /// <returns>Steps to take now.</returns>
         int Advance(double deltaTime);
+
+        /// <summary>Takes one step outside the frames' time: <see cref="TimeStep"/> is its length, and time that waits for a step waits on.</summary>
+        void StepOnce();
     }
 }

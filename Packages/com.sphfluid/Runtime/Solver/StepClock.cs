@@ -72,6 +72,13 @@ namespace SphFluid
             return steps;
         }
 
+        /// <summary>Counts one step outside the frames' time; time that waits for a step waits on.</summary>
+        public void StepOnce()
+        {
+            LastDroppedTime = 0.0;
+            StepCount++;
+        }
+
         /// <summary>Back to time zero.</summary>
         public void Reset()
         {

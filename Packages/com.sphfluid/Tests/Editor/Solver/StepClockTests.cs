@@ -41,6 +41,16 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void AStepOutsideTheFramesLeavesTheRestWaiting()
+        {
+            var clock = new StepClock(0.25, 10);
+            Assert.That(clock.Advance(0.375), Is.EqualTo(1));
+            clock.StepOnce();
+            Assert.That(clock.SimulatedTime, Is.EqualTo(0.5));
+            Assert.That(clock.Advance(0.125), Is.EqualTo(1), "what waited and the frame make a step");
+        }
+
+        [Test]
         public void ResetReturnsToZero()
         {
             var clock = new StepClock(0.1, 1);
