@@ -9,6 +9,7 @@ namespace SphFluid.Editor
         public static readonly Color DomainColor = new Color(0.35f, 0.75f, 1f, 1f);
         public static readonly Color VolumeColor = new Color(0.1f, 0.4f, 1f, 1f);
         public static readonly Color DrainColor = new Color(1f, 0.55f, 0.1f, 1f);
+        public static readonly Color ZoneColor = new Color(0.55f, 0.9f, 0.35f, 1f);
         const float Faint = 0.4f;
         const float Fill = 0.12f;
 
@@ -109,6 +110,27 @@ namespace SphFluid.Editor
             }
             Gizmos.DrawWireSphere(new Vector3(0f, spec.Length, 0f), 1f);
             if (spec.Length > 0f) Gizmos.DrawWireSphere(new Vector3(0f, -spec.Length, 0f), 1f);
+        }
+
+        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
+        static void DrawZone(FluidForceZone zone, GizmoType type)
+        {
+            ZoneSpec spec = zone.Spec;
+            Color color = ZoneColor;
+            color.a = (type & GizmoType.Selected) != 0 ? 1f : Faint;
+            Gizmos.color = color;
+            Gizmos.matrix = Matrix4x4.TRS(spec.Position, spec.Rotation, Vector3.one);
+            float radius = 0.5f * spec.Size.x, reach = Mathf.Max(0f, 0.5f * spec.Size.y - radius);
+            if (spec.Shape == FluidZoneShape.Box) Gizmos.DrawWireCube(Vector3.zero, spec.Size);
+            else if (spec.Shape == FluidZoneShape.Sphere) Gizmos.DrawWireSphere(Vector3.zero, radius);
+            else
+            {
+                Gizmos.DrawWireSphere(new Vector3(0f, reach, 0f), radius);
+                Gizmos.DrawWireSphere(new Vector3(0f, -reach, 0f), radius);
+            }
+            float arrow = 0.5f * spec.Size.z;
+            if (spec.Kind == FluidForceKind.Directional || spec.Kind == FluidForceKind.Wind) Gizmos.DrawLine(Vector3.zero, new Vector3(0f, 0f, arrow));
+            if (spec.Kind == FluidForceKind.Vortex) Gizmos.DrawLine(new Vector3(0f, -arrow, 0f), new Vector3(0f, arrow, 0f));
         }
 
         // The point that the vessel is filled round, and the height of the surface above it.

@@ -56,6 +56,11 @@ namespace SphFluid.Editor
         [MenuItem(Root + "Fluid Drain", false, Priority + 6)]
         public static void CreateDrain(MenuCommand command) => Finish(NewObject("Fluid Drain", command.context as GameObject, typeof(FluidDrain)));
 
+        /// <summary>A zone in which liquid is pushed or dragged, child of the selected object.</summary>
+        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
+        [MenuItem(Root + "Fluid Force Zone", false, Priority + 7)]
+        public static void CreateForceZone(MenuCommand command) => Finish(NewObject("Fluid Force Zone", command.context as GameObject, typeof(FluidForceZone)));
+
         static void CreateShape(MenuCommand command, string name, FluidVolumeShape shape)
         {
             GameObject created = NewObject(name, command.context as GameObject, typeof(FluidVolume));

@@ -105,11 +105,11 @@ namespace SphFluid
 
         void Measure()
         {
-            // A collider that moved since the last measurement has done work, and liquid that was born brings energy.
+            // A collider that moved since the last measurement has done work, as force zones do, and liquid that was born brings energy.
             long changes = simulation.Collision.Changes + meter.Solver.BirthCount;
             commands ??= new CommandBuffer { name = "Fluid Diagnostics" };
             commands.Clear();
-            meter.Record(commands, changes != colliderChanges);
+            meter.Record(commands, changes != colliderChanges || meter.Solver.State.Zones?.Count > 0);
             Graphics.ExecuteCommandBuffer(commands);
             colliderChanges = changes;
         }

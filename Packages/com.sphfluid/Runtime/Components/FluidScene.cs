@@ -67,6 +67,17 @@ namespace SphFluid
                 if (found[i].enabled && Owner(found[i], found[i].Simulation, simulations) == simulation) drains.Add(found[i].Spec);
         }
 
+        /// <summary>The force zones that act on a simulation, in hierarchy order where the scene plays.</summary>
+        /// <param name="simulation">The simulation.</param>
+        /// <param name="zones">Receives them.</param>
+        public static void Zones(FluidSimulation simulation, List<ZoneSpec> zones)
+        {
+            zones.Clear();
+            if (!TryFind(simulation, FluidForceZone.Active, out IReadOnlyList<FluidForceZone> found, out _)) return;
+            for (int i = 0; i < found.Count; i++)
+                if (found[i].enabled && (found[i].Simulation == null || found[i].Simulation == simulation)) zones.Add(found[i].Spec);
+        }
+
         // In play the enabled ones list themselves, so that a frame makes no garbage.
         static bool TryFind<T>(FluidSimulation simulation, List<T> active, out IReadOnlyList<T> found, out IReadOnlyList<FluidSimulation> simulations) where T : Component
         {

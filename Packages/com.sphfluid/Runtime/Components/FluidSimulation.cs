@@ -94,6 +94,7 @@ namespace SphFluid
 
         readonly List<EmitterSpec> emitters = new List<EmitterSpec>();
         readonly List<DrainSpec> drains = new List<DrainSpec>();
+        readonly List<ZoneSpec> zones = new List<ZoneSpec>();
         FluidRun run;
         bool requested;
         int singleSteps;
@@ -249,6 +250,7 @@ namespace SphFluid
             {
                 FluidScene.Emitters(this, emitters);
                 FluidScene.Drains(this, drains);
+                FluidScene.Zones(this, zones);
                 return OwnSpec;
             }
         }
@@ -259,6 +261,7 @@ namespace SphFluid
             Capacity = capacity,
             Emitters = emitters,
             Drains = drains,
+            Zones = zones,
             Owner = this,
             Position = transform.position,
             Rotation = transform.rotation,

@@ -90,6 +90,8 @@ namespace SphFluid
         ColliderJumped,
         /// <summary>The method is none that this version of the package has.</summary>
         MethodUnknown,
+        /// <summary>A force zone cannot do what it is set to.</summary>
+        ForceZoneInvalid,
         /// <summary>An emitter or a drain cannot do what it is set to.</summary>
         EmitterInvalid,
         /// <summary>Liquid, or a face of the domain, is where an emitter would put particles.</summary>

@@ -15,6 +15,7 @@ namespace SphFluid
         readonly GuardMonitor guards = new GuardMonitor();
         readonly FluidPace pace;
         readonly FluidFlows flows;
+        readonly FluidZones zones;
         FluidLiveKey live;
         Vector3 position;
         Quaternion rotation;
@@ -33,6 +34,7 @@ namespace SphFluid
             Solver = new FluidSolver(start.Constants, spec.Profile.Shaders, RelaxedStart.Particles(spec, start, collision, watch, report),
                 spec.CapacityPolicy == FluidCapacityPolicy.Fixed && spec.Capacity > 0 ? spec.MostParticles : 0);
             flows = new FluidFlows(Solver, report);
+            zones = new FluidZones(Solver, report);
             commands = new CommandBuffer { name = "SPH Fluid" };
             try
             {
@@ -86,7 +88,7 @@ namespace SphFluid
         void Advance(in FluidSpec spec, float? frameTime)
         {
             float deltaTime = frameTime ?? 0f;
-            if (WasChanged() | ApplyChanges(spec) | GatherColliders(spec) | Moved(spec) | frameTime == null | flows.Acts(spec)) pace.Wake();
+            if (WasChanged() | ApplyChanges(spec) | GatherColliders(spec) | Moved(spec) | frameTime == null | flows.Acts(spec) | FluidZones.Waits(spec) | zones.Follow(spec, 0.0)) pace.Wake();
             if (pace.IsAsleep)
             {
                 Rest(deltaTime);
@@ -96,6 +98,7 @@ namespace SphFluid
             double motion = Math.Max(obstacles.Bodies?.LongestMotion ?? 0.0, deltaTime * flows.FastestSpeed(spec));
             int steps = frameTime == null ? pace.StepOnce(motion) : pace.Advance(deltaTime, motion);
             flows.Begin(spec, steps * pace.Clock.TimeStep);
+            if (FluidZones.Waits(spec)) zones.Follow(spec, steps * pace.Clock.TimeStep);
             Execute(steps);
             flows.End(spec, steps);
             if (steps > 0) pace.Stepped(steps * pace.Clock.TimeStep);
@@ -132,6 +135,7 @@ namespace SphFluid
         {
             Solver.Dispose();
             pace?.Dispose();
+            zones.Dispose();
             obstacles?.Dispose();
             commands.Dispose();
         }

@@ -52,6 +52,9 @@ namespace SphFluid
         /// <summary>Drains of this liquid; null for none.</summary>
         public IReadOnlyList<DrainSpec> Drains;
 
+        /// <summary>Force zones that act on this liquid; null for none.</summary>
+        public IReadOnlyList<ZoneSpec> Zones;
+
         public FluidBodyForce BodyForce;
         public FluidBoundaries Boundaries;
         public Func<Vector3, Vector3> VelocityField;

@@ -34,5 +34,8 @@ namespace SphFluid
 
         /// <summary>Particles are born and drained while the liquid runs: its stepper is an <see cref="IExchangingStepper"/>.</summary>
         ChangingCount = 256,
+
+        /// <summary>Accelerations in parts of the domain: <see cref="SphFluid.ForceZones"/>.</summary>
+        ForceZones = 512,
     }
 }

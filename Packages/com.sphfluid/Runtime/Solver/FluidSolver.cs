@@ -127,7 +127,7 @@ namespace SphFluid
         public FluidCounters Counters => counters.Counters;
 
         /// <summary>Bytes of GPU memory that the solver holds.</summary>
-        public long GpuBytes => state.Bytes + (exchange?.GpuBytes ?? 0);
+        public long GpuBytes => state.Bytes + (exchange?.GpuBytes ?? 0) + (state.Zones?.GpuBytes ?? 0);
 
         /// <summary>Grows with each change of physics, obstacles or particles from outside the steps.</summary>
         internal int Changes => obstacleChanges + SettingsChanges + ParticleChanges;
@@ -182,6 +182,13 @@ namespace SphFluid
 
             state.Bodies = bodies;
             neighboursFresh = false;
+        }
+
+        /// <summary>Gives the solver force zones; the caller keeps them alive and disposes them. Method Standard only, others leave them out.</summary>
+        internal void SetZones(ForceZones zones)
+        {
+            ThrowIfDisposed();
+            state.Zones = zones;
         }
 
         /// <summary>Changes the physics between steps.</summary>

@@ -40,6 +40,9 @@ namespace SphFluid
         /// <summary>The scene's bodies for methods that prove motion free; null for none.</summary>
         public CollisionBodies Bodies { get; set; }
 
+        /// <summary>Force zones for methods that have them; null for none.</summary>
+        public ForceZones Zones { get; set; }
+
         /// <summary>Whether there is a triangle that a step can hit.</summary>
         public bool HasBodies => Bodies != null && Bodies.Count > 0;
 

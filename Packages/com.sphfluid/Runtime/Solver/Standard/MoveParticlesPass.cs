@@ -43,6 +43,7 @@ namespace SphFluid
                 StandardBindings.SetWalls(cmd, kernel, state);
                 DomainBindings.SetBodyForce(cmd, kernel, settings.BodyForce);
                 DomainBindings.SetWallVelocities(cmd, kernel, settings.Boundaries);
+                ForceZones.Set(cmd, kernel, state.Zones, settings.SupportRadius);
                 state.List.Set(cmd, kernel);
                 kernel.SetFloat(cmd, FaceDistance, ContactDistances.Rest(settings));
                 kernel.SetFloat(cmd, SlopeFactor, (float)slope);

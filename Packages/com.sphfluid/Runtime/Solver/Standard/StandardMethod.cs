@@ -16,7 +16,8 @@ namespace SphFluid
 
         public override FluidMethodFeatures Features => FluidMethodFeatures.OpenFaces | FluidMethodFeatures.BodyContact |
             FluidMethodFeatures.ColliderFriction | FluidMethodFeatures.RelaxedStart | FluidMethodFeatures.FollowingSoundSpeed |
-            FluidMethodFeatures.KeptNeighbours | FluidMethodFeatures.ChangingCount;
+            FluidMethodFeatures.KeptNeighbours | FluidMethodFeatures.ChangingCount |
+            FluidMethodFeatures.ForceZones;
 
         public override ShaderGroup Shaders => Group;
 

@@ -1,0 +1,130 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// A part of space in which liquid is pushed or dragged, whatever else acts on it. The force rises from the zone's surface inwards over one
+    /// support radius, as a step in force would make sound: a zone thinner than two never has its full strength. Method Standard.
+    /// </summary>
+    [AddComponentMenu("SPH Fluid/Fluid Force Zone")]
+    public sealed class FluidForceZone : MonoBehaviour
+    {
+        static readonly List<FluidForceZone> ActiveList = new List<FluidForceZone>();
+
+        readonly ZoneState state = new ZoneState();
+
+        [SerializeField, Tooltip("Directional: along this transform's forward axis. Point: towards its centre. Vortex: round its y axis. Wind: drag towards a " +
+            "velocity along the forward axis. Turbulence: eddies. Damping: drag towards rest.")]
+        FluidForceKind kind;
+
+        [SerializeField, Tooltip("Shape of the zone in this transform's space.")]
+        FluidZoneShape shape;
+
+        [SerializeField, Tooltip("Edge lengths of the zone in this transform's space, in metres where its scale is one. A sphere has the diameter x, a capsule the " +
+            "diameter x and the height y.")]
+        Vector3 size = new Vector3(0.5f, 0.5f, 0.5f);
+
+        [SerializeField, Tooltip("Acceleration in m/s²; gravity is 9.81. Of turbulence the largest along an axis. Not used by Wind and Damping.")]
+        float strength = 10f;
+
+        [SerializeField, Tooltip("Speed of the wind in m/s.")]
+        float windSpeed = 5f;
+
+        [SerializeField, Min(0f), Tooltip("Part of the difference of velocities that Wind and Damping take away a second, 1/s.")]
+        float dragRate = 2f;
+
+        [SerializeField, Min(0f), Tooltip("Size of an eddy of turbulence in metres.")]
+        float eddySize = 0.2f;
+
+        [SerializeField, Min(0f), Tooltip("Seconds after which eddies have become others. 0: they stay.")]
+        float eddyTime = 2f;
+
+        [SerializeField, Tooltip("Simulation whose liquid is pushed. Empty: every liquid that the zone reaches.")]
+        FluidSimulation simulation;
+
+        /// <summary>What the zone does. Changes of all fields act from the next frame on.</summary>
+        public FluidForceKind Kind { get => kind; set => kind = value; }
+
+        /// <summary>Shape of the zone.</summary>
+        public FluidZoneShape Shape { get => shape; set => shape = value; }
+
+        /// <summary>Edge lengths in this transform's space [m at unit scale].</summary>
+        public Vector3 Size { get => size; set => size = value; }
+
+        /// <summary>Acceleration [m/s²].</summary>
+        public float Strength { get => strength; set => strength = value; }
+
+        /// <summary>Speed of the wind [m/s].</summary>
+        public float WindSpeed { get => windSpeed; set => windSpeed = value; }
+
+        /// <summary>Rate k of the drag −k (v − w) [1/s].</summary>
+        public float DragRate { get => dragRate; set => dragRate = value; }
+
+        /// <summary>Size of an eddy [m].</summary>
+        public float EddySize { get => eddySize; set => eddySize = value; }
+
+        /// <summary>Time after which eddies have become others [s]; 0: they stay.</summary>
+        public float EddyTime { get => eddyTime; set => eddyTime = value; }
+
+        /// <summary>Simulation whose liquid is pushed; null: every one.</summary>
+        public FluidSimulation Simulation { get => simulation; set => simulation = value; }
+
+        /// <summary>Enabled zones of all loaded scenes.</summary>
+        internal static List<FluidForceZone> Active => ActiveList;
+
+        /// <summary>The zone as of now.</summary>
+        internal ZoneSpec Spec
+        {
+            get
+            {
+                Vector3 scale = transform.lossyScale;
+                return new ZoneSpec
+                {
+                    Owner = this,
+                    State = state,
+                    Position = transform.position,
+                    Rotation = transform.rotation,
+                    Kind = kind,
+                    Shape = shape,
+                    Size = new Vector3(size.x * Mathf.Abs(scale.x), size.y * Mathf.Abs(scale.y), size.z * Mathf.Abs(scale.z)),
+                    Strength = strength,
+                    WindSpeed = windSpeed,
+                    DragRate = dragRate,
+                    EddySize = eddySize,
+                    EddyTime = eddyTime,
+                };
+            }
+        }
+
+        /// <summary>Gives the liquid in the zone a velocity, besides the one that it has, over the next frame with steps: an explosion, a blow. Full in the middle of the zone, less within a support radius of its surface.</summary>
+        /// <param name="deltaVelocity">The velocity [m/s], world space; those of several calls add up.</param>
+        /// <exception cref="ArgumentException">It is not finite, or more than a fifth of the speed of sound of a liquid that runs and that the zone acts on.</exception>
+        public void Burst(Vector3 deltaVelocity)
+        {
+            Vector3 sum = state.Burst + deltaVelocity;
+            if (!AffineMath.IsFinite(sum)) throw new ArgumentException($"The velocity {deltaVelocity} is not finite.", nameof(deltaVelocity));
+            foreach (FluidSimulation liquid in FluidSimulation.Active)
+            {
+                if (!liquid.IsRunning || simulation != null && simulation != liquid) continue;
+                double most = FluidZones.MostBurst * liquid.Solver.Settings.SoundSpeed;
+                if (sum.magnitude > most)
+                    throw new ArgumentException(FormattableString.Invariant($"A burst of {sum.magnitude:0.##} m/s tears the liquid of '{liquid.name}' apart; {most:0.##} m/s are the most. Raise its Expected Speed."), nameof(deltaVelocity));
+            }
+            state.Burst = sum;
+        }
+
+        void OnEnable() => ActiveList.Add(this);
+
+        void OnDisable()
+        {
+            ActiveList.Remove(this);
+            state.Burst = Vector3.zero;
+        }
+
+        // Without a domain reload statics outlive play mode.
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        internal static void ResetStatics() => ActiveList.Clear();
+    }
+}

@@ -1,0 +1,104 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>The force zones of a running liquid, frame by frame.</summary>
+    internal sealed class FluidZones : IDisposable
+    {
+        // Over the speed of sound: more in one step makes sound that is louder than the flow.
+        const double MostInAStep = 0.1;
+
+        /// <summary>Over the speed of sound: the most that a burst may give.</summary>
+        public const double MostBurst = 0.2;
+
+        readonly FluidSolver solver;
+        readonly Action<FluidMessage> report;
+        readonly List<ForceZone> now = new List<ForceZone>();
+        readonly List<ZoneState> bursts = new List<ZoneState>();
+        ForceZones zones;
+
+        public FluidZones(FluidSolver solver, Action<FluidMessage> report)
+        {
+            this.solver = solver;
+            this.report = report;
+        }
+
+        /// <summary>Whether a burst waits for the next steps.</summary>
+        public static bool Waits(in FluidSpec spec)
+        {
+            for (int i = 0; i < (spec.Zones?.Count ?? 0); i++)
+                if (spec.Zones[i].State.Burst != Vector3.zero) return true;
+            return false;
+        }
+
+        /// <summary>Takes over the zones as they are now.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="time">Time that the frame's steps take [s]; 0 where there are none, and bursts wait.</param>
+        /// <returns>Whether one changed.</returns>
+        public bool Follow(in FluidSpec spec, double time)
+        {
+            if (zones == null && !(spec.Zones?.Count > 0)) return false;
+            if (!FluidMethods.Has(spec.Method, FluidMethodFeatures.ForceZones)) return false; // a check has said so
+            zones ??= new ForceZones();
+            now.Clear();
+            bursts.Clear();
+            Matrix4x4 worldToLocal = spec.WorldToLocal;
+            for (int i = 0; i < (spec.Zones?.Count ?? 0); i++)
+            {
+                ZoneSpec zone = spec.Zones[i];
+                if (Check(zone, spec, solver.Settings) is FluidMessage wrong) report(wrong);
+                else Add(zone, spec, zone.Zone(worldToLocal, spec.Rotation, solver.SimulatedTime));
+                if (time > 0.0 && zone.State.Burst != Vector3.zero)
+                {
+                    Add(zone, spec, zone.Burst(worldToLocal, spec.Rotation, zone.State.Burst / (float)time));
+                    bursts.Add(zone.State);
+                }
+            }
+            foreach (ZoneState state in bursts) state.Burst = Vector3.zero;
+            bool changed = zones.Take(now);
+            solver.SetZones(zones);
+            return changed;
+        }
+
+        /// <inheritdoc/>
+        public void Dispose() => zones?.Dispose();
+
+        /// <summary>Checks the zones of a simulation before it starts.</summary>
+        public static void Check(in FluidSpec spec, List<FluidMessage> messages)
+        {
+            if (!(spec.Zones?.Count > 0)) return;
+            if (FluidMethods.Has(spec.Method) && !FluidMethods.Has(spec.Method, FluidMethodFeatures.ForceZones))
+                messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.ForceZoneInvalid, spec.Owner,
+                    $"The method {spec.Method} has no force zones: those of the scene do nothing to it.", "Set Method to Standard."));
+            for (int i = 0; i < spec.Zones.Count; i++)
+                if (Check(spec.Zones[i], spec, default) is FluidMessage wrong) messages.Add(wrong);
+        }
+
+        void Add(in ZoneSpec zone, in FluidSpec spec, in ForceZone made)
+        {
+            if (now.Count < ForceZone.Most) now.Add(made);
+            else
+                report(new FluidMessage(FluidSeverity.Warning, FluidIssue.ForceZoneInvalid, zone.Owner,
+                    $"'{spec.Name}' has {ForceZone.Most} force zones and bursts, as many as act on a liquid at a time; this one does nothing.", "Disable some."));
+        }
+
+        // Without a speed of sound only the numbers.
+        static FluidMessage? Check(in ZoneSpec zone, in FluidSpec spec, in FluidSolverSettings settings)
+        {
+            if (!zone.IsFinite)
+                return Wrong(zone, FluidSeverity.Error, "The force zone has a size, a strength or a rate that is no number, or a size or eddies that are not positive.",
+                    "Give its fields finite numbers, sizes greater than zero and a drag rate of zero or more.");
+            double largest = MostInAStep * settings.SoundSpeed / settings.TimeStep;
+            if (settings.TimeStep > 0f && !zone.IsDrag && Math.Abs(zone.Strength) > largest)
+                return Wrong(zone, FluidSeverity.Error,
+                    FormattableString.Invariant($"The force zone's strength is {zone.Strength} m/s²; more than {largest:0.#} m/s² tears the liquid of '{spec.Name}' apart within a step."),
+                    "Use less strength, or raise the simulation's Expected Speed.");
+            return null;
+        }
+
+        static FluidMessage Wrong(in ZoneSpec zone, FluidSeverity severity, string text, string cure) =>
+            new FluidMessage(severity, FluidIssue.ForceZoneInvalid, zone.Owner, text, cure);
+    }
+}

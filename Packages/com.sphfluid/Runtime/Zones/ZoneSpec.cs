@@ -1,0 +1,103 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>What a force zone is, as of one moment.</summary>
+    internal struct ZoneSpec
+    {
+        /// <summary>The component: the context of messages.</summary>
+        public Component Owner;
+
+        /// <summary>What outlives the moment.</summary>
+        public ZoneState State;
+
+        public Vector3 Position;
+        public Quaternion Rotation;
+        public FluidForceKind Kind;
+        public FluidZoneShape Shape;
+
+        /// <summary>Edge lengths [m].</summary>
+        public Vector3 Size;
+
+        /// <summary>Acceleration [m/s²].</summary>
+        public float Strength;
+
+        /// <summary>Speed of the wind [m/s].</summary>
+        public float WindSpeed;
+
+        /// <summary>Rate of drag [1/s].</summary>
+        public float DragRate;
+
+        /// <summary>Size of the eddies [m], and how long one lasts [s]; 0: for ever.</summary>
+        public float EddySize, EddyTime;
+
+        /// <summary>The owner's name.</summary>
+        public readonly string Name => Owner.name;
+
+        /// <summary>Whether it drags and does not push.</summary>
+        public readonly bool IsDrag => Kind == FluidForceKind.Wind || Kind == FluidForceKind.Damping;
+
+        /// <summary>Whether every number that the kind uses is finite, and the sizes are positive.</summary>
+        public readonly bool IsFinite => AffineMath.IsFinite(Position) && AffineMath.IsFinite(Size) && Size.x > 0f && Size.y > 0f && Size.z > 0f &&
+            (IsDrag ? AffineMath.IsFinite(DragRate) && DragRate >= 0f && AffineMath.IsFinite(WindSpeed) : AffineMath.IsFinite(Strength)) &&
+            (Kind != FluidForceKind.Turbulence || AffineMath.IsFinite(EddySize) && EddySize > 0f && AffineMath.IsFinite(EddyTime) && EddyTime >= 0f);
+
+        /// <summary>The zone on the GPU.</summary>
+        /// <param name="worldToLocal">World to simulation space.</param>
+        /// <param name="simulation">Rotation of the simulation.</param>
+        /// <param name="time">The liquid's time [s].</param>
+        public readonly ForceZone Zone(in Matrix4x4 worldToLocal, Quaternion simulation, double time)
+        {
+            Quaternion turn = Quaternion.Inverse(simulation) * Rotation;
+            Vector3 forward = turn * Vector3.forward, up = turn * Vector3.up;
+            var zone = new ForceZone { Core = Core };
+            switch (Kind)
+            {
+                case FluidForceKind.Directional:
+                    zone.Uniform = Strength * forward;
+                    break;
+                case FluidForceKind.Point:
+                    zone.Centre.w = Strength;
+                    break;
+                case FluidForceKind.Vortex:
+                    zone.Axis = new Vector4(up.x, up.y, up.z, Strength);
+                    break;
+                case FluidForceKind.Turbulence:
+                    float phase = EddyTime > 0f ? (float)(time / EddyTime * 2.0 * System.Math.PI % 1e4) : 0f;
+                    zone.Eddies = new Vector4(Strength, Mathf.PI / EddySize, phase, 0f);
+                    break;
+                default:
+                    Vector3 wind = Kind == FluidForceKind.Wind ? WindSpeed * forward : Vector3.zero;
+                    zone.Wind = new Vector4(wind.x, wind.y, wind.z, DragRate);
+                    break;
+            }
+            zone.Place(worldToLocal.MultiplyPoint3x4(Position), turn);
+            return zone;
+        }
+
+        /// <summary>The zone that gives a velocity within a time, everywhere along one direction.</summary>
+        /// <param name="worldToLocal">World to simulation space.</param>
+        /// <param name="simulation">Rotation of the simulation.</param>
+        /// <param name="acceleration">The acceleration [m/s²], world space.</param>
+        public readonly ForceZone Burst(in Matrix4x4 worldToLocal, Quaternion simulation, Vector3 acceleration)
+        {
+            var zone = new ForceZone { Core = Core, Uniform = worldToLocal.MultiplyVector(acceleration) };
+            zone.Place(worldToLocal.MultiplyPoint3x4(Position), Quaternion.Inverse(simulation) * Rotation);
+            return zone;
+        }
+
+        readonly Vector4 Core => Shape switch
+        {
+            FluidZoneShape.Sphere => new Vector4(0f, 0f, 0f, 0.5f * Size.x),
+            FluidZoneShape.Capsule => new Vector4(0f, Mathf.Max(0f, 0.5f * (Size.y - Size.x)), 0f, 0.5f * Size.x),
+            _ => 0.5f * Size,
+        };
+    }
+
+    /// <summary>What a force zone is to do once.</summary>
+    internal sealed class ZoneState
+    {
+        /// <summary>Velocity to be given with the next steps [m/s], world space.</summary>
+        public Vector3 Burst;
+    }
+}

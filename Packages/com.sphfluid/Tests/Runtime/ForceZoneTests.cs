@@ -1,0 +1,165 @@
+using System.Collections;
+using System.Linq;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Force zones as components.</summary>
+    public sealed class ForceZoneTests
+    {
+        SimulationRig rig;
+
+        [SetUp]
+        public void SetUp() => rig = new SimulationRig();
+
+        [TearDown]
+        public void TearDown() => rig.Dispose();
+
+        FluidSimulation Liquid()
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.DomainSize = new Vector3(0.8f, 0.8f, 0.8f);
+            simulation.UseSceneGravity = false;
+            simulation.Gravity = Vector3.zero;
+            simulation.ExpectedSpeed = 2f;
+            return simulation;
+        }
+
+        FluidForceZone Zone(FluidForceKind kind, Vector3 direction, float strength = 4f)
+        {
+            FluidForceZone zone = rig.NewObject("Zone").AddComponent<FluidForceZone>();
+            zone.transform.rotation = Quaternion.LookRotation(direction, Vector3.right);
+            zone.Kind = kind;
+            zone.Size = 2f * Vector3.one;
+            zone.Strength = strength;
+            return zone;
+        }
+
+        static Vector3 Velocity(FluidSimulation simulation)
+        {
+            FluidParticle[] particles = SimulationRig.Read(simulation);
+            return particles.Aggregate(Vector3.zero, (sum, p) => sum + p.VelT0) / particles.Length;
+        }
+
+        IEnumerator Play(FluidSimulation simulation, double time)
+        {
+            while (!simulation.IsRunning || simulation.SimulatedTime < time) yield return null;
+        }
+
+        [UnityTest]
+        public IEnumerator APushAcceleratesTheLiquidAndEndsWithTheZone([Values(0f, 40f)] float turn)
+        {
+            FluidSimulation simulation = Liquid();
+            simulation.transform.rotation = Quaternion.Euler(0f, turn, 0f);
+            FluidForceZone zone = Zone(FluidForceKind.Directional, Vector3.forward);
+            yield return Play(simulation, 0.1);
+            Vector3 expected = Quaternion.Inverse(simulation.transform.rotation) * (4f * (float)(simulation.SimulatedTime - 0.5 * simulation.TimeStep) * Vector3.forward);
+            Assert.That((Velocity(simulation) - expected).magnitude, Is.LessThan(0.02f), $"{Velocity(simulation)}, not {expected}");
+            zone.enabled = false;
+            yield return null;
+            Vector3 after = Velocity(simulation);
+            for (int frame = 0; frame < 5; frame++) yield return null;
+            Assert.That((Velocity(simulation) - after).magnitude, Is.LessThan(1e-3f));
+        }
+
+        [UnityTest]
+        public IEnumerator WindCarriesAndDampingHolds()
+        {
+            FluidSimulation simulation = Liquid();
+            FluidForceZone zone = Zone(FluidForceKind.Wind, Vector3.up);
+            zone.WindSpeed = 0.5f;
+            zone.DragRate = 30f;
+            yield return Play(simulation, 0.15);
+            Assert.That(Velocity(simulation).y, Is.EqualTo(0.5f * (1f - Mathf.Exp(-30f * (float)simulation.SimulatedTime))).Within(0.02f));
+            zone.Kind = FluidForceKind.Damping;
+            yield return Play(simulation, 0.35);
+            Assert.That(Velocity(simulation).magnitude, Is.LessThan(0.01f));
+        }
+
+        [UnityTest]
+        public IEnumerator AVortexTurnsAndAPointDraws()
+        {
+            FluidSimulation simulation = Liquid();
+            FluidForceZone zone = Zone(FluidForceKind.Vortex, Vector3.forward);
+            zone.transform.rotation = Quaternion.identity;
+            yield return Play(simulation, 0.06);
+            FluidParticle[] particles = SimulationRig.Read(simulation);
+            Assert.That(particles.Average(p => Vector3.Cross(p.Position, p.VelT0).y), Is.GreaterThan(0.002));
+            Assert.That(Velocity(simulation).magnitude, Is.LessThan(0.01f), "round the middle");
+            zone.Kind = FluidForceKind.Point;
+            zone.Strength = -6f;
+            double before = particles.Average(p => p.Position.magnitude);
+            yield return Play(simulation, 0.2);
+            Assert.That(SimulationRig.Read(simulation).Average(p => p.Position.magnitude), Is.GreaterThan(1.1 * before), "and away from it");
+        }
+
+        [UnityTest]
+        public IEnumerator TurbulenceStirsWithoutAWind()
+        {
+            FluidSimulation simulation = Liquid();
+            FluidForceZone zone = Zone(FluidForceKind.Turbulence, Vector3.forward);
+            zone.EddySize = 0.1f;
+            yield return Play(simulation, 0.1);
+            FluidParticle[] particles = SimulationRig.Read(simulation);
+            double rms = System.Math.Sqrt(particles.Average(p => (double)p.VelT0.sqrMagnitude));
+            Assert.That(rms, Is.GreaterThan(0.05));
+            Assert.That(Velocity(simulation).magnitude, Is.LessThan(0.6 * rms));
+        }
+
+        [UnityTest]
+        public IEnumerator ABurstGivesItsVelocityOnceAndWakes()
+        {
+            FluidSimulation simulation = Liquid();
+            FluidForceZone zone = Zone(FluidForceKind.Directional, Vector3.forward, 0f);
+            yield return Play(simulation, 0.02);
+            zone.Burst(new Vector3(0.3f, 0f, 0f));
+            zone.Burst(new Vector3(0.1f, 0f, 0f));
+            for (int frame = 0; frame < 6; frame++) yield return null;
+            Assert.That((Velocity(simulation) - new Vector3(0.4f, 0f, 0f)).magnitude, Is.LessThan(0.01f), $"{Velocity(simulation)}");
+            Assert.That(() => zone.Burst(new Vector3(1000f, 0f, 0f)), Throws.ArgumentException.With.Message.Contains("Expected Speed"));
+            Assert.That(() => zone.Burst(new Vector3(float.NaN, 0f, 0f)), Throws.ArgumentException);
+        }
+
+        [UnityTest]
+        public IEnumerator OnlyTheLiquidThatIsNamedIsPushed()
+        {
+            FluidSimulation one = Liquid(), two = Liquid();
+            Zone(FluidForceKind.Directional, Vector3.up).Simulation = two;
+            yield return Play(two, 0.05);
+            Assert.That(Velocity(one).magnitude, Is.LessThan(1e-3f));
+            Assert.That(Velocity(two).y, Is.GreaterThan(0.1f));
+        }
+
+        [UnityTest]
+        public IEnumerator WhatCannotBeIsReported()
+        {
+            FluidSimulation simulation = Liquid();
+            FluidForceZone zone = Zone(FluidForceKind.Directional, Vector3.up);
+            yield return Play(simulation, 0.01);
+            zone.Strength = 1e7f;
+            LogAssert.Expect(LogType.Error, new Regex("Zone.*strength is.*m/s².*Expected Speed"));
+            yield return null;
+            zone.Strength = float.NaN;
+            LogAssert.Expect(LogType.Error, new Regex("Zone.*no number"));
+            yield return null;
+            zone.Strength = 0f;
+            for (int i = 0; i < 16; i++) Zone(FluidForceKind.Directional, Vector3.up, 0f);
+            LogAssert.Expect(LogType.Warning, new Regex("Zone.*16 force zones"));
+            yield return null;
+            yield return null;
+        }
+
+        [UnityTest]
+        public IEnumerator TheThesisMethodSaysThatItHasNoZones()
+        {
+            FluidSimulation simulation = Liquid();
+            simulation.Method = FluidMethodKind.Thesis;
+            Zone(FluidForceKind.Directional, Vector3.up);
+            LogAssert.Expect(LogType.Warning, new Regex("has no force zones"));
+            yield return Play(simulation, 0.03);
+        }
+    }
+}
