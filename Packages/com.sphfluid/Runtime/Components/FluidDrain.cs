@@ -10,7 +10,7 @@ namespace SphFluid
     [AddComponentMenu("SPH Fluid/Fluid Drain")]
     public sealed class FluidDrain : MonoBehaviour
     {
-        static readonly List<FluidDrain> ActiveList = new List<FluidDrain>();
+        static readonly ActiveComponents<FluidDrain> ActiveSet = new ActiveComponents<FluidDrain>();
 
         readonly DrainState state = new DrainState();
 
@@ -31,7 +31,7 @@ namespace SphFluid
         public double DrainedVolume => state.Drained;
 
         /// <summary>Enabled drains of all loaded scenes.</summary>
-        internal static List<FluidDrain> Active => ActiveList;
+        internal static IReadOnlyList<FluidDrain> Active => ActiveSet.InOrder;
 
         /// <summary>The drain as of now.</summary>
         internal DrainSpec Spec
@@ -77,12 +77,12 @@ namespace SphFluid
         Matrix4x4 Placed(Vector3 centre, Quaternion turn, Vector3 scale) =>
             Matrix4x4.TRS(transform.TransformPoint(centre), transform.rotation * turn, scale);
 
-        void OnEnable() => ActiveList.Add(this);
+        void OnEnable() => ActiveSet.Add(this);
 
-        void OnDisable() => ActiveList.Remove(this);
+        void OnDisable() => ActiveSet.Remove(this);
 
         // Without a domain reload statics outlive play mode.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        internal static void ResetStatics() => ActiveList.Clear();
+        internal static void ResetStatics() => ActiveSet.Clear();
     }
 }

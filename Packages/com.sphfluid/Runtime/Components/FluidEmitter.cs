@@ -10,7 +10,7 @@ namespace SphFluid
     [AddComponentMenu("SPH Fluid/Fluid Emitter")]
     public sealed class FluidEmitter : MonoBehaviour
     {
-        static readonly List<FluidEmitter> ActiveList = new List<FluidEmitter>();
+        static readonly ActiveComponents<FluidEmitter> ActiveSet = new ActiveComponents<FluidEmitter>();
 
         readonly EmitterState state = new EmitterState();
 
@@ -76,7 +76,7 @@ namespace SphFluid
         public double RefusedVolume => state.Refused;
 
         /// <summary>Enabled emitters of all loaded scenes.</summary>
-        internal static List<FluidEmitter> Active => ActiveList;
+        internal static IReadOnlyList<FluidEmitter> Active => ActiveSet.InOrder;
 
         /// <summary>The emitter as of now.</summary>
         internal EmitterSpec Spec
@@ -123,18 +123,18 @@ namespace SphFluid
 
         void OnEnable()
         {
-            ActiveList.Add(this);
+            ActiveSet.Add(this);
             if (playOnEnable) Play();
         }
 
         void OnDisable()
         {
-            ActiveList.Remove(this);
+            ActiveSet.Remove(this);
             state.IsOn = false;
         }
 
         // Without a domain reload statics outlive play mode.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        internal static void ResetStatics() => ActiveList.Clear();
+        internal static void ResetStatics() => ActiveSet.Clear();
     }
 }

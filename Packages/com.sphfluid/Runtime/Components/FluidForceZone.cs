@@ -11,7 +11,7 @@ namespace SphFluid
     [AddComponentMenu("SPH Fluid/Fluid Force Zone")]
     public sealed class FluidForceZone : MonoBehaviour
     {
-        static readonly List<FluidForceZone> ActiveList = new List<FluidForceZone>();
+        static readonly ActiveComponents<FluidForceZone> ActiveSet = new ActiveComponents<FluidForceZone>();
 
         readonly ZoneState state = new ZoneState();
 
@@ -72,7 +72,7 @@ namespace SphFluid
         public FluidSimulation Simulation { get => simulation; set => simulation = value; }
 
         /// <summary>Enabled zones of all loaded scenes.</summary>
-        internal static List<FluidForceZone> Active => ActiveList;
+        internal static IReadOnlyList<FluidForceZone> Active => ActiveSet.InOrder;
 
         /// <summary>The zone as of now.</summary>
         internal ZoneSpec Spec
@@ -115,16 +115,16 @@ namespace SphFluid
             state.Burst = sum;
         }
 
-        void OnEnable() => ActiveList.Add(this);
+        void OnEnable() => ActiveSet.Add(this);
 
         void OnDisable()
         {
-            ActiveList.Remove(this);
+            ActiveSet.Remove(this);
             state.Burst = Vector3.zero;
         }
 
         // Without a domain reload statics outlive play mode.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        internal static void ResetStatics() => ActiveList.Clear();
+        internal static void ResetStatics() => ActiveSet.Clear();
     }
 }

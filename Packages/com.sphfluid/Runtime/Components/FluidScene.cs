@@ -79,20 +79,12 @@ namespace SphFluid
         }
 
         // In play the enabled ones list themselves, so that a frame makes no garbage.
-        static bool TryFind<T>(FluidSimulation simulation, List<T> active, out IReadOnlyList<T> found, out IReadOnlyList<FluidSimulation> simulations) where T : Component
+        static bool TryFind<T>(FluidSimulation simulation, IReadOnlyList<T> active, out IReadOnlyList<T> found, out IReadOnlyList<FluidSimulation> simulations) where T : Component
         {
             bool plays = Application.isPlaying;
-            if (plays && !IsSorted(active)) active.Sort(HierarchyOrder.Compare);
-            found = plays ? active : (IReadOnlyList<T>)SceneObjects.Find<T>(simulation);
+            found = plays ? active : SceneObjects.Find<T>(simulation);
             simulations = plays || found.Count == 0 ? FluidSimulation.Active : SceneObjects.Find<FluidSimulation>(simulation);
             return found.Count > 0;
-        }
-
-        static bool IsSorted<T>(List<T> components) where T : Component
-        {
-            for (int i = 1; i < components.Count; i++)
-                if (HierarchyOrder.Compare(components[i - 1], components[i]) > 0) return false;
-            return true;
         }
 
         static bool Holds(FluidSimulation simulation, Vector3 world)

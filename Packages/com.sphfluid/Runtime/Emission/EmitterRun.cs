@@ -46,7 +46,7 @@ namespace SphFluid
             EmitterState state = emitter.State;
             float speed = (float)emitter.Speed(spec.Spacing);
             Vector3 carried = end > begin ? (newPosition - position) / (float)(end - begin) : Vector3.zero;
-            double layer = sites.Places.Count * System.Math.Pow(spec.Spacing, 3);
+            double layer = sites.Places.Length * System.Math.Pow(spec.Spacing, 3);
             next = System.Math.Max(next, begin);
             while (state.IsOn && speed > 0f && next < end)
             {

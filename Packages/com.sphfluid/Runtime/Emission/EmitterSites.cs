@@ -20,7 +20,7 @@ namespace SphFluid
         }
 
         /// <summary>The places [m], across the emitter's forward axis.</summary>
-        public IReadOnlyList<Vector2> Places { get; }
+        public Vector2[] Places { get; }
 
         /// <summary>Distance of layers [m]: dx (n dx²)/A.</summary>
         public double LayerDistance { get; }

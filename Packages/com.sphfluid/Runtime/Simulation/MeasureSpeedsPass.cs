@@ -9,6 +9,9 @@ namespace SphFluid
         static readonly int Particles = Id("_Particles");
         static readonly int Places = Id("_Places");
         static readonly int PlacesOut = Id("_PlacesOut");
+        static readonly int Claims = Id("_PlaceClaims");
+        static readonly int ClaimsOut = Id("_PlaceClaimsOut");
+        static readonly int PlaceCount = Id("_PlaceCount");
         static readonly int Counts = Id("_SpeedCounts");
         static readonly int Counters = Id("_Counters");
         static readonly int ParticleCount = Id("_ParticleCount");
@@ -19,12 +22,13 @@ namespace SphFluid
 
         static readonly uint[] Zeros = new uint[SpeedCounts.Size];
 
-        readonly ComputeKernel measure, keep, distances;
+        readonly ComputeKernel measure, clear, keep, distances;
 
         public MeasureSpeedsPass(FluidShaderSet shaders)
             : base(shaders, "MeasureSpeeds")
         {
             measure = Kernel();
+            clear = Kernel("ClearPlaces");
             keep = Kernel("KeepPlaces");
             distances = Kernel("MeasureDistances");
         }
@@ -54,12 +58,18 @@ namespace SphFluid
         /// <summary>Records where the particles are, by id.</summary>
         /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
         /// <param name="solver">The liquid.</param>
-        /// <param name="places">Receives float4 a particle.</param>
-        public void RecordPlaces(CommandBuffer cmd, FluidSolver solver, GraphicsBuffer places)
+        /// <param name="places">Receives float4 a particle, by id modulo their number.</param>
+        /// <param name="claims">As many numbers.</param>
+        public void RecordPlaces(CommandBuffer cmd, FluidSolver solver, GraphicsBuffer places, GraphicsBuffer claims)
         {
             using (Sample(cmd))
             {
+                clear.SetBuffer(cmd, ClaimsOut, claims);
+                clear.SetInt(cmd, PlaceCount, places.count);
+                clear.DispatchThreads(cmd, places.count);
                 keep.SetBuffer(cmd, Particles, solver.Particles);
+                keep.SetBuffer(cmd, ClaimsOut, claims);
+                keep.SetInt(cmd, PlaceCount, places.count);
                 keep.SetBuffer(cmd, PlacesOut, places);
                 keep.SetInt(cmd, ParticleCount, solver.ParticleCount);
                 keep.DispatchThreads(cmd, solver.ParticleCount);
@@ -70,14 +80,17 @@ namespace SphFluid
         /// <param name="cmd">Command buffer to record into.</param>
         /// <param name="solver">The liquid.</param>
         /// <param name="places">What <see cref="RecordPlaces"/> wrote.</param>
+        /// <param name="claims">And that.</param>
         /// <param name="counts">Receives its part of the numbers.</param>
-        public void RecordDistances(CommandBuffer cmd, FluidSolver solver, GraphicsBuffer places, GraphicsBuffer counts)
+        public void RecordDistances(CommandBuffer cmd, FluidSolver solver, GraphicsBuffer places, GraphicsBuffer claims, GraphicsBuffer counts)
         {
             using (Sample(cmd))
             {
                 DomainBindings.SetPeriodic(cmd, distances, solver.Settings);
                 distances.SetBuffer(cmd, Particles, solver.Particles);
                 distances.SetBuffer(cmd, Places, places);
+                distances.SetBuffer(cmd, Claims, claims);
+                distances.SetInt(cmd, PlaceCount, places.count);
                 distances.SetBuffer(cmd, Counts, counts);
                 distances.SetInt(cmd, ParticleCount, solver.ParticleCount);
                 distances.DispatchThreads(cmd, solver.ParticleCount);

@@ -16,7 +16,7 @@ namespace SphFluid
         readonly FluidSolver solver;
         readonly MeasureSpeedsPass pass;
         readonly Slot[] slots = new Slot[Delay];
-        GraphicsBuffer counts, places;
+        GraphicsBuffer counts, places, claims;
         int next, keepings;
         bool keeps, hasPlaces;
 
@@ -45,7 +45,7 @@ namespace SphFluid
         }
 
         /// <summary>Bytes of GPU memory.</summary>
-        public long GpuBytes => Bytes(counts) + Bytes(places);
+        public long GpuBytes => Bytes(counts) + Bytes(places) + Bytes(claims);
 
         /// <summary>Keeps the places of the next recorded frame, for distances from there on.</summary>
         /// <returns>The number that samples with such distances have.</returns>
@@ -74,12 +74,14 @@ namespace SphFluid
             pass.Record(cmd, solver, counts);
             if (keeps)
             {
-                GpuBuffers.Reserve(ref places, "Kept Places", solver.ParticleCount, 4 * sizeof(float));
-                pass.RecordPlaces(cmd, solver, places);
+                int count = Mathf.NextPowerOfTwo(solver.ParticleCount); // ids that follow each other have a place each
+                GpuBuffers.Reserve(ref places, "Kept Places", count, 4 * sizeof(float));
+                GpuBuffers.Reserve(ref claims, "Kept Place Claims", count, sizeof(uint));
+                pass.RecordPlaces(cmd, solver, places, claims);
                 keeps = false;
                 hasPlaces = true;
             }
-            if (hasPlaces) pass.RecordDistances(cmd, solver, places, counts);
+            if (hasPlaces) pass.RecordDistances(cmd, solver, places, claims, counts);
         }
 
         /// <summary>Asks for the measurement when it has been given to the GPU.</summary>
@@ -97,6 +99,7 @@ namespace SphFluid
         {
             GpuBuffers.Dispose(ref counts);
             GpuBuffers.Dispose(ref places);
+            GpuBuffers.Dispose(ref claims);
         }
 
         static long Bytes(GraphicsBuffer buffer) => buffer == null ? 0 : (long)buffer.count * buffer.stride;

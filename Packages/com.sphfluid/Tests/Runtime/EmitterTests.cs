@@ -59,7 +59,7 @@ namespace SphFluid.Tests
             FluidParticle[] jet = SimulationRig.Read(simulation);
             double layer = emitter.Spec.Area(Spacing) * 1.3 * 0.01; // of a frame
             double volume = jet.Length * System.Math.Pow(Spacing, 3), expected = emitter.Spec.Area(Spacing) * 1.3 * simulation.SimulatedTime;
-            int sites = EmitterSites.For(emitter.Spec, Spacing).Places.Count;
+            int sites = EmitterSites.For(emitter.Spec, Spacing).Places.Length;
             Assert.That(volume, Is.EqualTo(expected).Within(1.01 * sites * System.Math.Pow(Spacing, 3)), "one layer");
             Assert.That(layer, Is.Positive);
             Assert.That(longest, Is.LessThan(1010f), "largest density");
@@ -185,6 +185,32 @@ namespace SphFluid.Tests
             LogAssert.Expect(LogType.Warning, new System.Text.RegularExpressions.Regex("Nozzle.*100 % finds no place"));
             for (int frame = 0; frame < 8; frame++) yield return null;
             Assert.That(SimulationRig.Read(simulation).All(p => Mathf.Abs(p.Position.y) <= 0.4f));
+        }
+
+        // Ids that are born run on beyond the number of particles.
+        [UnityTest]
+        public IEnumerator AfterThePouringTheLiquidSleeps()
+        {
+            FluidSimulation simulation = rig.Create("Cup", false);
+            simulation.DomainSize = new Vector3(0.2f, 0.4f, 0.2f);
+            simulation.CapacityPolicy = FluidCapacityPolicy.RecycleOldest;
+            simulation.Capacity = 80;
+            FluidEmitter emitter = Nozzle(simulation, new Vector3(0f, 0.1f, 0f), Vector3.down, 0.1f, 0.8f);
+            emitter.Shape = FluidEmitterShape.Rectangle;
+            emitter.Duration = 2f;
+            emitter.Play();
+            for (int frame = 0; frame < 1200 && !simulation.IsAsleep; frame++)
+            {
+                yield return null;
+                if (frame < 200) Assert.That(simulation.IsAsleep, Is.False, "while liquid flows");
+            }
+            FluidParticle[] particles = SimulationRig.Read(simulation);
+            Assert.That(particles.Length, Is.InRange(55, 80), "a layer of 25 that is blocked has cost the oldest");
+            Assert.That(particles.Min(p => p.Id), Is.GreaterThan(20u), "recycled");
+            Assert.That(simulation.IsAsleep, $"after {simulation.SimulatedTime} s");
+            emitter.Play(0.001f);
+            for (int frame = 0; frame < 3; frame++) yield return null;
+            Assert.That(simulation.IsAsleep, Is.False);
         }
 
         [UnityTest]

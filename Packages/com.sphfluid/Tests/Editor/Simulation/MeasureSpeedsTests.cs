@@ -81,41 +81,42 @@ namespace SphFluid.Tests
             after = after.OrderBy(_ => random.Next()).ToArray();
             using (var solver = new FluidSolver(settings, shaders, before))
             using (GraphicsBuffer counts = GpuBuffers.Create("Counts", SpeedCounts.Size, sizeof(uint)))
-            using (GraphicsBuffer places = GpuBuffers.Create("Places", count, 16))
+            using (GraphicsBuffer places = GpuBuffers.Create("Places", count, 16), claims = GpuBuffers.Create("Claims", count, 4))
             {
                 var pass = new MeasureSpeedsPass(shaders);
-                Record(solver, before, cmd => pass.RecordPlaces(cmd, solver, places));
+                Record(solver, before, cmd => pass.RecordPlaces(cmd, solver, places, claims));
                 Record(solver, after, cmd =>
                 {
                     pass.Record(cmd, solver, counts);
-                    pass.RecordDistances(cmd, solver, places, counts);
+                    pass.RecordDistances(cmd, solver, places, claims, counts);
                 });
                 AssertCounts(GpuTest.Read<uint>(counts, SpeedCounts.Size), SpeedCounts.Distances, squares, 1e-3);
             }
         }
 
+        // Ids modulo 64: 3 and 67 share a place, and are left out. Who was born since, 100 here, is infinitely far.
         [Test]
-        public void NumbersThatAreNoIdsAreInfinitelyFar()
+        public void IdsThatShareAPlaceAreLeftOutAndWhoIsNewIsFar()
         {
-            FluidParticle[] particles = Spread(64);
-            particles[5].Id = 64;
-            particles[6].Id = uint.MaxValue;
+            FluidParticle[] particles = Spread(60), later = Spread(60);
+            particles[7].Id = later[7].Id = 67;
+            particles[8].Id = later[8].Id = unchecked((uint)-1); // of 63, which nobody has
+            later[9].Id = 100;
             FluidSolverSettings settings = Settings();
             using (var solver = new FluidSolver(settings, shaders, particles))
             using (GraphicsBuffer counts = GpuBuffers.Create("Counts", SpeedCounts.Size, sizeof(uint)))
-            using (GraphicsBuffer places = GpuBuffers.Create("Places", 64, 16))
+            using (GraphicsBuffer places = GpuBuffers.Create("Places", 64, 16), claims = GpuBuffers.Create("Claims", 64, 4))
             {
                 var pass = new MeasureSpeedsPass(shaders);
-                places.SetData(new Vector4[64]);
-                Record(solver, particles, cmd =>
+                Record(solver, particles, cmd => pass.RecordPlaces(cmd, solver, places, claims));
+                Record(solver, later, cmd =>
                 {
-                    pass.RecordPlaces(cmd, solver, places);
                     pass.Record(cmd, solver, counts);
-                    pass.RecordDistances(cmd, solver, places, counts);
+                    pass.RecordDistances(cmd, solver, places, claims, counts);
                 });
                 uint[] read = GpuTest.Read<uint>(counts, SpeedCounts.Size);
-                Assert.That(read[SpeedCounts.Distances], Is.EqualTo(62));
-                Assert.That(read[SpeedCounts.Distances + SpeedCounts.Bins - 1], Is.EqualTo(2));
+                Assert.That(read[SpeedCounts.Distances], Is.EqualTo(57));
+                Assert.That(read[SpeedCounts.Distances + SpeedCounts.Bins - 1], Is.EqualTo(1));
             }
         }
 
