@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using UnityEngine;
 
 namespace SphFluid
@@ -8,10 +7,8 @@ namespace SphFluid
     /// the liquid collides with it. Thicker than the liquid goes between two sorts, about half a particle spacing. Method Standard.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Drain")]
-    public sealed class FluidDrain : MonoBehaviour
+    public sealed class FluidDrain : MonoBehaviour, IFluidPart<DrainSpec>
     {
-        static readonly ActiveComponents<FluidDrain> ActiveSet = new ActiveComponents<FluidDrain>();
-
         readonly DrainState state = new DrainState();
 
         [SerializeField, Tooltip("Edge lengths of the drain in this transform's space, in metres where its scale is one. Not used where this object has a Box, Sphere or Capsule Collider.")]
@@ -29,9 +26,6 @@ namespace SphFluid
 
         /// <summary>Volume that has left here [m³], as of a few frames ago.</summary>
         public double DrainedVolume => state.Drained;
-
-        /// <summary>Enabled drains of all loaded scenes.</summary>
-        internal static IReadOnlyList<FluidDrain> Active => ActiveSet.InOrder;
 
         /// <summary>The drain as of now.</summary>
         internal DrainSpec Spec
@@ -56,6 +50,7 @@ namespace SphFluid
                         break;
                     default:
                         spec.IsBox = true;
+                        spec.IgnoresCollider = collider != null;
                         spec.Frame = transform.localToWorldMatrix * Matrix4x4.Scale(0.5f * size);
                         break;
                 }
@@ -77,12 +72,16 @@ namespace SphFluid
         Matrix4x4 Placed(Vector3 centre, Quaternion turn, Vector3 scale) =>
             Matrix4x4.TRS(transform.TransformPoint(centre), transform.rotation * turn, scale);
 
-        void OnEnable() => ActiveSet.Add(this);
+        DrainSpec IFluidPart<DrainSpec>.Spec => Spec;
 
-        void OnDisable() => ActiveSet.Remove(this);
+        Component IFluidPart<DrainSpec>.Named => simulation;
+
+        void OnEnable() => FluidParts<DrainSpec>.Add(this);
+
+        void OnDisable() => FluidParts<DrainSpec>.Remove(this);
 
         // Without a domain reload statics outlive play mode.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        internal static void ResetStatics() => ActiveSet.Clear();
+        internal static void ResetStatics() => FluidParts<DrainSpec>.Clear();
     }
 }

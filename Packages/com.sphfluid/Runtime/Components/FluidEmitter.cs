@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using UnityEngine;
 
 namespace SphFluid
@@ -8,10 +7,8 @@ namespace SphFluid
     /// rest density leaves with the speed of the nozzle, to which the nozzle's own motion is added. Method Standard.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Emitter")]
-    public sealed class FluidEmitter : MonoBehaviour
+    public sealed class FluidEmitter : MonoBehaviour, IFluidPart<EmitterSpec>
     {
-        static readonly ActiveComponents<FluidEmitter> ActiveSet = new ActiveComponents<FluidEmitter>();
-
         readonly EmitterState state = new EmitterState();
 
         [SerializeField, Tooltip("Outline of the nozzle, across this transform's forward axis.")]
@@ -75,9 +72,6 @@ namespace SphFluid
         /// <summary>Volume that was not emitted, as the liquid had as many particles as it may have [m³], as of a few frames ago.</summary>
         public double RefusedVolume => state.Refused;
 
-        /// <summary>Enabled emitters of all loaded scenes.</summary>
-        internal static IReadOnlyList<FluidEmitter> Active => ActiveSet.InOrder;
-
         /// <summary>The emitter as of now.</summary>
         internal EmitterSpec Spec
         {
@@ -121,20 +115,24 @@ namespace SphFluid
         /// <summary>Ends the flow; what has left the nozzle goes on.</summary>
         public void Stop() => state.IsOn = false;
 
+        EmitterSpec IFluidPart<EmitterSpec>.Spec => Spec;
+
+        Component IFluidPart<EmitterSpec>.Named => simulation;
+
         void OnEnable()
         {
-            ActiveSet.Add(this);
+            FluidParts<EmitterSpec>.Add(this);
             if (playOnEnable) Play();
         }
 
         void OnDisable()
         {
-            ActiveSet.Remove(this);
+            FluidParts<EmitterSpec>.Remove(this);
             state.IsOn = false;
         }
 
         // Without a domain reload statics outlive play mode.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        internal static void ResetStatics() => ActiveSet.Clear();
+        internal static void ResetStatics() => FluidParts<EmitterSpec>.Clear();
     }
 }

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using UnityEngine;
 
 namespace SphFluid
@@ -9,10 +8,8 @@ namespace SphFluid
     /// support radius, as a step in force would make sound: a zone thinner than two never has its full strength. Method Standard.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Force Zone")]
-    public sealed class FluidForceZone : MonoBehaviour
+    public sealed class FluidForceZone : MonoBehaviour, IFluidPart<ZoneSpec>
     {
-        static readonly ActiveComponents<FluidForceZone> ActiveSet = new ActiveComponents<FluidForceZone>();
-
         readonly ZoneState state = new ZoneState();
 
         [SerializeField, Tooltip("Directional: along this transform's forward axis. Point: towards its centre. Vortex: round its y axis. Wind: drag towards a " +
@@ -71,9 +68,6 @@ namespace SphFluid
         /// <summary>Simulation whose liquid is pushed; null: every one.</summary>
         public FluidSimulation Simulation { get => simulation; set => simulation = value; }
 
-        /// <summary>Enabled zones of all loaded scenes.</summary>
-        internal static IReadOnlyList<FluidForceZone> Active => ActiveSet.InOrder;
-
         /// <summary>The zone as of now.</summary>
         internal ZoneSpec Spec
         {
@@ -115,16 +109,20 @@ namespace SphFluid
             state.Burst = sum;
         }
 
-        void OnEnable() => ActiveSet.Add(this);
+        ZoneSpec IFluidPart<ZoneSpec>.Spec => Spec;
+
+        Component IFluidPart<ZoneSpec>.Named => simulation;
+
+        void OnEnable() => FluidParts<ZoneSpec>.Add(this);
 
         void OnDisable()
         {
-            ActiveSet.Remove(this);
+            FluidParts<ZoneSpec>.Remove(this);
             state.Burst = Vector3.zero;
         }
 
         // Without a domain reload statics outlive play mode.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        internal static void ResetStatics() => ActiveSet.Clear();
+        internal static void ResetStatics() => FluidParts<ZoneSpec>.Clear();
     }
 }

@@ -45,46 +45,38 @@ namespace SphFluid
             return count == 1 ? only : holder;
         }
 
-        /// <summary>The emitters that belong to a simulation, in hierarchy order where the scene plays.</summary>
+        /// <summary>The emitters or drains that belong to a simulation, in hierarchy order where the scene plays.</summary>
         /// <param name="simulation">The simulation.</param>
-        /// <param name="emitters">Receives them.</param>
-        public static void Emitters(FluidSimulation simulation, List<EmitterSpec> emitters)
+        /// <param name="specs">Receives them.</param>
+        public static void Own<TSpec>(FluidSimulation simulation, List<TSpec> specs)
         {
-            emitters.Clear();
-            if (!TryFind(simulation, FluidEmitter.Active, out IReadOnlyList<FluidEmitter> found, out IReadOnlyList<FluidSimulation> simulations)) return;
-            for (int i = 0; i < found.Count; i++)
-                if (found[i].enabled && Owner(found[i], found[i].Simulation, simulations) == simulation) emitters.Add(found[i].Spec);
+            specs.Clear();
+            IReadOnlyList<IFluidPart<TSpec>> parts = Parts<TSpec>(simulation);
+            IReadOnlyList<FluidSimulation> simulations = Application.isPlaying || parts.Count == 0
+                ? FluidSimulation.Active : SceneObjects.Find<FluidSimulation>(simulation);
+            for (int i = 0; i < parts.Count; i++)
+                if (Owner((Component)parts[i], (FluidSimulation)parts[i].Named, simulations) == simulation) specs.Add(parts[i].Spec);
         }
 
-        /// <summary>The drains that belong to a simulation, in hierarchy order where the scene plays.</summary>
+        /// <summary>The force zones that act on a simulation, which may share them, in hierarchy order where the scene plays.</summary>
         /// <param name="simulation">The simulation.</param>
-        /// <param name="drains">Receives them.</param>
-        public static void Drains(FluidSimulation simulation, List<DrainSpec> drains)
+        /// <param name="specs">Receives them.</param>
+        public static void Shared<TSpec>(FluidSimulation simulation, List<TSpec> specs)
         {
-            drains.Clear();
-            if (!TryFind(simulation, FluidDrain.Active, out IReadOnlyList<FluidDrain> found, out IReadOnlyList<FluidSimulation> simulations)) return;
-            for (int i = 0; i < found.Count; i++)
-                if (found[i].enabled && Owner(found[i], found[i].Simulation, simulations) == simulation) drains.Add(found[i].Spec);
-        }
-
-        /// <summary>The force zones that act on a simulation, in hierarchy order where the scene plays.</summary>
-        /// <param name="simulation">The simulation.</param>
-        /// <param name="zones">Receives them.</param>
-        public static void Zones(FluidSimulation simulation, List<ZoneSpec> zones)
-        {
-            zones.Clear();
-            if (!TryFind(simulation, FluidForceZone.Active, out IReadOnlyList<FluidForceZone> found, out _)) return;
-            for (int i = 0; i < found.Count; i++)
-                if (found[i].enabled && (found[i].Simulation == null || found[i].Simulation == simulation)) zones.Add(found[i].Spec);
+            specs.Clear();
+            IReadOnlyList<IFluidPart<TSpec>> parts = Parts<TSpec>(simulation);
+            for (int i = 0; i < parts.Count; i++)
+                if (parts[i].Named == null || parts[i].Named == simulation) specs.Add(parts[i].Spec);
         }
 
         // In play the enabled ones list themselves, so that a frame makes no garbage.
-        static bool TryFind<T>(FluidSimulation simulation, IReadOnlyList<T> active, out IReadOnlyList<T> found, out IReadOnlyList<FluidSimulation> simulations) where T : Component
+        static IReadOnlyList<IFluidPart<TSpec>> Parts<TSpec>(FluidSimulation simulation)
         {
-            bool plays = Application.isPlaying;
-            found = plays ? active : SceneObjects.Find<T>(simulation);
-            simulations = plays || found.Count == 0 ? FluidSimulation.Active : SceneObjects.Find<FluidSimulation>(simulation);
-            return found.Count > 0;
+            if (Application.isPlaying) return FluidParts<TSpec>.InOrder;
+            var found = new List<IFluidPart<TSpec>>();
+            foreach (MonoBehaviour behaviour in SceneObjects.Find<MonoBehaviour>(simulation))
+                if (behaviour is IFluidPart<TSpec> part && behaviour.enabled) found.Add(part);
+            return found;
         }
 
         static bool Holds(FluidSimulation simulation, Vector3 world)

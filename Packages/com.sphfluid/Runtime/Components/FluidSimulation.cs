@@ -248,9 +248,9 @@ namespace SphFluid
         {
             get
             {
-                FluidScene.Emitters(this, emitters);
-                FluidScene.Drains(this, drains);
-                FluidScene.Zones(this, zones);
+                FluidScene.Own(this, emitters);
+                FluidScene.Own(this, drains);
+                FluidScene.Shared(this, zones);
                 return OwnSpec;
             }
         }

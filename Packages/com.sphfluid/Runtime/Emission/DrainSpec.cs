@@ -20,6 +20,9 @@ namespace SphFluid
         /// <summary>Half the distance of the centres of a capsule's ends, over its radius.</summary>
         public float Length;
 
+        /// <summary>Whether its object has a collider of a kind that is no drain, so that the box serves.</summary>
+        public bool IgnoresCollider;
+
         /// <summary>The zone in simulation space.</summary>
         public readonly DrainZone Zone(in Matrix4x4 worldToSimulation)
         {

@@ -61,7 +61,7 @@ namespace SphFluid
                 state.TimeLeft -= period;
                 state.IsOn = state.VolumeLeft > 0.5 * layer && state.TimeLeft > 1e-3 * period;
             }
-            (position, rotation) = (newPosition, newRotation);
+            if (end > begin) (position, rotation) = (newPosition, newRotation); // else what it went belongs to the next steps
         }
 
         static bool IsSame(in EmitterSpec a, in EmitterSpec b) => a.Shape == b.Shape && a.Size.Equals(b.Size);

@@ -39,6 +39,11 @@ namespace SphFluid
                     $"The method {spec.Method} has a fixed number of particles: its emitters and drains do nothing.", "Set Method to Standard."));
             for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
                 if (Check(spec.Emitters[i], spec, double.PositiveInfinity) is FluidMessage wrong) messages.Add(wrong);
+            for (int i = 0; i < (spec.Drains?.Count ?? 0); i++)
+                if (spec.Drains[i].IgnoresCollider)
+                    messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, spec.Drains[i].Owner,
+                        "The drain's object has a collider that is no Box, Sphere or Capsule Collider: the box of Size is the drain.",
+                        "Use one of these colliders, or move the drain to an object without a collider."));
             if (spec.CapacityPolicy != FluidCapacityPolicy.Grow && spec.Capacity < 0)
                 messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.TooManyParticles, spec.Owner, $"The capacity is {spec.Capacity} particles.",
                     "Give Capacity a number greater than zero, or zero for Max Particles of the profile."));
