@@ -123,6 +123,32 @@ namespace SphFluid.Tests
             Assert.That(runs[0], Is.EqualTo(runs[1]));
         }
 
+        [UnityTest]
+        public IEnumerator MovingAndReadingTenThousandPointsMakesNoGarbage()
+        {
+            FluidSimulation simulation = rig.Create();
+            FluidQueries queries = simulation.Queries;
+            var asked = new FluidQuery[10000];
+            for (int i = 0; i < asked.Length; i++) asked[i] = queries.AddPoint(new Vector3(0.00001f * i, 0f, 0f));
+            long made = -1;
+            for (int turn = 0; turn < 3; turn++)
+            {
+                yield return null;
+                yield return null;
+                queries.Complete();
+                int answered = 0;
+                long before = GC.GetAllocatedBytesForCurrentThread();
+                for (int i = 0; i < asked.Length; i++)
+                {
+                    queries.Move(asked[i], new Vector3(0.00001f * i, 0.01f * turn, 0f));
+                    if (queries.TryGet(asked[i], out FluidPointResult _)) answered++;
+                }
+                made = GC.GetAllocatedBytesForCurrentThread() - before;
+                if (turn > 0) Assert.That(answered, Is.EqualTo(asked.Length));
+            }
+            Assert.That(made, Is.Zero);
+        }
+
         [Test]
         public void PlacesThatAreNotFiniteAreRefused() =>
             Assert.That(() => rig.Create().Queries.AddPoint(new Vector3(0f, float.NaN, 0f)), Throws.ArgumentException.With.Message.Contains("not finite"));
