@@ -96,6 +96,7 @@ namespace SphFluid
         readonly List<DrainSpec> drains = new List<DrainSpec>();
         readonly List<ZoneSpec> zones = new List<ZoneSpec>();
         FluidRun run;
+        FluidQueries queries;
         bool requested;
         int singleSteps;
         (FluidStartKey, FluidLiveKey)? failed;
@@ -291,6 +292,9 @@ namespace SphFluid
         /// <summary>Most particles that the liquid may have: Max Particles of the profile, or fewer where this device's buffers hold fewer.</summary>
         public long ParticleLimit => LiquidChecks.MostParticles(Spec, out _);
 
+        /// <summary>Questions to the liquid that are answered without waiting for the GPU.</summary>
+        public FluidQueries Queries => queries ??= new FluidQueries(this, Report);
+
         internal CollisionScene Collision => run?.Collision;
 
         /// <summary>Starts the liquid from its volumes, again if it runs already.</summary>
@@ -423,6 +427,8 @@ namespace SphFluid
             Release();
         }
 
+        void OnDestroy() => queries?.Dispose();
+
         void LateUpdate()
         {
             if (!requested) return;
@@ -432,7 +438,11 @@ namespace SphFluid
                 if (failed == null || !failed.Value.Equals(KeysOf(spec))) StartSimulation();
                 return;
             }
-            if (TryAdvance(spec, out FluidMessage failure)) return;
+            if (TryAdvance(spec, out FluidMessage failure))
+            {
+                queries?.Ask(run.Solver, spec.Profile.Shaders, run.SimulatedTime, spec.Position, spec.Rotation);
+                return;
+            }
             foreach (FluidMessage message in FluidReports.ErrorsOf(Validate(), failure)) Report(message);
             Release();
             failed = KeysOf(Spec);
@@ -472,6 +482,7 @@ namespace SphFluid
         void Release()
         {
             if (run == null) return;
+            queries?.Detach();
             run.Dispose();
             run = null;
             singleSteps = 0;

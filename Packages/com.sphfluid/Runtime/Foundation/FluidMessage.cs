@@ -102,6 +102,8 @@ namespace SphFluid
         CapacityGrown,
         /// <summary>The time scale of a simulation is negative or not a number.</summary>
         TimeScaleInvalid,
+        /// <summary>The device or the shader set cannot answer queries; the liquid runs without.</summary>
+        QueriesUnavailable,
     }
 
     /// <summary>One message to the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>

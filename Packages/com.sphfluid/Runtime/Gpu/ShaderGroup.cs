@@ -35,6 +35,11 @@ namespace SphFluid
             groupThreads: 256, buffers: 5, writableBuffers: 1, groupMemory: 4096, vertexBuffers: 0,
             "MeasureStatistics");
 
+        /// <summary>Queries of scripts.</summary>
+        public static readonly ShaderGroup Queries = new ShaderGroup("the queries", "Shaders/Queries",
+            groupThreads: 256, buffers: 5, writableBuffers: 1, groupMemory: 0, vertexBuffers: 0,
+            "AnswerPoints");
+
         public ShaderGroup(string part, string folder, int groupThreads, int buffers, int writableBuffers, int groupMemory, int vertexBuffers,
             params string[] shaders)
         {
