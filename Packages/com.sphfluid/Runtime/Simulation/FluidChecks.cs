@@ -134,7 +134,7 @@ namespace SphFluid
             messages.AddRange(collision.Messages);
             MeshColliderChecks.Check(query, messages);
             List<(VolumeSpec, LiquidShape shape)> found = LiquidChecks.Shapes(spec, volumes, collision, messages);
-            if (found.Count == 0 && (volumes.Count > 0 || !FluidMethods.Has(spec.Method, FluidMethodFeatures.ChangingCount))) return null;
+            if (found.Count == 0 && (volumes.Count > 0 || LiquidChecks.IsDry(spec))) return null;
             List<LiquidShape> shapes = found.ConvertAll(f => f.shape);
             SpawnResult result = spawn(SpawnRequests.For(spec, shapes, collision));
             return LiquidChecks.Check(spec, found, result, collision, messages)

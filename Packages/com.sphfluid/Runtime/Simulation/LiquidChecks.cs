@@ -17,11 +17,15 @@ namespace SphFluid
             var shapes = new List<(VolumeSpec, LiquidShape)>();
             foreach (VolumeSpec volume in volumes)
                 if (VolumeChecks.Check(volume, spec, collision, messages) is LiquidShape shape) shapes.Add((volume, shape));
-            if (volumes.Count == 0 && !(spec.Emitters?.Count > 0))
+            if (volumes.Count == 0 && IsDry(spec))
                 messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.NoLiquid, spec.Owner, "The domain holds no liquid.",
                     "Add a Fluid Volume or a Fluid Emitter, for instance as a child: GameObject > Fluid > Fluid Volume."));
             return shapes;
         }
+
+        /// <summary>Whether nothing can pour into a simulation.</summary>
+        public static bool IsDry(in FluidSpec spec) =>
+            !(spec.Emitters?.Count > 0) || !FluidMethods.Has(spec.Method, FluidMethodFeatures.ChangingCount);
 
         /// <summary>Checks what became of the shapes when they were filled or counted.</summary>
         /// <returns>False when the particles are too many to go on with.</returns>

@@ -9,6 +9,9 @@ namespace SphFluid
     /// </summary>
     internal sealed class BirthQueue
     {
+        // Births of several sources are compared with each other: more of them wait for the next sort.
+        const int MostRivals = 4096;
+
         ParticleBirth[] waiting = new ParticleBirth[64], due = new ParticleBirth[64];
         double[] times = new double[64];
 
@@ -70,7 +73,8 @@ namespace SphFluid
             if (due.Length < Waiting) Array.Resize(ref due, waiting.Length);
             for (int i = 0; i < Waiting; i++)
             {
-                if (times[i] > end)
+                bool isRival = taken > 0 && waiting[i].Source != due[0].Source;
+                if (times[i] > end || taken >= MostRivals && (HasRivals || isRival))
                 {
                     Keep(i, kept++);
                     continue;
@@ -79,7 +83,7 @@ namespace SphFluid
                 float since = (float)(end - times[i]);
                 birth.Position += since * birth.Velocity + 0.5f * since * since * gravity;
                 birth.Velocity += (since - 0.5f * length) * gravity;
-                HasRivals |= taken > 0 && birth.Source != due[0].Source;
+                HasRivals |= isRival;
                 due[taken++] = birth;
             }
             Waiting = kept;

@@ -167,6 +167,19 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void ManyBirthsOfOneSourceComeAtOnceAndOfSeveralByAndBy()
+        {
+            var queue = new BirthQueue(0u);
+            for (int i = 0; i < 5000; i++) queue.Add(Vector3.zero, Vector3.zero, 0.0, 1);
+            for (int i = 0; i < 10; i++) queue.Add(Vector3.zero, Vector3.zero, 0.0, 2);
+            Assert.That((queue.Take(1.0, 0.01f, Vector3.zero), queue.HasRivals, queue.Waiting), Is.EqualTo((5000, false, 10)));
+            for (int i = 0; i < 5000; i++) queue.Add(Vector3.zero, Vector3.zero, 0.0, 1);
+            Assert.That((queue.Take(1.0, 0.01f, Vector3.zero), queue.HasRivals, queue.Waiting), Is.EqualTo((4096, true, 914)));
+            Assert.That((queue.Take(1.0, 0.01f, Vector3.zero), queue.HasRivals, queue.Waiting), Is.EqualTo((914, false, 0)));
+            Assert.That(queue.Taken, Is.EqualTo(10010));
+        }
+
+        [Test]
         public void OtherParticlesMayBeMoreOrFewer()
         {
             using (var rig = new StandardRig(Settings(), ParticleSets.Lattice(new Vector3Int(5, 5, 5), Spacing, 0f, 1)))
