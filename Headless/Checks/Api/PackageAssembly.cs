@@ -4,7 +4,7 @@ using System.Text.Json;
 
 namespace Headless.Checks.Api;
 
-/// <summary>An assembly definition of the package and its sources. An optional one is compiled only in projects with another package; modules of the engine are taken to be there.</summary>
+/// <summary>An assembly definition of the package and its sources. An optional one is compiled only in projects with another package.</summary>
 internal sealed record PackageAssembly(string Name, string Folder, IReadOnlyList<string> References, bool EditorOnly, bool IsTest, bool IsOptional, IReadOnlyList<string> ModuleDefines)
 {
     public static List<PackageAssembly> FindAll(string packageRoot)
@@ -44,7 +44,7 @@ internal sealed record PackageAssembly(string Name, string Folder, IReadOnlyList
 
     public List<SyntaxTree> Parse(IEnumerable<string> defines)
     {
-        var options = new CSharpParseOptions(LanguageVersion.CSharp9, DocumentationMode.Diagnose, preprocessorSymbols: defines.Concat(ModuleDefines));
+        var options = new CSharpParseOptions(LanguageVersion.CSharp9, DocumentationMode.Diagnose, preprocessorSymbols: defines);
         return SourceFiles().Select(f => CSharpSyntaxTree.ParseText(File.ReadAllText(f), options, f)).ToList();
     }
 

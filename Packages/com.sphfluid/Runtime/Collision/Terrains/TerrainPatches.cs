@@ -75,7 +75,7 @@ namespace SphFluid
         {
             TerrainData data = collider.terrainData;
             if (data == null) return null;
-            if (!patches.TryGetValue(collider, out Patch patch)) patches.Add(collider, patch = new Patch());
+            if (!patches.TryGetValue(collider, out Patch patch)) patch = Add(collider);
 
             Matrix4x4 toWorld = worldToSimulation.inverse;
             Vector3 centre = toWorld.GetPosition() - collider.transform.position, half = 0.5f * domain + 4f * spacing * Vector3.one;
@@ -95,6 +95,17 @@ namespace SphFluid
             patch.Take(data, cell, taken, held ? patch.Floor : floor - 0.25f * extents.y - spacing);
             patch.Edits = edits;
             return patch.Mesh;
+        }
+
+        Patch Add(Collider collider)
+        {
+            var gone = new List<Collider>();
+            foreach (Collider known in patches.Keys)
+                if (known == null) gone.Add(known);
+            foreach (Collider known in gone) patches.Remove(known);
+            var patch = new Patch();
+            patches.Add(collider, patch);
+            return patch;
         }
 
         // At least one cell, the nearest.
