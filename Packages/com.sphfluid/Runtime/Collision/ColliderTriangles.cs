@@ -86,8 +86,8 @@ namespace SphFluid
             ? Warn(state, FluidIssue.TooManyTriangles,
                 $"More than {TerrainPatches.MaxCells} cells of the terrain lie over the domain, so the fluid passes through it.",
                 "Use a smaller domain, or a lower Heightmap Resolution for the terrain.")
-            : Warn(state, FluidIssue.MeshEmpty, "The Terrain Collider has no terrain data, so the fluid cannot collide with it.",
-                "Assign terrain data to the Terrain Collider or remove it.");
+            : Warn(state, FluidIssue.MeshEmpty, "The Terrain Collider has no terrain data, or data without a size, so the fluid cannot collide with it.",
+                "Assign terrain data with a size greater than zero to the Terrain Collider or remove it.");
 
         static TriangleMesh FromBox(in ColliderState state, List<FluidMessage> messages)
         {

@@ -36,11 +36,13 @@ namespace SphFluid
 #endif
         }
 
-        /// <summary>Whether a terrain has data.</summary>
+        /// <summary>Whether a terrain has data, of a size greater than zero.</summary>
         public static bool HasData(Collider collider)
         {
 #if SPHFLUID_TERRAIN
-            return collider is TerrainCollider terrain && terrain.terrainData != null;
+            if (!(collider is TerrainCollider terrain) || terrain.terrainData == null) return false;
+            Vector3 size = terrain.terrainData.size;
+            return size.x > 0f && size.y > 0f && size.z > 0f;
 #else
             return false;
 #endif
@@ -73,8 +75,8 @@ namespace SphFluid
         // Null where there is no data, or too much.
         TriangleMesh Find(TerrainCollider collider, in Matrix4x4 worldToSimulation, Vector3 domain, float spacing)
         {
+            if (!HasData(collider)) return null;
             TerrainData data = collider.terrainData;
-            if (data == null) return null;
             if (!patches.TryGetValue(collider, out Patch patch)) patch = Add(collider);
 
             Matrix4x4 toWorld = worldToSimulation.inverse;

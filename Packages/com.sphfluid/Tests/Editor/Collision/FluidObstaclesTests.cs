@@ -100,6 +100,34 @@ namespace SphFluid.Tests
                 UnityEngine.Object.DestroyImmediate(data);
             }
         }
+
+        [Test]
+        public void TerrainWithoutDataOrSizeIsNamedWithTheCure()
+        {
+            var holder = new GameObject("Ground") { hideFlags = HideFlags.HideAndDontSave };
+            var flat = new TerrainData { size = new Vector3(3f, 0f, 3f) };
+            try
+            {
+                TerrainCollider terrain = holder.AddComponent<TerrainCollider>();
+                using (var obstacles = new FluidObstacles(Settings(FluidMethodKind.Standard)))
+                {
+                    obstacles.Add(terrain);
+                    foreach (TerrainData data in new[] { null, flat })
+                    {
+                        terrain.terrainData = data;
+                        obstacles.Update(Matrix4x4.identity);
+                        FluidMessage message = obstacles.Messages.Single();
+                        Assert.That(message.Issue, Is.EqualTo(FluidIssue.MeshEmpty));
+                        Assert.That(message.ToString(), Does.Contain("'Ground'").And.Contain("Assign terrain data"));
+                    }
+                }
+            }
+            finally
+            {
+                UnityEngine.Object.DestroyImmediate(holder);
+                UnityEngine.Object.DestroyImmediate(flat);
+            }
+        }
 #endif
 
         [Test]
