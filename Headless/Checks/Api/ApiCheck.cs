@@ -34,34 +34,39 @@ internal sealed class ApiCheck(ProjectPackages packages)
                 var built = new Dictionary<string, CSharpCompilation>();
                 foreach (var package in packages.All) yield return Compile(package, line, references, editor, editorOnly, built);
             }
+            yield return Compile(packages.Product, line, references, editor: false, editorOnly, [], modules: false);
         }
     }
 
     /// <param name="built">Assemblies of the packages before this one; gets this one's.</param>
+    /// <param name="modules">Whether the project has the modules of the engine that the package can do without: terrain.</param>
     private static CheckReport Compile(
-        string package, string line, ReferenceAssemblies references, bool editor, IReadOnlySet<string> editorOnly, Dictionary<string, CSharpCompilation> built)
+        string package, string line, ReferenceAssemblies references, bool editor, IReadOnlySet<string> editorOnly, Dictionary<string, CSharpCompilation> built,
+        bool modules = true)
     {
-        var report = new CheckReport($"API {line} {(editor ? "Editor" : "player")}, {Path.GetFileName(package)}");
+        var report = new CheckReport($"API {line} {(editor ? "Editor" : "player")}, {Path.GetFileName(package)}{(modules ? "" : " without modules")}");
         var used = new HashSet<string>();
         var before = built.Count;
         foreach (var assembly in PackageAssembly.FindAll(package))
         {
             if (!editor && (assembly.EditorOnly || assembly.IsTest)) continue;
-            var compilation = CreateCompilation(assembly, line, references, editor, built, report.Findings);
+            var compilation = CreateCompilation(assembly, line, references, editor, modules, built, report.Findings);
             built[assembly.Name] = compilation;
             foreach (var diagnostic in compilation.GetDiagnostics())
                 if (IsFinding(diagnostic, assembly)) report.Findings.Add($"{assembly.Name}: {Describe(diagnostic)}");
             CollectUsedMembers(compilation, used, report.Findings, editorOnly, forPlayers: !assembly.EditorOnly && !assembly.IsTest);
         }
+        if (!modules) report.Findings.AddRange(used.Where(id => id.Contains(":UnityEngine.Terrain")).Select(id => $"{id} needs a module that a project may not have"));
         report.Figures = $"{built.Count - before} {(built.Count - before == 1 ? "assembly compiles" : "assemblies compile")}, {used.Count} Unity members used, {references.MemberCount} known";
         return report;
     }
 
-    private static CSharpCompilation CreateCompilation(PackageAssembly assembly, string line, ReferenceAssemblies references, bool editor,
+    private static CSharpCompilation CreateCompilation(PackageAssembly assembly, string line, ReferenceAssemblies references, bool editor, bool modules,
         Dictionary<string, CSharpCompilation> built, List<string> findings)
     {
         var defines = new List<string>(lineDefines[line]) { "UNITY_STANDALONE", "UNITY_STANDALONE_WIN", "NET_STANDARD_2_1", "NET_STANDARD", "ENABLE_MONO" };
         if (editor) defines.AddRange(["UNITY_EDITOR", "UNITY_EDITOR_WIN", "UNITY_INCLUDE_TESTS"]);
+        if (modules) defines.AddRange(assembly.ModuleDefines);
         var metadata = new List<MetadataReference>(ReferenceAssemblies.NetStandard) { references.Engine };
         if (editor) metadata.Add(references.Editor);
         foreach (var name in assembly.References)

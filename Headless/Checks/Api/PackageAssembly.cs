@@ -5,7 +5,7 @@ using System.Text.Json;
 namespace Headless.Checks.Api;
 
 /// <summary>An assembly definition of the package and its sources. An optional one is compiled only in projects with another package.</summary>
-internal sealed record PackageAssembly(string Name, string Folder, IReadOnlyList<string> References, bool EditorOnly, bool IsTest, bool IsOptional)
+internal sealed record PackageAssembly(string Name, string Folder, IReadOnlyList<string> References, bool EditorOnly, bool IsTest, bool IsOptional, IReadOnlyList<string> ModuleDefines)
 {
     public static List<PackageAssembly> FindAll(string packageRoot)
     {
@@ -20,11 +20,17 @@ internal sealed record PackageAssembly(string Name, string Folder, IReadOnlyList
                 Path.GetDirectoryName(file)!,
                 root.GetProperty("references").EnumerateArray().Select(r => r.GetString()!).ToList(),
                 root.GetProperty("includePlatforms").EnumerateArray().Any(p => p.GetString() == "Editor"),
-                root.GetProperty("defineConstraints").EnumerateArray().Any(c => c.GetString() == "UNITY_INCLUDE_TESTS"),
-                root.TryGetProperty("versionDefines", out JsonElement defines) && defines.GetArrayLength() > 0));
+                Constraints(root).Contains("UNITY_INCLUDE_TESTS"),
+                Constraints(root).Intersect(VersionDefines(root, "")).Any(),
+                [.. VersionDefines(root, "com.unity.modules.")]));
         }
         return InDependencyOrder(found);
     }
+
+    private static IEnumerable<string> Constraints(JsonElement root) => root.GetProperty("defineConstraints").EnumerateArray().Select(c => c.GetString()!);
+
+    private static IEnumerable<string> VersionDefines(JsonElement root, string prefix) => !root.TryGetProperty("versionDefines", out JsonElement all) ? [] :
+        all.EnumerateArray().Where(d => d.GetProperty("name").GetString()!.StartsWith(prefix, StringComparison.Ordinal)).Select(d => d.GetProperty("define").GetString()!);
 
     public IEnumerable<string> SourceFiles() =>
         Directory.GetFiles(Folder, "*.cs", SearchOption.AllDirectories).Where(f => !OwnedByNestedAssembly(f)).Order();

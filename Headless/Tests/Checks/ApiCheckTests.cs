@@ -12,7 +12,7 @@ public sealed class ApiCheckTests
         var reports = Run("using UnityEngine; class A : MonoBehaviour { void Update() => transform.position += Vector3.up * Time.deltaTime; }");
 
         Assert.That(reports.SelectMany(r => r.Findings), Is.Empty);
-        Assert.That(reports, Has.Count.EqualTo(4));
+        Assert.That(reports, Has.Count.EqualTo(6));
     }
 
     [TestCase("UnityEngine.Object.FindObjectsOfType<UnityEngine.Camera>()", "6000.0", "CS0618", TestName = "obsolete in the newer line")]

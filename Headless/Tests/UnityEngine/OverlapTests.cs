@@ -57,6 +57,57 @@ public class OverlapTests : EngineFixture
     }
 
     [Test]
+    public void ACharacterControllerStaysUpright()
+    {
+        CharacterController character = Make<CharacterController>("C", Vector3.zero, Quaternion.Euler(0f, 0f, 90f), Vector3.one);
+        character.height = 3f;
+        Assert.That(character.bounds.size.y, Is.EqualTo(3f).Within(1e-4f));
+        Assert.That(character.bounds.size.x, Is.EqualTo(1f).Within(1e-4f));
+        Assert.That(Hits(new Vector3(0f, 1.4f, 0f), Vector3.one * 0.05f), Is.EqualTo(1));
+        Assert.That(Hits(new Vector3(1.4f, 0f, 0f), Vector3.one * 0.05f), Is.Zero);
+    }
+
+    [Test]
+    public void ATerrainIsItsBoxWhereverItsObjectIsTurned()
+    {
+        TerrainCollider terrain = Make<TerrainCollider>("T", new Vector3(1f, 2f, 3f), Quaternion.Euler(0f, 45f, 0f), 2f * Vector3.one);
+        Assert.That(Hits(Vector3.zero, Vector3.one * 100f), Is.Zero, "no data");
+        terrain.terrainData = new TerrainData { heightmapResolution = 40, size = new Vector3(64f, 4f, 32f) };
+        Assert.That(terrain.terrainData.heightmapResolution, Is.EqualTo(65));
+        Assert.That((terrain.bounds.min - new Vector3(1f, 2f, 3f)).magnitude, Is.LessThan(1e-3f));
+        Assert.That((terrain.bounds.size - new Vector3(64f, 4f, 32f)).magnitude, Is.LessThan(1e-3f));
+        Assert.That(Hits(new Vector3(64f, 5f, 34f), Vector3.one * 0.1f), Is.EqualTo(1));
+        Assert.That(Hits(new Vector3(64f, 7f, 34f), Vector3.one * 0.1f), Is.Zero);
+    }
+
+    [Test]
+    public void EditsOfTerrainDataRaiseItsTerrainsCallbacks()
+    {
+        var data = new TerrainData();
+        new GameObject("T").AddComponent<Terrain>().terrainData = data;
+        int heights = 0, holes = 0;
+        TerrainCallbacks.HeightmapChangedCallback onHeights = (terrain, region, synched) => heights += region.width * region.height;
+        TerrainCallbacks.TextureChangedCallback onTexture = (terrain, name, region, synched) => holes += name == TerrainData.HolesTextureName ? 1 : 0;
+        TerrainCallbacks.heightmapChanged += onHeights;
+        TerrainCallbacks.textureChanged += onTexture;
+        try
+        {
+            data.SetHeights(3, 4, new float[2, 5] { { 0.5f, 0f, 0f, 0f, 2f }, { 0f, 0f, 0f, 0f, 0f } });
+            data.SetHoles(31, 31, new bool[1, 1]);
+        }
+        finally
+        {
+            TerrainCallbacks.heightmapChanged -= onHeights;
+            TerrainCallbacks.textureChanged -= onTexture;
+        }
+        Assert.That((heights, holes), Is.EqualTo((10, 1)));
+        Assert.That(data.GetHeights(3, 4, 5, 1)[0, 0], Is.EqualTo(0.5f));
+        Assert.That(data.GetHeights(7, 4, 1, 1)[0, 0], Is.EqualTo(1f), "heights are at most 1");
+        Assert.That(data.GetHoles(31, 31, 1, 1)[0, 0], Is.False);
+        Assert.That(() => data.GetHeights(30, 0, 4, 1), Throws.ArgumentException);
+    }
+
+    [Test]
     public void CapsuleHasRoundEnds()
     {
         CapsuleCollider capsule = Make<CapsuleCollider>("C", Vector3.zero, Quaternion.Euler(0f, 0f, 90f), Vector3.one);

@@ -33,34 +33,13 @@ public class CapsuleCollider : Collider
         }
     }
 
+    PhysicsCapsule Shape => new(WorldCenter, HalfAxis, WorldRadius);
+
     internal override bool HasShape => true;
-
-    internal override Bounds WorldBounds
-    {
-        get
-        {
-            Vector3 half = HalfAxis;
-            var extents = new Vector3(Mathf.Abs(half.x), Mathf.Abs(half.y), Mathf.Abs(half.z)) + Vector3.one * WorldRadius;
-            return new Bounds(WorldCenter, extents * 2f);
-        }
-    }
-
-    internal override bool OverlapsBox(in PhysicsBox box) => box.DistanceToSegment(WorldCenter - HalfAxis, WorldCenter + HalfAxis) <= WorldRadius;
-    internal override bool OverlapsSphere(Vector3 center, float radius) => (NearestOnAxis(center) - center).magnitude <= radius + WorldRadius;
-
-    internal override Vector3 ClosestPointCore(Vector3 position)
-    {
-        Vector3 onAxis = NearestOnAxis(position);
-        Vector3 offset = position - onAxis;
-        return offset.magnitude <= WorldRadius ? position : onAxis + offset.normalized * WorldRadius;
-    }
-
-    Vector3 NearestOnAxis(Vector3 point)
-    {
-        Vector3 half = HalfAxis;
-        float square = half.sqrMagnitude;
-        return square == 0f ? WorldCenter : WorldCenter + half * Mathf.Clamp(Vector3.Dot(point - WorldCenter, half) / square, -1f, 1f);
-    }
+    internal override Bounds WorldBounds => Shape.Bounds;
+    internal override bool OverlapsBox(in PhysicsBox box) => Shape.Overlaps(box);
+    internal override bool OverlapsSphere(Vector3 center, float radius) => Shape.OverlapsSphere(center, radius);
+    internal override Vector3 ClosestPointCore(Vector3 position) => Shape.ClosestPoint(position);
 
     internal override void FitToMesh()
     {

@@ -19,6 +19,10 @@ namespace SphFluid
                 messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.ColliderFrictionUnused, collider,
                     $"Its Fluid Collider has a friction of its own, but '{owner.name}' computes by the thesis's method, where all colliders have the friction of the faces.",
                     "Set the simulation's Method to Standard, or turn Own Friction off."));
+            if (TerrainPatches.IsTerrain(collider) && (collider.transform.rotation != Quaternion.identity || collider.transform.lossyScale != Vector3.one))
+                messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.ColliderUnsupported, collider,
+                    "The terrain's object is turned or scaled, but Unity draws terrains upright and in their own size: liquid collides with what is drawn.",
+                    "Set the rotation of the object and its parents to 0 and their scales to 1."));
             if (query.Periodic == FluidAxes.None) return;
             Bounds bounds = solid.Mesh.Bounds;
             float reach = query.SupportRatio * query.Spacing;

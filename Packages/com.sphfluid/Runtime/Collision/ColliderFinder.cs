@@ -47,11 +47,18 @@ namespace SphFluid
     /// <summary>Finds the colliders in a domain and reports whether anything changed since the last look.</summary>
     internal sealed class ColliderFinder
     {
+        readonly TerrainPatches terrains;
         Collider[] hits = new Collider[32];
         Collider[] lastHits = Array.Empty<Collider>();
         readonly List<Collider> ordered = new List<Collider>();
         List<ColliderState> states = new List<ColliderState>();
         List<ColliderState> previous = new List<ColliderState>();
+
+        /// <param name="terrains">What is read of terrains.</param>
+        public ColliderFinder(TerrainPatches terrains)
+        {
+            this.terrains = terrains;
+        }
 
         /// <summary>Solid colliders found last, in hierarchy order.</summary>
         public IReadOnlyList<ColliderState> States => states;
@@ -71,8 +78,9 @@ namespace SphFluid
             foreach (Collider collider in ordered)
             {
                 IColliderSettings own = ColliderSettings.Of(collider);
-                if (own == null) states.Add(ColliderState.Of(collider, ColliderSettings.DomainFriction, worldToSimulation));
-                else if (own.AppliesTo(query.Owner)) states.Add(ColliderState.Of(collider, own.EffectiveFriction, worldToSimulation));
+                if (own != null && !own.AppliesTo(query.Owner)) continue;
+                float friction = own?.EffectiveFriction ?? ColliderSettings.DomainFriction;
+                states.Add(terrains.StateOf(collider, friction, worldToSimulation, query.DomainSize, query.Spacing));
             }
             return !SameStates();
         }

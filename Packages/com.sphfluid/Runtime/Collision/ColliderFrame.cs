@@ -16,7 +16,7 @@ namespace SphFluid
         public static bool HasSameShape(in ColliderState a, in ColliderState b)
         {
             if (!a.HasMeshOf(b)) return false;
-            if (!(a.Collider is CapsuleCollider)) return true;
+            if (!(a.Collider is CapsuleCollider || a.Collider is CharacterController)) return true;
             if (a.Size.z != b.Size.z) return false;
             double first = RoundShape.Of(a).Aspect, second = RoundShape.Of(b).Aspect;
             return Math.Abs(first - second) <= AspectTolerance * Math.Max(1.0, first);
@@ -33,6 +33,7 @@ namespace SphFluid
                     return toSimulation * new AffineMap(size.x, 0, 0, 0, size.y, 0, 0, 0, size.z, state.Center.x, state.Center.y, state.Center.z);
                 case SphereCollider _:
                 case CapsuleCollider _:
+                case CharacterController _:
                     RoundShape round = RoundShape.Of(state);
                     Vector3 centre = toSimulation.Apply(state.Center);
                     AffineMap turned = Turned(toSimulation, round.Axis);

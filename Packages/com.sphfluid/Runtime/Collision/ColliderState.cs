@@ -20,15 +20,15 @@ namespace SphFluid
             stamp = MeshStamp.Of(mesh);
         }
 
-        /// <summary>A mesh that no collider has.</summary>
-        /// <param name="key">What it is known by while it moves.</param>
+        /// <summary>A mesh that no collider has, or that of a terrain.</summary>
+        /// <param name="key">What it is known by while it moves; a terrain's collider.</param>
         /// <param name="triangles">Its triangles in a space of its own.</param>
         /// <param name="friction">0 free slip to 1 no slip; negative: as the domain's faces.</param>
         /// <param name="toSimulation">Its own space to simulation space.</param>
         public ColliderState(object key, TriangleMesh triangles, float friction, in Matrix4x4 toSimulation)
         {
             Key = key;
-            Collider = null;
+            Collider = key as Collider;
             Triangles = triangles;
             Friction = friction;
             ToSimulation = toSimulation;
@@ -46,7 +46,7 @@ namespace SphFluid
         public Collider Collider { get; }
         public Matrix4x4 ToSimulation { get; }
 
-        /// <summary>Triangles of a mesh that no collider has, in a space of their own; null for colliders.</summary>
+        /// <summary>Triangles of a mesh that no collider has, or of a terrain, in a space of their own; null for other colliders.</summary>
         public TriangleMesh Triangles { get; }
 
         /// <summary>0 free slip to 1 no slip; negative: as the domain's faces.</summary>
@@ -58,7 +58,7 @@ namespace SphFluid
         /// <summary>Centre in the collider's space.</summary>
         public Vector3 Center { get; }
 
-        /// <summary>Box: edge lengths. Sphere: radius in x. Capsule: radius, height, axis (0 x, 1 y, 2 z).</summary>
+        /// <summary>Box: edge lengths. Sphere: radius in x. Capsule, Character Controller: radius, height, axis (0 x, 1 y, 2 z).</summary>
         public Vector3 Size { get; }
 
         public static ColliderState Of(Collider collider, float friction, in Matrix4x4 worldToSimulation)
@@ -75,9 +75,19 @@ namespace SphFluid
                 case CapsuleCollider capsule:
                     return new ColliderState(collider, toSimulation, friction, null, capsule.center,
                         new Vector3(capsule.radius, capsule.height, capsule.direction));
+                case CharacterController character:
+                    return new ColliderState(collider, worldToSimulation * Upright(character), friction, null, Vector3.zero,
+                        new Vector3(character.radius, character.height, 1f));
                 default:
                     return new ColliderState(collider, toSimulation, friction, null, Vector3.zero, Vector3.zero);
             }
+        }
+
+        // Unity turns no Character Controller: its capsule stands along the world's y axis.
+        static Matrix4x4 Upright(CharacterController character)
+        {
+            Transform transform = character.transform;
+            return Matrix4x4.TRS(transform.TransformPoint(character.center), Quaternion.identity, transform.lossyScale);
         }
 
         /// <summary>Whether the states have the same mesh, with the same vertices as far as that is cheap to find out, or both none.</summary>

@@ -32,11 +32,15 @@ namespace SphFluid
                 case MeshCollider _: return FromMesh(state, messages);
                 case BoxCollider _: return FromBox(state, messages);
                 case SphereCollider _:
-                case CapsuleCollider _: return FromRound(state, spacing, messages);
+                case CapsuleCollider _:
+                case CharacterController _: return FromRound(state, spacing, messages);
+                case Collider terrain when TerrainPatches.IsTerrain(terrain):
+                    messages.Add(TerrainProblem(state));
+                    return null;
                 default:
                     messages.Add(Warn(state, FluidIssue.ColliderUnsupported,
                         $"The fluid does not collide with a {Kind(state)}.",
-                        "Use a Mesh, Box, Sphere or Capsule Collider, or take its layer out of the simulation's Collider Layers."));
+                        "Use a Mesh, Box, Sphere, Capsule or Terrain Collider or a Character Controller, or take its layer out of the simulation's Collider Layers."));
                     return null;
             }
         }
@@ -77,6 +81,13 @@ namespace SphFluid
             FluidSeverity.Warning, FluidIssue.MeshEmpty, collider,
             $"The mesh '{mesh.name}' of the Mesh Collider has no triangles, so the fluid cannot collide with it.",
             "Assign a mesh with triangles to the Mesh Collider or remove it.");
+
+        static FluidMessage TerrainProblem(in ColliderState state) => TerrainPatches.HasData(state.Collider)
+            ? Warn(state, FluidIssue.TooManyTriangles,
+                $"More than {TerrainPatches.MaxCells} cells of the terrain lie over the domain, so the fluid passes through it.",
+                "Use a smaller domain, or a lower Heightmap Resolution for the terrain.")
+            : Warn(state, FluidIssue.MeshEmpty, "The Terrain Collider has no terrain data, or data without a size, so the fluid cannot collide with it.",
+                "Assign terrain data with a size greater than zero to the Terrain Collider or remove it.");
 
         static TriangleMesh FromBox(in ColliderState state, List<FluidMessage> messages)
         {

@@ -10,7 +10,7 @@ namespace SphFluid
     /// </summary>
     internal sealed class CollisionScene : IDisposable
     {
-        readonly ColliderFinder finder = new ColliderFinder();
+        readonly ColliderFinder finder;
         readonly ColliderTriangles maker = new ColliderTriangles();
         readonly List<FluidMessage> messages = new List<FluidMessage>();
         readonly List<FluidObstacle> solids = new List<FluidObstacle>();
@@ -18,6 +18,15 @@ namespace SphFluid
         readonly List<CollisionTriangle> triangles = new List<CollisionTriangle>();
         readonly List<CollisionCollider> colliders = new List<CollisionCollider>();
         readonly CollisionBuffers buffers = new CollisionBuffers();
+
+        /// <summary>Nothing found yet.</summary>
+        public CollisionScene()
+        {
+            finder = new ColliderFinder(Terrains);
+        }
+
+        /// <summary>What is read of terrains.</summary>
+        public TerrainPatches Terrains { get; } = new TerrainPatches();
 
         /// <summary>Why colliders were left out or changed, as of the last update.</summary>
         public IReadOnlyList<FluidMessage> Messages => messages;
@@ -75,6 +84,7 @@ namespace SphFluid
         {
             finder.Clear();
             maker.Clear();
+            Terrains.Refresh();
             solids.Clear();
         }
 

@@ -29,7 +29,7 @@ namespace SphFluid
         [SerializeField, Tooltip("How the motion is computed: Standard, or the thesis's method to compare with. A change starts the liquid again.")]
         FluidMethodKind method = FluidMethodKind.Standard;
 
-        [SerializeField, Tooltip("Layers whose Mesh, Box, Sphere and Capsule Colliders the liquid collides with.")]
+        [SerializeField, Tooltip("Layers whose colliders the liquid collides with.")]
         LayerMask colliderLayers = ~0;
 
         [Header("Time")]

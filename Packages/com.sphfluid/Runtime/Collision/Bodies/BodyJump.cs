@@ -35,8 +35,10 @@ namespace SphFluid
                 case BodyFollowing.Scaled:
                     return ("was scaled more than tenfold within a frame, or to nothing", "Scale it over more frames, and not to zero.");
                 case BodyFollowing.Reshaped:
-                    return Collider is CapsuleCollider
+                    return Collider is CapsuleCollider || Collider is CharacterController
                         ? ("changed its length over its radius", "Scale it evenly, or use a Mesh Collider in the shape of a capsule.")
+                        : TerrainPatches.IsTerrain(Collider)
+                        ? ("has other heights or holes, or the domain went on to another part of it", "Edit terrain where no liquid is, and keep the domain over one part of it.")
                         : ("has another mesh, or its mesh has other vertices", "Move, turn, scale or shear the object instead, or change the mesh where no liquid is.");
                 default:
                     return ("moved too far within a frame", "Move it over more frames, or reset the simulation after it was moved.");

@@ -67,6 +67,20 @@ namespace SphFluid.Tests
             foreach (CollisionTriangle t in rig.GatherOne()) Assert.That(t.B.magnitude, Is.EqualTo(0.3f).Within(1e-4f));
         }
 
+        [Test]
+        public void ACharacterControllerStandsUprightHoweverItsObjectIsTurned()
+        {
+            CharacterController character = rig.Add<CharacterController>();
+            character.center = new Vector3(0f, 0.5f, 0f);
+            character.radius = 0.2f;
+            character.height = 1.2f;
+            character.transform.rotation = Quaternion.Euler(0f, 0f, 90f);
+            character.transform.localScale = new Vector3(1.5f, 1f, 1f);
+            Bounds bounds = ColliderRig.BoundsOf(rig.GatherOne());
+            AssertNear(bounds.center, new Vector3(-0.5f, 0f, 0f), 0.01f);
+            AssertNear(bounds.extents, new Vector3(0.3f, 0.6f, 0.3f), 0.01f);
+        }
+
         [TestCase(1f, 1f, 1f)]
         [TestCase(-1f, 1f, 1f)]
         [TestCase(-2f, -0.5f, -1f)]
@@ -148,7 +162,7 @@ namespace SphFluid.Tests
             Assert.That(rig.Scene.Colliders.Count, Is.EqualTo(100));
         }
 
-        static void AssertNear(Vector3 actual, Vector3 expected) =>
-            Assert.That((actual - expected).magnitude, Is.LessThan(1e-4f), $"{actual} instead of {expected}");
+        static void AssertNear(Vector3 actual, Vector3 expected, float within = 1e-4f) =>
+            Assert.That((actual - expected).magnitude, Is.LessThan(within), $"{actual} instead of {expected}");
     }
 }

@@ -49,6 +49,88 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void ACharacterControllerIsFollowedAsItWalks()
+        {
+            var holder = new GameObject("Walker") { hideFlags = HideFlags.HideAndDontSave };
+            try
+            {
+                CharacterController character = holder.AddComponent<CharacterController>();
+                character.radius = 0.1f;
+                character.height = 0.6f;
+                using (var obstacles = new FluidObstacles(Settings(FluidMethodKind.Standard)))
+                {
+                    obstacles.Add(character);
+                    obstacles.Update(Matrix4x4.identity);
+                    for (int frame = 1; frame <= 5; frame++)
+                    {
+                        holder.transform.SetPositionAndRotation(0.02f * frame * Vector3.right, Quaternion.Euler(0f, 30f * frame, 0f));
+                        obstacles.Update(Matrix4x4.identity);
+                    }
+                    Assert.That((obstacles.Jumps, obstacles.Messages.Count), Is.EqualTo((0, 0)));
+                    character.height = 0.4f;
+                    obstacles.Update(Matrix4x4.identity);
+                    Assert.That(obstacles.Jumps, Is.EqualTo(1));
+                    Assert.That(obstacles.Messages.Single().Text, Does.Contain("CharacterController").And.Contain("length over its radius"));
+                }
+            }
+            finally
+            {
+                UnityEngine.Object.DestroyImmediate(holder);
+            }
+        }
+
+#if SPHFLUID_TERRAIN
+        [TestCase(FluidMethodKind.Standard)]
+        [TestCase(FluidMethodKind.Thesis)]
+        public void TerrainHoldsFallingLiquidExceptWhereItHasAHole(FluidMethodKind method)
+        {
+            var holder = new GameObject("Ground") { hideFlags = HideFlags.HideAndDontSave };
+            var data = new TerrainData { heightmapResolution = 33, size = new Vector3(3.2f, 1f, 3.2f) };
+            try
+            {
+                holder.transform.position = new Vector3(-1.6f, 0f, -1.6f);
+                holder.AddComponent<TerrainCollider>().terrainData = data;
+                Assert.That(Lowest(method, o => o.Add(holder.GetComponent<Collider>())), Is.GreaterThan(-0.06f), "the ground at zero");
+                data.SetHoles(10, 10, new bool[12, 12]);
+                Assert.That(Lowest(method, o => o.Add(holder.GetComponent<Collider>())), Is.LessThan(-0.3f), "a hole below the liquid");
+            }
+            finally
+            {
+                UnityEngine.Object.DestroyImmediate(holder);
+                UnityEngine.Object.DestroyImmediate(data);
+            }
+        }
+
+        [Test]
+        public void TerrainWithoutDataOrSizeIsNamedWithTheCure()
+        {
+            var holder = new GameObject("Ground") { hideFlags = HideFlags.HideAndDontSave };
+            var flat = new TerrainData { size = new Vector3(3f, 0f, 3f) };
+            try
+            {
+                TerrainCollider terrain = holder.AddComponent<TerrainCollider>();
+                using (var obstacles = new FluidObstacles(Settings(FluidMethodKind.Standard)))
+                {
+                    obstacles.Add(terrain);
+                    foreach (TerrainData data in new[] { null, flat })
+                    {
+                        terrain.terrainData = data;
+                        obstacles.Update(Matrix4x4.identity);
+                        FluidMessage message = obstacles.Messages.Single();
+                        Assert.That(message.Issue, Is.EqualTo(FluidIssue.MeshEmpty));
+                        Assert.That(message.ToString(), Does.Contain("'Ground'").And.Contain("Assign terrain data"));
+                    }
+                }
+            }
+            finally
+            {
+                UnityEngine.Object.DestroyImmediate(holder);
+                UnityEngine.Object.DestroyImmediate(flat);
+            }
+        }
+#endif
+
+        [Test]
         public void LiquidRidesOnAMeshThatMoves()
         {
             FluidSolverSettings settings = Settings(FluidMethodKind.Standard);
