@@ -9,6 +9,11 @@ public class UnityEvent : UnityEventBase
 
     public void AddListener(UnityAction call) => m_Calls += call;
     public void RemoveListener(UnityAction call) => m_Calls -= call;
-    public void Invoke() => m_Calls?.Invoke();
+    public void Invoke()
+    {
+        InvokePersistent([], []);
+        m_Calls?.Invoke();
+    }
+
     internal override void RemoveAllListenersCore() => m_Calls = null;
 }
