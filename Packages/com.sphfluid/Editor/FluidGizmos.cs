@@ -10,6 +10,8 @@ namespace SphFluid.Editor
         public static readonly Color VolumeColor = new Color(0.1f, 0.4f, 1f, 1f);
         public static readonly Color DrainColor = new Color(1f, 0.55f, 0.1f, 1f);
         public static readonly Color ZoneColor = new Color(0.55f, 0.9f, 0.35f, 1f);
+        public static readonly Color SensorColor = new Color(1f, 0.9f, 0.3f, 1f);
+        const float SensorSize = 0.03f; // m
         const float Faint = 0.4f;
         const float Fill = 0.12f;
 
@@ -131,6 +133,20 @@ namespace SphFluid.Editor
             float arrow = 0.5f * spec.Size.z;
             if (spec.Kind == FluidForceKind.Directional || spec.Kind == FluidForceKind.Wind) Gizmos.DrawLine(Vector3.zero, new Vector3(0f, 0f, arrow));
             if (spec.Kind == FluidForceKind.Vortex) Gizmos.DrawLine(new Vector3(0f, -arrow, 0f), new Vector3(0f, arrow, 0f));
+        }
+
+        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
+        static void DrawSensor(FluidSensor sensor, GizmoType type)
+        {
+            Color color = SensorColor;
+            color.a = (type & GizmoType.Selected) != 0 || sensor.IsAbove ? 1f : Faint;
+            Gizmos.color = color;
+            Gizmos.matrix = Matrix4x4.TRS(sensor.transform.position, sensor.transform.rotation, Vector3.one);
+            Gizmos.DrawWireSphere(Vector3.zero, SensorSize);
+            if (sensor.Kind != FluidSensorKind.Level) return;
+            Gizmos.DrawLine(Vector3.zero, new Vector3(0f, sensor.Length, 0f));
+            Gizmos.DrawWireCube(new Vector3(0f, sensor.Threshold, 0f), new Vector3(2f * SensorSize, 0f, 2f * SensorSize));
+            if (sensor.HasValue) Gizmos.DrawWireSphere(new Vector3(0f, sensor.Value, 0f), 0.5f * SensorSize);
         }
 
         // The point that the vessel is filled round, and the height of the surface above it.

@@ -61,6 +61,11 @@ namespace SphFluid.Editor
         [MenuItem(Root + "Fluid Force Zone", false, Priority + 7)]
         public static void CreateForceZone(MenuCommand command) => Finish(NewObject("Fluid Force Zone", command.context as GameObject, typeof(FluidForceZone)));
 
+        /// <summary>A place where the liquid is read, child of the selected object.</summary>
+        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
+        [MenuItem(Root + "Fluid Sensor", false, Priority + 8)]
+        public static void CreateSensor(MenuCommand command) => Finish(NewObject("Fluid Sensor", command.context as GameObject, typeof(FluidSensor)));
+
         static void CreateShape(MenuCommand command, string name, FluidVolumeShape shape)
         {
             GameObject created = NewObject(name, command.context as GameObject, typeof(FluidVolume));

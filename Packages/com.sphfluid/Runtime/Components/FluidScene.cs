@@ -25,6 +25,9 @@ namespace SphFluid
         public static FluidSimulation Owner(FluidVolume volume, IReadOnlyList<FluidSimulation> simulations) =>
             Owner(volume, volume.Simulation, simulations);
 
+        /// <summary>The running scene's simulation that a component belongs to, which may name it; null when several could have it and none holds its place.</summary>
+        public static FluidSimulation OwnerOf(Component component, FluidSimulation named) => Owner(component, named, FluidSimulation.Active);
+
         /// <summary>The simulation that a component belongs to, which may name it; null when several could have it and none holds its place.</summary>
         static FluidSimulation Owner(Component component, FluidSimulation named, IReadOnlyList<FluidSimulation> simulations)
         {

@@ -229,8 +229,8 @@ namespace SphFluid
         /// <summary>Simulated time over real time, smoothed over ten frames; 1 keeps up.</summary>
         public double RealTimeFactor => run?.RealTimeFactor ?? 1.0;
 
-        /// <summary>GPU memory in use by solver and colliders [bytes].</summary>
-        public long GpuBytes => run?.GpuBytes ?? 0;
+        /// <summary>GPU memory in use by solver, colliders and queries [bytes].</summary>
+        public long GpuBytes => (run?.GpuBytes ?? 0) + (queries?.GpuBytes ?? 0);
 
         /// <summary>Messages since the last start.</summary>
         public IReadOnlyList<FluidMessage> Messages => messages;

@@ -28,7 +28,7 @@ namespace SphFluid
         PointQuery[] points = new PointQuery[0];
         int used;
         uint lastGeneration;
-        bool changed, off;
+        bool changed, disposed;
         FluidSolver solver;
         AnswerPointsPass pass;
         CommandBuffer commands;
@@ -51,6 +51,9 @@ namespace SphFluid
         /// <summary>Number of requests.</summary>
         public int Count => used - free.Count;
 
+        /// <summary>GPU memory [bytes].</summary>
+        public long GpuBytes => (queries == null ? 0 : GpuBuffers.Size(queries)) + (results == null ? 0 : GpuBuffers.Size(results));
+
         /// <summary>Frames since the state that the present answers are of; -1 while there are none.</summary>
         public int AgeInFrames => current == null ? -1 : Time.frameCount - current.Frame;
 
@@ -59,6 +62,9 @@ namespace SphFluid
 
         /// <summary>Simulated time of the state that the present answers are of [s]; -1 while there are none.</summary>
         public double AnsweredTime => current == null ? -1.0 : current.Time;
+
+        /// <summary>Number of the request that the present answers are of; 0 while there are none.</summary>
+        internal long Answer => current?.Number ?? 0;
 
         /// <summary>All present answers, by <see cref="FluidQuery.Index"/>, for jobs that end within the frame; empty while there are none. Only <see cref="TryGet"/> knows whose they are.</summary>
         public NativeArray<FluidPointResult>.ReadOnly Points => current == null ? default : current.Values.GetSubArray(0, current.Count).AsReadOnly();
@@ -126,7 +132,7 @@ namespace SphFluid
         public void Dispose()
         {
             Detach();
-            off = true;
+            disposed = true;
             foreach (QueryReadback readback in readbacks) readback.Dispose();
             GpuBuffers.Dispose(ref queries);
             GpuBuffers.Dispose(ref results);
@@ -138,8 +144,9 @@ namespace SphFluid
         internal void Ask(FluidSolver liquid, FluidShaderSet shaders, double time, Vector3 position, Quaternion rotation)
         {
             now = time;
-            if (Count == 0 || off) return;
-            if (liquid != solver && !Attach(liquid, shaders)) return;
+            if (Count == 0 || disposed) return;
+            if (liquid != solver) Attach(liquid, shaders);
+            if (pass == null) return;
             QueryReadback readback = FreeReadback();
             if (readback == null) return;
             Reserve();
@@ -169,7 +176,8 @@ namespace SphFluid
 
         bool IsAlive(FluidQuery query) => query.Generation != 0 && query.Index < used && points[query.Index].Generation == query.Generation;
 
-        bool Attach(FluidSolver liquid, FluidShaderSet shaders)
+        // A liquid whose device or shaders cannot answer is not asked again; the next start is.
+        void Attach(FluidSolver liquid, FluidShaderSet shaders)
         {
             Detach();
             solver = liquid;
@@ -179,14 +187,11 @@ namespace SphFluid
                 if (!SystemInfo.supportsAsyncGPUReadback) throw new FluidDeviceException($"{SystemInfo.graphicsDeviceName} has no asynchronous readback.");
                 pass = new AnswerPointsPass(shaders);
                 commands ??= new CommandBuffer { name = "Fluid Queries" };
-                return true;
             }
             catch (FluidDeviceException exception)
             {
-                off = true;
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.QueriesUnavailable, owner, "Fluid queries are not answered: " + exception.Message,
                     "Use the package's shader set and a device that can read back without waiting."));
-                return false;
             }
         }
 

@@ -149,6 +149,31 @@ namespace SphFluid.Tests
             Assert.That(made, Is.Zero);
         }
 
+        [UnityTest]
+        public IEnumerator ShadersThatCannotAnswerAreNamedAndOthersServeAfterANewStart()
+        {
+            FluidShaderSet whole = rig.Profile.Shaders, incomplete = TestShaders.Without(whole, "AnswerPoints");
+            rig.Profile.Shaders = incomplete;
+            FluidSimulation simulation = rig.Create();
+            FluidQuery query = simulation.Queries.AddPoint(Vector3.zero);
+            LogAssert.Expect(LogType.Warning, new System.Text.RegularExpressions.Regex("Fluid queries are not answered"));
+            yield return null;
+            yield return null;
+            yield return null;
+            Assert.That(simulation.IsRunning);
+            Assert.That(simulation.Queries.TryGet(query, out _), Is.False);
+            Assert.That(simulation.Queries.GpuBytes, Is.Zero);
+            rig.Profile.Shaders = whole;
+            simulation.ResetSimulation();
+            yield return null;
+            yield return null;
+            simulation.Queries.Complete();
+            Assert.That(simulation.Queries.TryGet(query, out FluidPointResult result));
+            Assert.That(result.IsWet);
+            Assert.That(simulation.Queries.GpuBytes, Is.EqualTo(1024 * (16 + 32)));
+            UnityEngine.Object.DestroyImmediate(incomplete);
+        }
+
         [Test]
         public void PlacesThatAreNotFiniteAreRefused() =>
             Assert.That(() => rig.Create().Queries.AddPoint(new Vector3(0f, float.NaN, 0f)), Throws.ArgumentException.With.Message.Contains("not finite"));

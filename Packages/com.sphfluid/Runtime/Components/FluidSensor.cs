@@ -1,0 +1,183 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+using UnityEngine.Events;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Reads a liquid at this object's place, or its level on a line from there, and raises events when the reading crosses a threshold.
+    /// The readings are <see cref="FluidQueries"/>: nothing waits for the GPU, so they are some frames old.
+    /// </summary>
+    [AddComponentMenu("SPH Fluid/Fluid Sensor")]
+    public sealed class FluidSensor : MonoBehaviour
+    {
+        /// <summary>An event with the reading.</summary>
+        [Serializable]
+        public sealed class ReadingEvent : UnityEvent<float>
+        {
+        }
+
+        [SerializeField, Tooltip("What is read. Wetness: 1 within the liquid, 0.5 at its surface, 0 outside. Speed in m/s. Pressure in Pa. Level: height of the surface " +
+            "above this object along its up axis, in metres.")]
+        FluidSensorKind kind = FluidSensorKind.Wetness;
+
+        [SerializeField, Min(0f), Tooltip("How far above this object, along its up axis, the level is looked for, in metres. Level only.")]
+        float length = 1f;
+
+        [SerializeField, Min(0f), Tooltip("Time over which the reading is averaged, in simulated seconds. 0: not at all. Pressure needs about 0.1.")]
+        float averagingTime;
+
+        [SerializeField, Tooltip("The events tell when the reading crosses this, in the unit of the reading.")]
+        float threshold = 0.5f;
+
+        [SerializeField, Min(0f), Tooltip("How far the reading has to go from one event to the other, half of it on each side of the threshold, so that one that trembles raises none.")]
+        float hysteresis = 0.2f;
+
+        [SerializeField, Tooltip("Simulation that is read. Empty: the simulation among this object's parents, else the only one in the scene, else the one whose domain holds this object.")]
+        FluidSimulation simulation;
+
+        [SerializeField, Tooltip("Raised with the reading when it has risen above the threshold. The first reading raises none.")]
+        ReadingEvent roseAbove = new ReadingEvent();
+
+        [SerializeField, Tooltip("Raised with the reading when it has fallen below the threshold.")]
+        ReadingEvent fellBelow = new ReadingEvent();
+
+        readonly List<FluidQuery> queries = new List<FluidQuery>();
+        readonly List<float> densities = new List<float>();
+        SensorSwitch state;
+        FluidSimulation read; // whose queries these are
+        FluidSensorKind known;
+        long answer;
+        double answeredTime;
+
+        /// <summary>What is read; a change begins anew.</summary>
+        public FluidSensorKind Kind { get => kind; set => kind = value; }
+
+        /// <summary>How far above this object, along its up axis, the level is looked for [m]; 0 or more.</summary>
+        public float Length { get => length; set => length = value > 0f ? value : 0f; }
+
+        /// <summary>Time constant of the mean [simulated s]; 0: none.</summary>
+        public float AveragingTime { get => averagingTime; set => averagingTime = value > 0f ? value : 0f; }
+
+        /// <summary>What the events are about, in the unit of the reading.</summary>
+        public float Threshold { get => threshold; set => threshold = value; }
+
+        /// <summary>How far the reading has to go from one event to the other, in its unit; half of it on each side of the threshold.</summary>
+        public float Hysteresis { get => hysteresis; set => hysteresis = value > 0f ? value : 0f; }
+
+        /// <summary>Simulation that is read; null: found as the tooltip says.</summary>
+        public FluidSimulation Simulation { get => simulation; set => simulation = value; }
+
+        /// <summary>Raised with the reading when it has risen above the threshold. The first reading raises none.</summary>
+        public ReadingEvent RoseAbove => roseAbove;
+
+        /// <summary>Raised with the reading when it has fallen below the threshold.</summary>
+        public ReadingEvent FellBelow => fellBelow;
+
+        /// <summary>Whether there is a reading: the liquid runs, and an answer has come.</summary>
+        public bool HasValue { get; private set; }
+
+        /// <summary>The reading, in the unit of its <see cref="Kind"/>; 0 while there is none.</summary>
+        public float Value { get; private set; }
+
+        /// <summary>Whether the reading is above the threshold, by the last event; false while there is none.</summary>
+        public bool IsAbove => HasValue && state.IsAbove;
+
+        /// <summary>Simulated time of the reading [s]; -1 while there is none.</summary>
+        public double AnsweredTime => HasValue ? answeredTime : -1.0;
+
+        void Update()
+        {
+            FluidSimulation owner = FluidScene.OwnerOf(this, simulation);
+            if (owner != read || kind != known) Begin(owner);
+            if (read == null || !read.IsRunning || !IsPlaced)
+            {
+                Forget();
+                return;
+            }
+            SensorLine line = Line();
+            Place(line);
+            if (read.Queries.Answer != answer) Take(line);
+        }
+
+        void OnDisable() => Begin(null);
+
+        bool IsPlaced
+        {
+            get
+            {
+                Vector3 place = transform.position + transform.up;
+                float sum = place.x + place.y + place.z;
+                return !float.IsNaN(sum) && !float.IsInfinity(sum);
+            }
+        }
+
+        void Begin(FluidSimulation owner)
+        {
+            if (read is object)
+                foreach (FluidQuery query in queries) read.Queries.Remove(query);
+            queries.Clear();
+            read = owner;
+            known = kind;
+            Forget();
+        }
+
+        void Forget()
+        {
+            HasValue = false;
+            Value = 0f;
+            answer = 0;
+            state.Reset();
+        }
+
+        SensorLine Line()
+        {
+            if (kind != FluidSensorKind.Level) return default;
+            Matrix4x4 toSimulation = DomainSpace.FromWorld(read.transform.position, read.transform.rotation);
+            return SensorLine.Of(toSimulation.MultiplyPoint3x4(transform.position), toSimulation.MultiplyVector(transform.up), length, read.DomainSize,
+                read.Solver.Settings.Spacing);
+        }
+
+        void Place(in SensorLine line)
+        {
+            FluidQueries all = read.Queries;
+            int count = Math.Max(1, line.Count);
+            while (queries.Count > count)
+            {
+                all.Remove(queries[queries.Count - 1]);
+                queries.RemoveAt(queries.Count - 1);
+            }
+            for (int i = 0; i < count; i++)
+            {
+                Vector3 place = transform.position + (line.First + i * line.Step) * transform.up;
+                if (i == queries.Count) queries.Add(all.AddPoint(place));
+                else all.Move(queries[i], place);
+            }
+        }
+
+        void Take(in SensorLine line)
+        {
+            FluidQueries all = read.Queries;
+            FluidPointResult point = default;
+            densities.Clear();
+            foreach (FluidQuery query in queries)
+            {
+                if (!all.TryGet(query, out point)) return;
+                densities.Add(point.Density);
+            }
+            float restDensity = read.Solver.Settings.RestDensity;
+            float now = kind == FluidSensorKind.Level ? line.Level(densities, restDensity)
+                : kind == FluidSensorKind.Speed ? point.IsWet ? point.Velocity.magnitude : 0f
+                : kind == FluidSensorKind.Pressure ? point.Pressure
+                : point.Density / restDensity;
+            double passed = Math.Max(0.0, all.AnsweredTime - answeredTime);
+            double share = HasValue && averagingTime > 0f ? 1.0 - Math.Exp(-passed / averagingTime) : 1.0;
+            Value += (float)share * (now - Value);
+            (HasValue, answer, answeredTime) = (true, all.Answer, all.AnsweredTime);
+            int crossed = state.Take(Value, threshold, hysteresis);
+            if (crossed > 0) roseAbove.Invoke(Value);
+            else if (crossed < 0) fellBelow.Invoke(Value);
+        }
+    }
+}

@@ -1,0 +1,18 @@
+namespace SphFluid
+{
+    /// <summary>What a sensor reads.</summary>
+    public enum FluidSensorKind
+    {
+        /// <summary>Density at the sensor over the rest density: 1 within the liquid, 0.5 at its surface, 0 outside.</summary>
+        Wetness,
+
+        /// <summary>Speed of the liquid at the sensor [m/s]; 0 where it is dry.</summary>
+        Speed,
+
+        /// <summary>Pressure at the sensor [Pa]. Noisy: average it.</summary>
+        Pressure,
+
+        /// <summary>Height of the surface above the sensor along its up axis [m].</summary>
+        Level,
+    }
+}
