@@ -1,0 +1,33 @@
+using System.Text.Json;
+using Headless.Tests.Fuzz;
+using NUnit.Framework;
+
+namespace Headless.Tests.Player;
+
+/// <summary>Samples of the package whose liquid comes while they play.</summary>
+[Category("Gpu")]
+public sealed class SamplePlayTests
+{
+    private string folder = "";
+
+    [OneTimeSetUp]
+    public void MakeFolder() => folder = Directory.CreateTempSubdirectory("samples-").FullName;
+
+    [OneTimeTearDown]
+    public void Clean() => Directory.Delete(folder, recursive: true);
+
+    [TestCase("Fountain", 0.1, 6500)]
+    [TestCase("PourAndFill", 0.2, 150)]
+    public void TheSamplePlaysWithoutAnErrorAndGetsLiquid(string sample, double seconds, int leastParticles)
+    {
+        string output = Path.Combine(folder, sample);
+        PlayerProcess run = PlayerProcess.Run(
+            "play", "--project", FuzzProject.Repository, "--assemblies", Path.Combine(FuzzProject.Repository, "Build/ScriptAssemblies"),
+            "--executeMethod", "SphFluid.Validation.CommandLine.Play", "--scene", $"Packages/com.sphfluid/Samples~/{sample}/{sample}.unity", "--size", "160x90", "--fps", "30",
+            "--seconds", seconds.ToString(System.Globalization.CultureInfo.InvariantCulture), "--out", output);
+        if (run.ExitCode != 0) Assert.Fail(run.Output + run.Errors);
+        using JsonDocument summary = JsonDocument.Parse(File.ReadAllText(Path.Combine(output, "summary.json")));
+        Assert.That(summary.RootElement.GetProperty("errors").GetInt32(), Is.Zero);
+        Assert.That(summary.RootElement.GetProperty("particles").GetInt32(), Is.GreaterThan(leastParticles));
+    }
+}
