@@ -371,6 +371,29 @@ namespace SphFluid
         public void RemoveLiquid(Vector3 centre, float radius) =>
             ExchangingRun().Flows.Remove(DrainZone.Capsule(OwnSpec.WorldToLocal * Matrix4x4.TRS(centre, Quaternion.identity, radius * Vector3.one), 0f));
 
+        /// <summary>Gives the liquid in a sphere a velocity, besides the one that it has, over the next frame with steps; less within a support radius of the sphere's surface.</summary>
+        /// <param name="centre">World position [m].</param>
+        /// <param name="radius">Radius [m].</param>
+        /// <param name="deltaVelocity">The velocity [m/s], world space; those of several calls add up.</param>
+        /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the velocity is more than a fifth of the speed of sound, or 16 impulses wait already.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run, or its method has no force zones.</exception>
+        public void AddImpulse(Vector3 centre, float radius, Vector3 deltaVelocity) => PushedRun().Zones.Push(new ZonePush(centre, radius, deltaVelocity));
+
+        /// <summary>Drives the liquid in a sphere apart, over the next frame with steps; less within a support radius of the sphere's surface and of its centre.</summary>
+        /// <param name="centre">World position [m].</param>
+        /// <param name="radius">Radius [m].</param>
+        /// <param name="speed">Velocity away from the centre, besides the one that the liquid has [m/s]; negative: towards it.</param>
+        /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the speed is more than a fifth of the speed of sound, or 16 impulses wait already.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run, or its method has no force zones.</exception>
+        public void AddExplosion(Vector3 centre, float radius, float speed) => PushedRun().Zones.Push(new ZonePush(centre, radius, speed));
+
+        FluidRun PushedRun()
+        {
+            if (run == null) throw new InvalidOperationException($"'{name}' does not run, so it cannot be pushed.");
+            if (!FluidMethods.Has(method, FluidMethodFeatures.ForceZones)) throw new InvalidOperationException($"The method {method} of '{name}' has no force zones or impulses. Set Method to Standard.");
+            return run;
+        }
+
         FluidRun ExchangingRun()
         {
             if (run == null) throw new InvalidOperationException($"'{name}' does not run, so no liquid can be added or removed.");

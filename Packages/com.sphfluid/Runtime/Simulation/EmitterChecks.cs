@@ -49,6 +49,25 @@ namespace SphFluid
                     "Give Capacity a number greater than zero, or zero for Max Particles of the profile."));
         }
 
+        /// <summary>Checks where the emitters of a simulation are before it starts; they may move later.</summary>
+        public static void CheckPlaces(in FluidSpec spec, CollisionScene collision, List<FluidMessage> messages)
+        {
+            Matrix4x4 worldToLocal = spec.WorldToLocal;
+            Vector3 half = 0.5f * spec.DomainSize;
+            for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
+            {
+                EmitterSpec emitter = spec.Emitters[i];
+                Vector3 place = worldToLocal.MultiplyPoint3x4(emitter.Position), beyond = Vector3.Max(place, -place) - half;
+                if (beyond.x > 0f || beyond.y > 0f || beyond.z > 0f)
+                    messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, emitter.Owner,
+                        $"The emitter is outside the domain of '{spec.Name}': nothing flows while it is there.", "Move it into the domain, or enlarge Domain Size."));
+                else if (collision.FindCovering(place, 0f) is int covering && covering >= 0)
+                    messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, emitter.Owner,
+                        $"The emitter is inside the collider of '{collision.Solids[covering].State.Collider.name}': its liquid begins in there and is squeezed.",
+                        "Move the emitter to the opening, or take the collider's layer out of Collider Layers."));
+            }
+        }
+
         static FluidMessage Wrong(in EmitterSpec emitter, string text, string cure) =>
             new FluidMessage(FluidSeverity.Error, FluidIssue.EmitterInvalid, emitter.Owner, text, cure);
     }

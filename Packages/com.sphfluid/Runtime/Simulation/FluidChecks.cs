@@ -53,6 +53,7 @@ namespace SphFluid
                 else start = CheckScene(spec, volumes, collision, spawn, messages);
                 BoundaryChecks.Check(spec, messages);
                 EmitterChecks.Check(spec, messages);
+                EmitterChecks.CheckPlaces(spec, collision, messages);
                 FluidZones.Check(spec, messages);
                 CellChecks.Check(spec, messages);
             }

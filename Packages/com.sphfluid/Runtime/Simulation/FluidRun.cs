@@ -88,7 +88,7 @@ namespace SphFluid
         void Advance(in FluidSpec spec, float? frameTime)
         {
             float deltaTime = frameTime ?? 0f;
-            if (WasChanged() | ApplyChanges(spec) | GatherColliders(spec) | Moved(spec) | frameTime == null | flows.Acts(spec) | FluidZones.Waits(spec) | zones.Follow(spec, 0.0)) pace.Wake();
+            if (WasChanged() | ApplyChanges(spec) | GatherColliders(spec) | Moved(spec) | frameTime == null | flows.Acts(spec) | zones.Waits(spec) | zones.Follow(spec, 0.0)) pace.Wake();
             if (pace.IsAsleep)
             {
                 Rest(deltaTime);
@@ -98,7 +98,7 @@ namespace SphFluid
             double motion = Math.Max(obstacles.Bodies?.LongestMotion ?? 0.0, deltaTime * flows.FastestSpeed(spec));
             int steps = frameTime == null ? pace.StepOnce(motion) : pace.Advance(deltaTime, motion);
             flows.Begin(spec, steps * pace.Clock.TimeStep);
-            if (FluidZones.Waits(spec)) zones.Follow(spec, steps * pace.Clock.TimeStep);
+            if (zones.Waits(spec)) zones.Follow(spec, steps * pace.Clock.TimeStep);
             Execute(steps);
             flows.End(spec, steps);
             if (steps > 0) pace.Stepped(steps * pace.Clock.TimeStep);
@@ -110,6 +110,9 @@ namespace SphFluid
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.GuardActed, spec.Owner, guard,
                     "Lower the profile's Time Step Fraction, or raise Expected Speed or set Time Step Mode to Adaptive when colliders or forces move the liquid faster than its fall."));
         }
+
+        /// <summary>What pushes the liquid.</summary>
+        public FluidZones Zones => zones;
 
         /// <summary>What comes into the liquid and leaves it.</summary>
         public FluidFlows Flows => flows;

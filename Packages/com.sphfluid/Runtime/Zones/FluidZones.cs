@@ -17,6 +17,7 @@ namespace SphFluid
         readonly Action<FluidMessage> report;
         readonly List<ForceZone> now = new List<ForceZone>();
         readonly List<ZoneState> bursts = new List<ZoneState>();
+        readonly List<ZonePush> pushes = new List<ZonePush>();
         ForceZones zones;
 
         public FluidZones(FluidSolver solver, Action<FluidMessage> report)
@@ -25,9 +26,23 @@ namespace SphFluid
             this.report = report;
         }
 
-        /// <summary>Whether a burst waits for the next steps.</summary>
-        public static bool Waits(in FluidSpec spec)
+        /// <summary>Gives the liquid in a sphere a velocity with the next steps.</summary>
+        /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, or the velocity is more than a fifth of the speed of sound.</exception>
+        public void Push(in ZonePush push)
         {
+            if (!push.IsValid) throw new ArgumentException("The place and the velocity of an impulse must be finite, and its radius greater than zero.");
+            double most = MostBurst * solver.Settings.SoundSpeed;
+            if (push.Speed > most)
+                throw new ArgumentException(FormattableString.Invariant($"An impulse of {push.Speed:0.##} m/s tears the liquid apart; {most:0.##} m/s are the most. Raise its Expected Speed."));
+            if (pushes.Count == ForceZone.Most)
+                throw new ArgumentException($"{ForceZone.Most} impulses wait for the next steps, as many as act on a liquid at a time. Give the others in the next frame.");
+            pushes.Add(push);
+        }
+
+        /// <summary>Whether a burst or an impulse waits for the next steps.</summary>
+        public bool Waits(in FluidSpec spec)
+        {
+            if (pushes.Count > 0) return true;
             for (int i = 0; i < (spec.Zones?.Count ?? 0); i++)
                 if (spec.Zones[i].State.Burst != Vector3.zero) return true;
             return false;
@@ -39,7 +54,7 @@ namespace SphFluid
         /// <returns>Whether one changed.</returns>
         public bool Follow(in FluidSpec spec, double time)
         {
-            if (zones == null && !(spec.Zones?.Count > 0)) return false;
+            if (zones == null && pushes.Count == 0 && !(spec.Zones?.Count > 0)) return false;
             if (!FluidMethods.Has(spec.Method, FluidMethodFeatures.ForceZones)) return false; // a check has said so
             zones ??= new ForceZones();
             now.Clear();
@@ -49,14 +64,19 @@ namespace SphFluid
             {
                 ZoneSpec zone = spec.Zones[i];
                 if (Check(zone, spec, solver.Settings) is FluidMessage wrong) report(wrong);
-                else Add(zone, spec, zone.Zone(worldToLocal, spec.Rotation, solver.SimulatedTime));
+                else Add(zone.Owner, spec, zone.Zone(worldToLocal, spec.Rotation, solver.SimulatedTime));
                 if (time > 0.0 && zone.State.Burst != Vector3.zero)
                 {
-                    Add(zone, spec, zone.Burst(worldToLocal, spec.Rotation, zone.State.Burst / (float)time));
+                    Add(zone.Owner, spec, zone.Burst(worldToLocal, spec.Rotation, zone.State.Burst / (float)time));
                     bursts.Add(zone.State);
                 }
             }
             foreach (ZoneState state in bursts) state.Burst = Vector3.zero;
+            if (time > 0.0)
+            {
+                foreach (ZonePush push in pushes) Add(spec.Owner, spec, push.Zone(worldToLocal, (float)time));
+                pushes.Clear();
+            }
             bool changed = zones.Take(now);
             solver.SetZones(zones);
             return changed;
@@ -76,11 +96,11 @@ namespace SphFluid
                 if (Check(spec.Zones[i], spec, default) is FluidMessage wrong) messages.Add(wrong);
         }
 
-        void Add(in ZoneSpec zone, in FluidSpec spec, in ForceZone made)
+        void Add(Component owner, in FluidSpec spec, in ForceZone made)
         {
             if (now.Count < ForceZone.Most) now.Add(made);
             else
-                report(new FluidMessage(FluidSeverity.Warning, FluidIssue.ForceZoneInvalid, zone.Owner,
+                report(new FluidMessage(FluidSeverity.Warning, FluidIssue.ForceZoneInvalid, owner,
                     $"'{spec.Name}' has {ForceZone.Most} force zones and bursts, as many as act on a liquid at a time; this one does nothing.", "Disable some."));
         }
 

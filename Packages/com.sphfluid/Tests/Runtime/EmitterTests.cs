@@ -189,6 +189,26 @@ namespace SphFluid.Tests
 
         // Ids that are born run on beyond the number of particles.
         [UnityTest]
+        public IEnumerator AnEmitterOutsideTheDomainOrInsideAColliderIsNamed()
+        {
+            FluidSimulation simulation = Tank(true);
+            FluidEmitter emitter = Nozzle(simulation, new Vector3(0f, 0.2f, 0f), Vector3.down, 0.13f, 1f);
+            yield return null;
+            Assert.That(simulation.Validate().Any(m => m.Issue == FluidIssue.EmitterInvalid), Is.False);
+            emitter.transform.localPosition = new Vector3(0f, 0.2f, -0.21f);
+            FluidMessage outside = simulation.Validate().Single(m => m.Issue == FluidIssue.EmitterInvalid);
+            Assert.That(outside.ToString(), Does.Contain("outside the domain of 'Tank'"));
+            Assert.That(outside.Severity, Is.EqualTo(FluidSeverity.Warning));
+            GameObject tap = rig.NewObject("Tap");
+            tap.transform.position = new Vector3(0.1f, 0.3f, 0f);
+            tap.AddComponent<BoxCollider>().size = 0.1f * Vector3.one;
+            emitter.transform.localPosition = new Vector3(0.1f, 0.26f, 0f);
+            Assert.That(simulation.Validate().Single(m => m.Issue == FluidIssue.EmitterInvalid).ToString(), Does.Contain("inside the collider of 'Tap'"));
+            emitter.transform.localPosition = new Vector3(0.1f, 0.24f, 0f);
+            Assert.That(simulation.Validate().Any(m => m.Issue == FluidIssue.EmitterInvalid), Is.False);
+        }
+
+        [UnityTest]
         public IEnumerator AfterThePouringTheLiquidSleeps()
         {
             FluidSimulation simulation = rig.Create("Cup", false);

@@ -50,6 +50,50 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator AnImpulseGivesItsVelocityOnce([Values(0f, 40f)] float turn)
+        {
+            FluidSimulation simulation = Liquid();
+            simulation.transform.rotation = Quaternion.Euler(0f, turn, 0f);
+            yield return Play(simulation, 0.02);
+            Assert.That(Velocity(simulation).magnitude, Is.LessThan(1e-3f));
+            simulation.AddImpulse(Vector3.zero, 2f, new Vector3(0f, 0.1f, 0.2f));
+            simulation.AddImpulse(Vector3.zero, 2f, new Vector3(0f, 0.1f, 0f));
+            Vector3 expected = Quaternion.Inverse(simulation.transform.rotation) * new Vector3(0f, 0.2f, 0.2f);
+            for (int look = 0; look < 2; look++)
+            {
+                yield return Play(simulation, simulation.SimulatedTime + 0.03);
+                Assert.That((Velocity(simulation) - expected).magnitude, Is.LessThan(0.02f), $"{Velocity(simulation)}, not {expected}");
+            }
+        }
+
+        [UnityTest]
+        public IEnumerator AnExplosionDrivesTheLiquidApart()
+        {
+            FluidSimulation simulation = Liquid();
+            yield return Play(simulation, 0.02);
+            simulation.AddExplosion(Vector3.zero, 1f, 0.3f);
+            yield return Play(simulation, simulation.SimulatedTime + 0.02);
+            float outward = SimulationRig.Read(simulation).Average(p => Vector3.Dot(p.VelT0, p.Position.normalized));
+            Assert.That(outward, Is.InRange(0.1f, 0.35f));
+            Assert.That(Velocity(simulation).magnitude, Is.LessThan(0.02f));
+        }
+
+        [UnityTest]
+        public IEnumerator ImpulsesThatCannotActAreRefused()
+        {
+            FluidSimulation simulation = Liquid();
+            Assert.That(() => simulation.AddImpulse(Vector3.zero, 1f, Vector3.up), Throws.InvalidOperationException.With.Message.Contains("does not run"));
+            yield return Play(simulation, 0.01);
+            Assert.That(() => simulation.AddImpulse(Vector3.zero, 0f, Vector3.up), Throws.ArgumentException.With.Message.Contains("radius"));
+            Assert.That(() => simulation.AddImpulse(Vector3.zero, 1f, new Vector3(float.NaN, 0f, 0f)), Throws.ArgumentException.With.Message.Contains("finite"));
+            Assert.That(() => simulation.AddExplosion(Vector3.zero, 1f, -1e3f), Throws.ArgumentException.With.Message.Contains("Expected Speed"));
+            for (int i = 0; i < 16; i++) simulation.AddImpulse(Vector3.zero, 1f, Vector3.zero);
+            Assert.That(() => simulation.AddImpulse(Vector3.zero, 1f, Vector3.zero), Throws.ArgumentException.With.Message.Contains("16"));
+            simulation.Method = FluidMethodKind.Thesis;
+            Assert.That(() => simulation.AddImpulse(Vector3.zero, 1f, Vector3.zero), Throws.InvalidOperationException.With.Message.Contains("Standard"));
+        }
+
+        [UnityTest]
         public IEnumerator APushAcceleratesTheLiquidAndEndsWithTheZone([Values(0f, 40f)] float turn)
         {
             FluidSimulation simulation = Liquid();

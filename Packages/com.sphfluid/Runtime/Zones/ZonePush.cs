@@ -1,0 +1,46 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>A velocity that the liquid in a sphere gets once; world space, SI.</summary>
+    internal readonly struct ZonePush
+    {
+        readonly Vector3 centre, velocity;
+        readonly float radius, outward;
+
+        /// <summary>Along one direction.</summary>
+        public ZonePush(Vector3 centre, float radius, Vector3 velocity) : this(centre, radius, velocity, 0f)
+        {
+        }
+
+        /// <summary>Away from the centre; towards it where negative.</summary>
+        public ZonePush(Vector3 centre, float radius, float outward) : this(centre, radius, Vector3.zero, outward)
+        {
+        }
+
+        ZonePush(Vector3 centre, float radius, Vector3 velocity, float outward)
+        {
+            this.centre = centre;
+            this.radius = radius;
+            this.velocity = velocity;
+            this.outward = outward;
+        }
+
+        /// <summary>The velocity's magnitude [m/s].</summary>
+        public float Speed => velocity.magnitude + Mathf.Abs(outward);
+
+        /// <summary>Whether its numbers can be computed with.</summary>
+        public bool IsValid => AffineMath.IsFinite(centre) && AffineMath.IsFinite(velocity) && AffineMath.IsFinite(outward) && AffineMath.IsFinite(radius) && radius > 0f;
+
+        /// <summary>The force zone that gives the velocity within a time.</summary>
+        /// <param name="worldToLocal">World to simulation space.</param>
+        /// <param name="time">The time [s].</param>
+        public ForceZone Zone(in Matrix4x4 worldToLocal, float time)
+        {
+            var zone = new ForceZone { Core = new Vector4(0f, 0f, 0f, radius), Uniform = worldToLocal.MultiplyVector(velocity / time) };
+            zone.Centre.w = -outward / time;
+            zone.Place(worldToLocal.MultiplyPoint3x4(centre), Quaternion.identity);
+            return zone;
+        }
+    }
+}
