@@ -32,6 +32,7 @@ internal static class GraphicsDevice
     {
         Shutdown();
         device = opened;
+        ProfilerCounters.Set("Gfx Used Memory", static () => device?.AllocatedBytes ?? 0);
         compiler = shaderCompiler;
         MemoryPoison.Enabled = opened.Poisons;
         EngineHooks.RenderFrame = FrameRenderer.RenderFrame;

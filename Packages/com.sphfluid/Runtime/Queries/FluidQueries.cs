@@ -134,8 +134,6 @@ namespace SphFluid
             Detach();
             disposed = true;
             foreach (QueryReadback readback in readbacks) readback.Dispose();
-            GpuBuffers.Dispose(ref queries);
-            GpuBuffers.Dispose(ref results);
             commands?.Dispose();
             commands = null;
         }
@@ -159,12 +157,14 @@ namespace SphFluid
             readback.Request(results, used, ++number, run, time);
         }
 
-        /// <summary>The liquid is gone: its answers too.</summary>
+        /// <summary>The liquid is gone: its answers too, and the GPU memory.</summary>
         internal void Detach()
         {
             solver = null;
             current = null;
             run++;
+            GpuBuffers.Dispose(ref queries);
+            GpuBuffers.Dispose(ref results);
         }
 
         static void Check(Vector3 world, string name)

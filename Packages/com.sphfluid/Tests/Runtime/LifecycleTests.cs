@@ -2,6 +2,7 @@ using System.Collections;
 using System.Linq;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.Profiling;
 using UnityEngine.TestTools;
 
 namespace SphFluid.Tests
@@ -83,6 +84,46 @@ namespace SphFluid.Tests
             yield return Until(simulation);
             Assert.That(FluidSimulation.Active, Has.Member(simulation));
             Assert.That(SimulationRig.Read(simulation).Select(p => p.Position), Is.EqualTo(start.Select(p => p.Position)), "the same start again");
+        }
+
+        [UnityTest]
+        public IEnumerator TwoHundredCyclesWithAllThatActsReturnTheGpuMemory()
+        {
+            FluidSimulation simulation = rig.Create();
+            foreach (System.Type part in new[] { typeof(FluidEmitter), typeof(FluidDrain), typeof(FluidForceZone), typeof(FluidSensor), typeof(BoxCollider) })
+            {
+                GameObject holder = rig.NewObject(part.Name);
+                holder.transform.SetParent(simulation.transform, false);
+                holder.transform.localPosition = new Vector3(0.1f, 0.15f, 0.1f);
+                holder.transform.localScale = 0.1f * Vector3.one;
+                holder.AddComponent(part);
+            }
+            simulation.GetComponentInChildren<BoxCollider>().transform.localPosition = new Vector3(-0.15f, -0.15f, 0f);
+            long first = 0, running = 0, queries = 0, most = 0;
+            for (int cycle = 0; cycle < 200; cycle++)
+            {
+                yield return Until(simulation);
+                yield return null;
+                simulation.CapacityPolicy = (FluidCapacityPolicy)(cycle % 3);
+                simulation.Capacity = cycle % 3 == 0 ? 0 : 70 + cycle % 7;
+                simulation.AddImpulse(Vector3.zero, 0.1f, 0.1f * Vector3.up);
+                running = System.Math.Max(running, simulation.GpuBytes);
+                queries = System.Math.Max(queries, simulation.Queries.GpuBytes);
+                most = System.Math.Max(most, Profiler.GetAllocatedMemoryForGraphicsDriver());
+                yield return null;
+                simulation.enabled = false;
+                Assert.That(simulation.GpuBytes, Is.Zero);
+                yield return null;
+                if (cycle == 9) first = Profiler.GetAllocatedMemoryForGraphicsDriver();
+                simulation.enabled = true;
+            }
+            simulation.enabled = false;
+            yield return null;
+            yield return null;
+            Assert.That(queries, Is.Positive, "the sensor asked");
+            Assert.That(running, Is.GreaterThan(queries));
+            Assert.That(most, Is.GreaterThan(first), "what is measured counts buffers");
+            Assert.That(Profiler.GetAllocatedMemoryForGraphicsDriver() - first, Is.LessThan(2 * running), "190 cycles that kept a hundredth of their memory would show");
         }
 
         [UnityTest]
