@@ -11,7 +11,7 @@ namespace SphFluid
         public GraphicsBuffer Colliders { get; private set; }
 
         /// <summary>Bytes of both buffers.</summary>
-        public long Bytes => BytesOf(Triangles) + BytesOf(Colliders);
+        public long Bytes => GpuBuffers.Size(Triangles, Colliders);
 
         public void Upload(List<CollisionTriangle> triangles, List<CollisionCollider> colliders)
         {
@@ -36,7 +36,5 @@ namespace SphFluid
             if (items.Count > 0) buffer.SetData(items, 0, 0, items.Count);
             return buffer;
         }
-
-        static long BytesOf(GraphicsBuffer buffer) => buffer == null ? 0 : (long)buffer.count * buffer.stride;
     }
 }

@@ -102,9 +102,7 @@ namespace SphFluid
             foreach (FluidSimulation liquid in FluidSimulation.Active)
             {
                 if (!liquid.IsRunning || simulation != null && simulation != liquid) continue;
-                double most = FluidZones.MostBurst * liquid.Solver.Settings.SoundSpeed;
-                if (sum.magnitude > most)
-                    throw new ArgumentException(FormattableString.Invariant($"A burst of {sum.magnitude:0.##} m/s tears the liquid of '{liquid.name}' apart; {most:0.##} m/s are the most. Raise its Expected Speed."), nameof(deltaVelocity));
+                FluidZones.RequireGentle("A burst", sum.magnitude, liquid.name, liquid.Solver, nameof(deltaVelocity));
             }
             state.Burst = sum;
         }

@@ -25,11 +25,8 @@ namespace SphFluid
         public static FluidSimulation Owner(FluidVolume volume, IReadOnlyList<FluidSimulation> simulations) =>
             Owner(volume, volume.Simulation, simulations);
 
-        /// <summary>The running scene's simulation that a component belongs to, which may name it; null when several could have it and none holds its place.</summary>
-        public static FluidSimulation OwnerOf(Component component, FluidSimulation named) => Owner(component, named, FluidSimulation.Active);
-
         /// <summary>The simulation that a component belongs to, which may name it; null when several could have it and none holds its place.</summary>
-        static FluidSimulation Owner(Component component, FluidSimulation named, IReadOnlyList<FluidSimulation> simulations)
+        public static FluidSimulation Owner(Component component, FluidSimulation named, IReadOnlyList<FluidSimulation> simulations)
         {
             if (named != null) return named;
             // Nothing in a prefab asset is active.
@@ -85,8 +82,7 @@ namespace SphFluid
         static bool Holds(FluidSimulation simulation, Vector3 world)
         {
             Vector3 local = DomainSpace.FromWorld(simulation.transform.position, simulation.transform.rotation).MultiplyPoint3x4(world);
-            Vector3 half = simulation.DomainSize * 0.5f;
-            return Mathf.Abs(local.x) <= half.x && Mathf.Abs(local.y) <= half.y && Mathf.Abs(local.z) <= half.z;
+            return DomainSpace.Holds(local, simulation.DomainSize);
         }
     }
 }

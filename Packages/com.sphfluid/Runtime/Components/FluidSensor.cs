@@ -89,7 +89,7 @@ namespace SphFluid
 
         void Update()
         {
-            FluidSimulation owner = FluidScene.OwnerOf(this, simulation);
+            FluidSimulation owner = FluidScene.Owner(this, simulation, FluidSimulation.Active);
             if (owner != read || kind != known) Begin(owner);
             if (read == null || !read.IsRunning || !IsPlaced)
             {
@@ -133,7 +133,7 @@ namespace SphFluid
 
         SensorLine Line()
         {
-            if (kind != FluidSensorKind.Level) return default;
+            if (kind != FluidSensorKind.Level) return SensorLine.Point;
             Matrix4x4 toSimulation = DomainSpace.FromWorld(read.transform.position, read.transform.rotation);
             return SensorLine.Of(toSimulation.MultiplyPoint3x4(transform.position), toSimulation.MultiplyVector(transform.up), length, read.DomainSize,
                 read.Solver.Settings.Spacing);
@@ -142,15 +142,15 @@ namespace SphFluid
         void Place(in SensorLine line)
         {
             FluidQueries all = read.Queries;
-            int count = Math.Max(1, line.Count);
-            while (queries.Count > count)
+            Vector3 foot = transform.position, up = transform.up;
+            while (queries.Count > line.Count)
             {
                 all.Remove(queries[queries.Count - 1]);
                 queries.RemoveAt(queries.Count - 1);
             }
-            for (int i = 0; i < count; i++)
+            for (int i = 0; i < line.Count; i++)
             {
-                Vector3 place = transform.position + (line.First + i * line.Step) * transform.up;
+                Vector3 place = foot + (line.First + i * line.Step) * up;
                 if (i == queries.Count) queries.Add(all.AddPoint(place));
                 else all.Move(queries[i], place);
             }

@@ -377,7 +377,7 @@ namespace SphFluid
         /// <param name="deltaVelocity">The velocity [m/s], world space; those of several calls add up.</param>
         /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the velocity is more than a fifth of the speed of sound, or 16 impulses wait already.</exception>
         /// <exception cref="InvalidOperationException">The liquid does not run, or its method has no force zones.</exception>
-        public void AddImpulse(Vector3 centre, float radius, Vector3 deltaVelocity) => PushedRun().Zones.Push(new ZonePush(centre, radius, deltaVelocity));
+        public void AddImpulse(Vector3 centre, float radius, Vector3 deltaVelocity) => PushedRun().Zones.Push(new ZonePush(centre, radius, deltaVelocity), name);
 
         /// <summary>Drives the liquid in a sphere apart, over the next frame with steps; less within a support radius of the sphere's surface and of its centre.</summary>
         /// <param name="centre">World position [m].</param>
@@ -385,19 +385,16 @@ namespace SphFluid
         /// <param name="speed">Velocity away from the centre, besides the one that the liquid has [m/s]; negative: towards it.</param>
         /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the speed is more than a fifth of the speed of sound, or 16 impulses wait already.</exception>
         /// <exception cref="InvalidOperationException">The liquid does not run, or its method has no force zones.</exception>
-        public void AddExplosion(Vector3 centre, float radius, float speed) => PushedRun().Zones.Push(new ZonePush(centre, radius, speed));
+        public void AddExplosion(Vector3 centre, float radius, float speed) => PushedRun().Zones.Push(new ZonePush(centre, radius, speed), name);
 
-        FluidRun PushedRun()
-        {
-            if (run == null) throw new InvalidOperationException($"'{name}' does not run, so it cannot be pushed.");
-            if (!FluidMethods.Has(method, FluidMethodFeatures.ForceZones)) throw new InvalidOperationException($"The method {method} of '{name}' has no force zones or impulses. Set Method to Standard.");
-            return run;
-        }
+        FluidRun PushedRun() => Running(FluidMethods.Has(method, FluidMethodFeatures.ForceZones), "it cannot be pushed", "no force zones or impulses");
 
-        FluidRun ExchangingRun()
+        FluidRun ExchangingRun() => Running(run != null && run.Solver.Exchanges, "no liquid can be added or removed", "a fixed number of particles");
+
+        FluidRun Running(bool serves, string consequence, string has)
         {
-            if (run == null) throw new InvalidOperationException($"'{name}' does not run, so no liquid can be added or removed.");
-            if (!run.Solver.Exchanges) throw new InvalidOperationException($"The method {method} of '{name}' has a fixed number of particles. Set Method to Standard.");
+            if (run == null) throw new InvalidOperationException($"'{name}' does not run, so {consequence}.");
+            if (!serves) throw new InvalidOperationException($"The method {method} of '{name}' has {has}. Set Method to Standard.");
             return run;
         }
 

@@ -51,14 +51,14 @@ namespace SphFluid
         }
 
         /// <summary>Bytes of buffers together.</summary>
-        /// <param name="buffers">The buffers.</param>
+        /// <param name="buffers">The buffers; null: none.</param>
         /// <returns>Bytes.</returns>
         public static long Size(params GraphicsBuffer[] buffers)
         {
             long bytes = 0;
             foreach (GraphicsBuffer buffer in buffers)
             {
-                bytes += (long)buffer.count * buffer.stride;
+                if (buffer != null) bytes += (long)buffer.count * buffer.stride;
             }
 
             return bytes;

@@ -52,7 +52,7 @@ namespace SphFluid
         public int Count => used - free.Count;
 
         /// <summary>GPU memory [bytes].</summary>
-        public long GpuBytes => (queries == null ? 0 : GpuBuffers.Size(queries)) + (results == null ? 0 : GpuBuffers.Size(results));
+        public long GpuBytes => GpuBuffers.Size(queries, results);
 
         /// <summary>Frames since the state that the present answers are of; -1 while there are none.</summary>
         public int AgeInFrames => current == null ? -1 : Time.frameCount - current.Frame;
@@ -92,8 +92,8 @@ namespace SphFluid
         {
             Check(world, nameof(world));
             if (!IsAlive(query)) throw new ArgumentException("The query was removed or is none. Add it first.", nameof(query));
+            changed |= !points[query.Index].Place.Equals(world);
             points[query.Index].Place = world;
-            changed = true;
         }
 
         /// <summary>Ends a request; one that is none or was removed before is left as it is.</summary>

@@ -16,8 +16,11 @@ namespace SphFluid
         /// <summary>Distance between points [m].</summary>
         public readonly float Step;
 
-        /// <summary>Number of points, 2 or more; it does not depend on the pose.</summary>
+        /// <summary>Number of points, of a line 2 or more; it does not depend on the pose.</summary>
         public readonly int Count;
+
+        /// <summary>Its foot alone.</summary>
+        public static SensorLine Point => new SensorLine(0f, 0f, 1);
 
         SensorLine(float first, float step, int count)
         {

@@ -53,12 +53,11 @@ namespace SphFluid
         public static void CheckPlaces(in FluidSpec spec, CollisionScene collision, List<FluidMessage> messages)
         {
             Matrix4x4 worldToLocal = spec.WorldToLocal;
-            Vector3 half = 0.5f * spec.DomainSize;
             for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
             {
                 EmitterSpec emitter = spec.Emitters[i];
-                Vector3 place = worldToLocal.MultiplyPoint3x4(emitter.Position), beyond = Vector3.Max(place, -place) - half;
-                if (beyond.x > 0f || beyond.y > 0f || beyond.z > 0f)
+                Vector3 place = worldToLocal.MultiplyPoint3x4(emitter.Position);
+                if (!DomainSpace.Holds(place, spec.DomainSize))
                     messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, emitter.Owner,
                         $"The emitter is outside the domain of '{spec.Name}': nothing flows while it is there.", "Move it into the domain, or enlarge Domain Size."));
                 else if (collision.FindCovering(place, 0f) is int covering && covering >= 0)

@@ -388,15 +388,12 @@ namespace SphFluid
                 throw new ArgumentException("A fluid needs one particle or more.", nameof(initial));
             }
 
-            Vector3 half = 0.5f * settings.DomainSize;
             var particles = new FluidParticle[initial.Count];
             int count = 0, outside = 0;
             for (int i = 0; i < particles.Length; i++)
             {
                 if (!isFixed && initial[i].IsRemoved) continue;
-                Vector3 p = initial[i].Position;
-                bool inside = Mathf.Abs(p.x) <= half.x && Mathf.Abs(p.y) <= half.y && Mathf.Abs(p.z) <= half.z;
-                outside += inside ? 0 : 1;
+                outside += DomainSpace.Holds(initial[i].Position, settings.DomainSize) ? 0 : 1;
                 particles[count++] = initial[i];
             }
 

@@ -20,7 +20,7 @@ namespace SphFluid
         public int Count { get; private set; }
 
         /// <summary>Bytes of GPU memory.</summary>
-        public long GpuBytes => buffer == null ? 0 : GpuBuffers.Size(buffer);
+        public long GpuBytes => GpuBuffers.Size(buffer);
 
         /// <summary>Takes over the zones as they are now.</summary>
         /// <returns>Whether one changed.</returns>

@@ -10,8 +10,8 @@ namespace SphFluid
         // Over the speed of sound: more in one step makes sound that is louder than the flow.
         const double MostInAStep = 0.1;
 
-        /// <summary>Over the speed of sound: the most that a burst may give.</summary>
-        public const double MostBurst = 0.2;
+        // Over the speed of sound: the most that a burst or an impulse may give.
+        const double MostBurst = 0.2;
 
         readonly FluidSolver solver;
         readonly Action<FluidMessage> report;
@@ -27,16 +27,30 @@ namespace SphFluid
         }
 
         /// <summary>Gives the liquid in a sphere a velocity with the next steps.</summary>
+        /// <param name="push">Sphere and velocity.</param>
+        /// <param name="liquid">Name of the simulation, for the message.</param>
         /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, or the velocity is more than a fifth of the speed of sound.</exception>
-        public void Push(in ZonePush push)
+        public void Push(in ZonePush push, string liquid)
         {
             if (!push.IsValid) throw new ArgumentException("The place and the velocity of an impulse must be finite, and its radius greater than zero.");
-            double most = MostBurst * solver.Settings.SoundSpeed;
-            if (push.Speed > most)
-                throw new ArgumentException(FormattableString.Invariant($"An impulse of {push.Speed:0.##} m/s tears the liquid apart; {most:0.##} m/s are the most. Raise its Expected Speed."));
+            RequireGentle("An impulse", push.Speed, liquid, solver);
             if (pushes.Count == ForceZone.Most)
                 throw new ArgumentException($"{ForceZone.Most} impulses wait for the next steps, as many as act on a liquid at a time. Give the others in the next frame.");
             pushes.Add(push);
+        }
+
+        /// <summary>Checks a velocity that a liquid is to get at once.</summary>
+        /// <param name="what">What gives it, for the message.</param>
+        /// <param name="speed">Its magnitude [m/s].</param>
+        /// <param name="liquid">Name of the simulation.</param>
+        /// <param name="solver">The liquid.</param>
+        /// <param name="argument">Name of the caller's argument.</param>
+        /// <exception cref="ArgumentException">It is more than a fifth of the speed of sound.</exception>
+        public static void RequireGentle(string what, float speed, string liquid, FluidSolver solver, string argument = null)
+        {
+            double most = MostBurst * solver.Settings.SoundSpeed;
+            if (speed > most)
+                throw new ArgumentException(FormattableString.Invariant($"{what} of {speed:0.##} m/s tears the liquid of '{liquid}' apart; {most:0.##} m/s are the most. Raise its Expected Speed."), argument);
         }
 
         /// <summary>Whether a burst or an impulse waits for the next steps.</summary>

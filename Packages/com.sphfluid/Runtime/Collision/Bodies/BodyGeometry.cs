@@ -33,7 +33,7 @@ namespace SphFluid
         public int LeftOut { get; private set; }
 
         /// <summary>Bytes of the GPU buffers.</summary>
-        public long Bytes => triangleBuffer == null ? 0 : GpuBuffers.Size(triangleBuffer, cellBuffer, referenceBuffer);
+        public long Bytes => GpuBuffers.Size(triangleBuffer, cellBuffer, referenceBuffer);
 
         /// <summary>Begins anew.</summary>
         public void Clear()

@@ -63,7 +63,7 @@ namespace SphFluid
         public int LeftOut => geometry.LeftOut;
 
         /// <summary>Bytes of the GPU buffers.</summary>
-        public long Bytes => bodyBuffer == null ? 0 : GpuBuffers.Size(bodyBuffer) + geometry.Bytes;
+        public long Bytes => GpuBuffers.Size(bodyBuffer) + geometry.Bytes;
 
         /// <summary>Whether a body is still moving: the steps have not gone through all of its motion of the frame.</summary>
         public bool IsUnderWay { get; private set; }

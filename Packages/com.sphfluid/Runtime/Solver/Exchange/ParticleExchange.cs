@@ -52,7 +52,7 @@ namespace SphFluid
         public bool IsActive => Births.Waiting > 0 || drains > 0;
 
         /// <summary>Bytes of GPU memory.</summary>
-        public long GpuBytes => Bytes(zoneBuffer) + Bytes(ageBuffer) + Bytes(birthBuffer) + Bytes(Counts.Buffer);
+        public long GpuBytes => GpuBuffers.Size(zoneBuffer, ageBuffer, birthBuffer, Counts.Buffer);
 
         /// <summary>Gives the drains that act from the next steps on.</summary>
         /// <param name="list">Drains and the sources that count for them.</param>
@@ -146,7 +146,5 @@ namespace SphFluid
             }
             cmd.SetBufferData(buffer, items, 0, 0, count);
         }
-
-        static long Bytes(GraphicsBuffer buffer) => buffer == null ? 0 : GpuBuffers.Size(buffer);
     }
 }
