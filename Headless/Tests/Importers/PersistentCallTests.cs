@@ -1,7 +1,3 @@
-using System.Reflection;
-using Headless.Engine;
-using Headless.Importers;
-using Headless.Shaders;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Events;
@@ -9,30 +5,15 @@ using UnityEngine.Events;
 namespace Headless.Tests.Importers;
 
 /// <summary>Listeners of UnityEvents that were set in an inspector, as a scene has them.</summary>
-[NonParallelizable]
-public sealed class PersistentCallTests
+public sealed class PersistentCallTests : SceneFixture
 {
-    private const string Start = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n";
-    private readonly List<string> reports = [];
-    private TemporaryProject project = null!;
     private string script = "";
 
     [SetUp]
     public void SetUp()
     {
-        EngineState.Reset();
         EventProbe.Log.Clear();
-        reports.Clear();
-        project = new TemporaryProject();
-        script = project.Add("Assets/EventProbe.cs", "");
-    }
-
-    [TearDown]
-    public void TearDown()
-    {
-        PlaySession.End();
-        EngineState.Reset();
-        project.Dispose();
+        script = Project.Add("Assets/EventProbe.cs", "");
     }
 
     // Mode: 0 the event's own argument, 1 none, 2 object, 3 int, 4 float, 5 string, 6 bool. State: 0 off, 2 in play.
@@ -48,10 +29,8 @@ public sealed class PersistentCallTests
             + $"--- !u!4 &{id + 10}\nTransform:\n  m_GameObject: {{fileID: {id}}}\n  m_Father: {{fileID: 0}}\n"
             + $"--- !u!114 &{id + 20}\nMonoBehaviour:\n  m_GameObject: {{fileID: {id}}}\n  m_Enabled: 1\n  m_Script: {{fileID: 11500000, guid: {script}, type: 3}}\n{fields}";
         string Event(string name, string calls) => $"  {name}:\n    m_PersistentCalls:\n      m_Calls:{(calls == "" ? " []" : "")}\n{calls}";
-        project.Add("Assets/Main.unity", Start + Object(1, Event("onFloat", onFloat) + Event("onNothing", onNothing)) + Object(2, ""));
-        UnityProject.Open(project.Root, name => name == "Assembly-CSharp" ? Assembly.GetExecutingAssembly() : null, new IncludeResolver(project.Root), reports.Add);
-        PlaySession.Begin("Assets/Main.unity");
-        Assert.That(reports, Is.Empty);
+        PlayScene(Object(1, Event("onFloat", onFloat) + Event("onNothing", onNothing)) + Object(2, ""));
+        Assert.That(Reports, Is.Empty);
         return GameObject.Find("Object 1").GetComponent<EventProbe>();
     }
 
