@@ -10,6 +10,7 @@ namespace SphFluid
 
         ColliderState(Collider collider, Matrix4x4 toSimulation, float friction, Mesh mesh, Vector3 center, Vector3 size)
         {
+            Body = null;
             Key = Collider = collider;
             Triangles = null;
             Friction = friction;
@@ -27,6 +28,7 @@ namespace SphFluid
         /// <param name="toSimulation">Its own space to simulation space.</param>
         public ColliderState(object key, TriangleMesh triangles, float friction, in Matrix4x4 toSimulation)
         {
+            Body = null;
             Key = key;
             Collider = key as Collider;
             Triangles = triangles;
@@ -51,6 +53,9 @@ namespace SphFluid
 
         /// <summary>0 free slip to 1 no slip; negative: as the domain's faces.</summary>
         public float Friction { get; }
+
+        /// <summary>The rigid body that the liquid moves it with; null: it goes where the scene puts it.</summary>
+        public FloatingBody Body { get; }
 
         /// <summary>Mesh of a MeshCollider; null for others.</summary>
         public Mesh Mesh { get; }
@@ -90,6 +95,15 @@ namespace SphFluid
             return Matrix4x4.TRS(transform.TransformPoint(character.center), Quaternion.identity, transform.lossyScale);
         }
 
+        /// <summary>The same collider, moved by the liquid.</summary>
+        public ColliderState With(FloatingBody body) => new ColliderState(this, body);
+
+        ColliderState(in ColliderState other, FloatingBody body)
+        {
+            this = other;
+            Body = body;
+        }
+
         /// <summary>Whether the states have the same mesh, with the same vertices as far as that is cheap to find out, or both none.</summary>
         public bool HasMeshOf(in ColliderState other) => ReferenceEquals(Mesh, other.Mesh) && ReferenceEquals(Triangles, other.Triangles) && stamp.Equals(other.stamp);
 
@@ -100,7 +114,7 @@ namespace SphFluid
         public bool HasTrianglesOf(in ColliderState other) =>
             ReferenceEquals(Key, other.Key) && ToSimulation.Equals(other.ToSimulation) && HasShapeOf(other);
 
-        public bool Equals(ColliderState other) => HasTrianglesOf(other) && Friction.Equals(other.Friction);
+        public bool Equals(ColliderState other) => HasTrianglesOf(other) && Friction.Equals(other.Friction) && ReferenceEquals(Body, other.Body);
 
         public override bool Equals(object obj) => obj is ColliderState other && Equals(other);
 

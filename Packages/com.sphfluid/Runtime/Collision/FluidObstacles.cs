@@ -99,6 +99,11 @@ namespace SphFluid
             entries[mesh].Pose = pose;
         }
 
+        /// <summary>Lets the liquid move a mesh with a rigid body; several meshes may have the same.</summary>
+        /// <param name="mesh">The number that <see cref="Add(TriangleMesh, in Matrix4x4, float?)"/> returned.</param>
+        /// <param name="body">The body; null: the mesh goes where <see cref="MoveTo"/> puts it.</param>
+        internal void Float(int mesh, FloatingBody body) => entries[mesh].Body = body;
+
         /// <summary>Forgets all colliders and meshes; <see cref="Update"/> takes them away.</summary>
         public void Clear() => entries.Clear();
 
@@ -111,7 +116,7 @@ namespace SphFluid
             states.Clear();
             foreach (Entry entry in entries)
             {
-                if (entry.Mesh != null) states.Add(new ColliderState(entry, entry.Mesh, entry.Friction, entry.Pose));
+                if (entry.Mesh != null) states.Add(new ColliderState(entry, entry.Mesh, entry.Friction, entry.Pose).With(entry.Body));
                 else if (entry.Collider != null) states.Add(scene.Terrains.StateOf(entry.Collider, entry.Friction, worldToSimulation, settings.DomainSize, settings.Spacing));
             }
 
@@ -183,6 +188,7 @@ namespace SphFluid
             public TriangleMesh Mesh;
             public Matrix4x4 Pose;
             public float Friction;
+            public FloatingBody Body;
         }
     }
 }

@@ -20,9 +20,10 @@ namespace SphFluid
         const int Born = 9;
         const int Blocked = 10;
         const int Refused = 11;
-        internal const int MaxSpeed = 12;
-        const int MaxDensity = 13;
-        const int FirstMaximum = 12;
+        const int ImpulseLimit = 12;
+        internal const int MaxSpeed = 13;
+        const int MaxDensity = 14;
+        const int FirstMaximum = 13;
 
         static readonly uint[] Zeros = new uint[Slots];
 
@@ -83,6 +84,7 @@ namespace SphFluid
             counters.Born += Added(values, Born);
             counters.Blocked += Added(values, Blocked);
             counters.Refused += Added(values, Refused);
+            counters.ImpulseLimits += Added(values, ImpulseLimit);
             counters.MaxSpeed = ToFloat(values[MaxSpeed]);
             counters.MaxCompression = Mathf.Max(0f, ToFloat(values[MaxDensity]) / RestDensity - 1f);
         }

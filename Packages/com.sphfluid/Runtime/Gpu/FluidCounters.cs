@@ -39,6 +39,9 @@ namespace SphFluid
         /// <summary>Particles that were not born since the start because the liquid had as many as it may have.</summary>
         public long Refused;
 
+        /// <summary>Times a particle gave a body more than 32 times its mass by the speed of sound in a step, since the start; the body got no more than that.</summary>
+        public long ImpulseLimits;
+
         /// <summary>Largest speed in the last recorded steps [m/s].</summary>
         public float MaxSpeed;
 

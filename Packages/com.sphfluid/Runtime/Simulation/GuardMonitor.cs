@@ -5,7 +5,7 @@ namespace SphFluid
     /// <summary>Reports once a run for each kind of guard that had to act on the particles.</summary>
     internal sealed class GuardMonitor
     {
-        bool nonFinite, clamped, limited, squeezed, overlapped, shortened;
+        bool nonFinite, clamped, limited, squeezed, overlapped, shortened, cut;
 
         /// <summary>Takes note of the counters.</summary>
         /// <param name="counters">What the GPU counted.</param>
@@ -19,6 +19,7 @@ namespace SphFluid
             if (IsNew(counters.Squeezed, ref squeezed)) Add(ref news, $"{counters.Squeezed} times a particle had no place between colliders that close and was left where it was");
             if (IsNew(counters.Overlaps, ref overlapped)) Add(ref news, $"{counters.Overlaps} times a collider was already on a particle and the side was chosen for it");
             if (IsNew(counters.ShortenedSteps, ref shortened)) Add(ref news, $"{counters.ShortenedSteps} steps were longer than colliders can stop and were shortened");
+            if (IsNew(counters.ImpulseLimits, ref cut)) Add(ref news, $"{counters.ImpulseLimits} impulses on bodies were larger than their sums hold and were cut");
             return news == null ? null : $"The solver's guards acted: {string.Join(", ", news)}.";
         }
 

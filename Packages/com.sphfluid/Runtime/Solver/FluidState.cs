@@ -46,6 +46,9 @@ namespace SphFluid
         /// <summary>Whether there is a triangle that a step can hit.</summary>
         public bool HasBodies => Bodies != null && Bodies.Count > 0;
 
+        /// <summary>Whether there are bodies that the liquid moves.</summary>
+        public bool HasFloatingBodies => HasBodies && Bodies.Floating.Count > 0;
+
         /// <summary>Where the step begins and ends in the bodies' motion of the frame, 0 to 1, and its length [s].</summary>
         public Vector3 BodyStep => bodyStep ?? (Bodies != null && Bodies.IsUnderWay ? new Vector3(0f, 0f, 1f) : Vector3.one);
 

@@ -7,6 +7,7 @@
 // within R. Outside the cells there is none within R.
 #define BODY_MOVES 1u
 #define BODY_STRETCHES 2u
+#define BODY_NUMBER_SHIFT 8u // above it the number of the rigid body that the liquid moves; 0: none does
 
 // A collider whose scale or shear changes is a rigid pose and a stretch: in the rigid frame each corner moves linearly, from S0 v to
 // S1 v, where S0 and S1 are symmetric and positive definite. Kernels that include this file declare
@@ -23,7 +24,7 @@
 // Mirrored by CollisionBody.cs; 176 bytes.
 struct CollisionBody
 {
-    float4 Rotation0; // body frame to simulation space at the start of the frame, a quaternion
+    float4 Rotation0; // body frame to simulation space at the start of the frame, a quaternion; of a body that the liquid moves: of the step
     float4 Rotation1; // at its end
     float3 Position0; // m
     uint FirstCell;   // of _BodyCells
@@ -126,6 +127,17 @@ BodyPose PoseAt(CollisionBody body, float fraction)
     pose.Relaxed = Inverse(pose.Stretched);
 #endif
     return pose;
+}
+
+// A body that the liquid moves has the poses of the step, others those of the frame.
+BodyPose StartPose(CollisionBody body)
+{
+    return PoseAt(body, body.Flags >> BODY_NUMBER_SHIFT != 0u ? 0.0 : _PoseStart);
+}
+
+BodyPose EndPose(CollisionBody body)
+{
+    return PoseAt(body, body.Flags >> BODY_NUMBER_SHIFT != 0u ? 1.0 : _PoseEnd);
 }
 
 float3 Rotate(float4 q, float3 v)

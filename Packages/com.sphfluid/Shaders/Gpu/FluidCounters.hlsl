@@ -14,8 +14,9 @@
 #define COUNTER_BORN 9
 #define COUNTER_BLOCKED 10
 #define COUNTER_REFUSED 11
-#define COUNTER_MAX_SPEED 12
-#define COUNTER_MAX_DENSITY 13
+#define COUNTER_IMPULSE_LIMIT 12
+#define COUNTER_MAX_SPEED 13
+#define COUNTER_MAX_DENSITY 14
 
 RWStructuredBuffer<uint> _Counters;
 

@@ -20,6 +20,7 @@ namespace SphFluid
 
         readonly ColliderState reference;
         AffineMap toShape; // the frame of the triangles to the collider's own shape
+        FloatingBody floats;
         int steady;
 
         public BodyMotion(FluidObstacle solid)
@@ -27,6 +28,7 @@ namespace SphFluid
             reference = solid.State;
             Mesh = solid.Mesh;
             Friction = solid.State.Friction;
+            floats = solid.State.Body;
             toShape = ColliderFrame.Of(reference).Inverse;
             Begin();
         }
@@ -39,6 +41,9 @@ namespace SphFluid
 
         /// <summary>0 free slip to 1 no slip; negative: as the domain's faces.</summary>
         public float Friction { get; private set; }
+
+        /// <summary>The rigid body that the liquid moves this with; null: it goes where its collider goes. While a collider is scaled it is so as well.</summary>
+        public FloatingBody Floats => IsStretched ? null : floats;
 
         public Quaternion Rotation0 { get; private set; }
         public Vector3 Position0 { get; private set; }
@@ -90,6 +95,7 @@ namespace SphFluid
         {
             if (!ColliderFrame.HasSameShape(reference, state)) return BodyFollowing.Reshaped;
             Friction = state.Friction;
+            floats = state.Body;
             AffineMap frame = ColliderFrame.Of(state);
             BodyFollowing following = MoveTo(frame * toShape);
             if (following != BodyFollowing.Followed || !IsStretched) return following;

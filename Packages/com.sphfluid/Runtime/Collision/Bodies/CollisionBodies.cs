@@ -13,6 +13,7 @@ namespace SphFluid
     internal sealed class CollisionBodies : IDisposable
     {
         static readonly int BodiesId = Shader.PropertyToID("_Bodies");
+        static readonly int BodiesOutId = Shader.PropertyToID("_BodiesOut");
         static readonly int PoseStartId = Shader.PropertyToID("_PoseStart");
         static readonly int PoseEndId = Shader.PropertyToID("_PoseEnd");
 
@@ -45,6 +46,7 @@ namespace SphFluid
             longestStep = ContactDistances.LongestDisplacement(settings);
             domain = new Bounds(Vector3.zero, settings.DomainSize + 2f * BeyondFaces(settings));
             geometry = new BodyGeometry(reach);
+            Floating = new FloatingBodies(settings);
         }
 
         /// <summary>Number of bodies.</summary>
@@ -56,6 +58,9 @@ namespace SphFluid
         /// <summary>Whether a body has a friction of its own that is not zero.</summary>
         public bool HoldLiquid { get; private set; }
 
+        /// <summary>Those that the liquid moves.</summary>
+        public FloatingBodies Floating { get; }
+
         /// <summary>Number of triangles.</summary>
         public int TriangleCount => geometry.TriangleCount;
 
@@ -63,7 +68,7 @@ namespace SphFluid
         public int LeftOut => geometry.LeftOut;
 
         /// <summary>Bytes of the GPU buffers.</summary>
-        public long Bytes => GpuBuffers.Size(bodyBuffer) + geometry.Bytes;
+        public long Bytes => GpuBuffers.Size(bodyBuffer) + geometry.Bytes + Floating.Bytes;
 
         /// <summary>Whether a body is still moving: the steps have not gone through all of its motion of the frame.</summary>
         public bool IsUnderWay { get; private set; }
@@ -101,6 +106,7 @@ namespace SphFluid
                 {
                     Jumped(motions[i].Collider, BodyFollowing.TooFar);
                     motions[i].Arrive();
+                    motions[i].Floats?.Seed();
                     stale = true;
                     Version++;
                 }
@@ -108,6 +114,8 @@ namespace SphFluid
                 if (!motions[i].IsAtRest) LongestMotion = Mathf.Max(LongestMotion, motions[i].LongestDisplacement(bodies[i].BoundsMin, bodies[i].BoundsMax));
                 HasStretch |= motions[i].IsStretched;
             }
+            Floating.Update(motions);
+            IsUnderWay |= Floating.Count > 0; // where they go only the GPU knows
             if (IsUnderWay || wasUnderWay || stale) UploadBodies();
         }
 
@@ -118,7 +126,11 @@ namespace SphFluid
             IsUnderWay = false;
             stale = true; // the buffer is read by commands yet to run; at fraction 1 it is right
             foreach (BodyMotion motion in motions) motion?.Arrive();
+            Floating.Arrive();
         }
+
+        /// <summary>Records the bodies for a kernel that moves them.</summary>
+        public void SetOut(CommandBuffer cmd, ComputeKernel kernel) => kernel.SetBuffer(cmd, BodiesOutId, bodyBuffer);
 
         /// <summary>Records the globals of Shaders/Collision/Bodies.hlsl.</summary>
         /// <param name="cmd">Command buffer.</param>
@@ -138,6 +150,7 @@ namespace SphFluid
         {
             GpuBuffers.Dispose(ref bodyBuffer);
             geometry.Dispose();
+            Floating.Dispose();
         }
 
         // Whether the set of bodies changed. A collider that rested and is elsewhere now becomes a body of its own for good.
@@ -154,6 +167,11 @@ namespace SphFluid
                 {
                     stale |= motion.Friction != solid.State.Friction;
                     changed |= Move(motion, solid);
+                }
+                else if (solid.State.Body != null)
+                {
+                    changed = true;
+                    movers[key] = new BodyMotion(solid);
                 }
                 else if (!resting.Contains(solid.State))
                 {
@@ -266,7 +284,8 @@ namespace SphFluid
                     body.StretchDiagonal1 = motions[i].Stretch1.Diagonal;
                     body.StretchShear1 = motions[i].Stretch1.Shear;
                     body.PartsPerMetre = PartsPerMetre(motions[i]);
-                    body.Flags = CollisionBody.Moves | (motions[i].IsStretched ? CollisionBody.Stretches : 0u);
+                    body.Flags = CollisionBody.Moves | (motions[i].IsStretched ? CollisionBody.Stretches : 0u) |
+                        Floating.NumberOf(motions[i].Floats) << CollisionBody.NumberShift;
                 }
                 bodies[i] = body;
             }

@@ -15,6 +15,9 @@ namespace SphFluid
         /// <summary>Bit of <see cref="Flags"/>: scale or shear differ from those of the triangles.</summary>
         public const uint Stretches = 2u;
 
+        /// <summary>Bits of <see cref="Flags"/> below the number of the rigid body that the liquid moves.</summary>
+        public const int NumberShift = 8;
+
         public Quaternion Rotation0;
         public Quaternion Rotation1;
         public Vector3 Position0;

@@ -35,6 +35,7 @@ namespace SphFluid
                 kernel.SetBuffer(cmd, state.Buffers.Positions.Id, positions);
                 kernel.SetOut(cmd, state.Walls.WallSlot);
                 kernel.SetOut(cmd, state.Walls.NearWalls);
+                if (StandardBindings.SetFloating(cmd, kernel, state)) kernel.SetOut(cmd, state.Walls.WallBodies);
                 kernel.SetOut(cmd, state.Walls.WallGap);
                 kernel.DispatchThreads(cmd, state.ParticleCount);
             }

@@ -14,6 +14,9 @@ namespace SphFluid
         /// <summary>PackedWall each.</summary>
         public readonly FluidBuffer NearWalls;
 
+        /// <summary>Numbers of the bodies that the liquid moves, of each particle's planes.</summary>
+        public readonly FluidBuffer WallBodies;
+
         /// <summary>Where each particle gathered its walls, and how near to there surely no triangle at rest is [m], 0 where that is not known.</summary>
         public readonly FluidBuffer WallGap;
 
@@ -27,6 +30,7 @@ namespace SphFluid
         {
             WallSlot = Add("WallSlot", particleCount, 4);
             NearWalls = Add("NearWalls", particleCount, WallStride);
+            WallBodies = Add("WallBodies", particleCount, 4);
             WallGap = Add("WallGap", particleCount, 16);
             ContactList = Add("ContactList", particleCount, 4);
             // With Direct3D 11 Unity gives a buffer of indirect arguments typed and raw views, never structured ones.

@@ -44,6 +44,7 @@ namespace SphFluid
                 DomainBindings.SetBodyForce(cmd, kernel, settings.BodyForce);
                 DomainBindings.SetWallVelocities(cmd, kernel, settings.Boundaries);
                 ForceZones.Set(cmd, kernel, state.Zones, settings.SupportRadius);
+                if (state.HasFloatingBodies) kernel.Set(cmd, state.Walls.WallBodies);
                 state.List.Set(cmd, kernel);
                 kernel.SetFloat(cmd, FaceDistance, ContactDistances.Rest(settings));
                 kernel.SetFloat(cmd, SlopeFactor, (float)slope);

@@ -20,6 +20,7 @@ namespace SphFluid
             using (Sample(cmd))
             {
                 MeshContact.SetStep(cmd, kernel, state, step);
+                StandardBindings.SetImpulses(cmd, kernel, state);
                 kernel.SetFloat(cmd, TimeStep, step.Length);
                 kernel.Set(cmd, state.Walls.ContactList);
                 kernel.Set(cmd, state.Walls.ContactArguments);

@@ -6,7 +6,7 @@ namespace SphFluid
     /// <summary>Records the globals that several kernels of the method share, by the files of Shaders/Solver/Standard that declare them.</summary>
     internal static class StandardBindings
     {
-        const string MeshWalls = "FLUID_MESH_WALLS";
+        const string MeshWalls = "FLUID_MESH_WALLS", FloatingBodies = "FLUID_FLOATING_BODIES";
 
         static readonly int CellOrigin = Shader.PropertyToID("_CellOrigin");
         static readonly int CellsPerMetre = Shader.PropertyToID("_CellsPerMetre");
@@ -74,10 +74,28 @@ namespace SphFluid
         public static void SetWalls(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
         {
             SetFaces(cmd, kernel, state.Settings);
-            kernel.SetKeyword(cmd, MeshWalls, state.HasBodies);
+            bool floats = SetImpulses(cmd, kernel, state);
+            kernel.SetKeyword(cmd, MeshWalls, state.HasBodies && !floats);
             if (!state.HasBodies) return;
             kernel.Set(cmd, state.Walls.WallSlot);
             kernel.Set(cmd, state.Walls.NearWalls);
+        }
+
+        /// <summary>BodyImpulses.hlsl, for kernels that have it: what particles give to bodies that they move.</summary>
+        /// <returns>Whether the kernel gives them anything.</returns>
+        public static bool SetImpulses(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
+        {
+            if (!kernel.HasKeyword(FloatingBodies) || !SetFloating(cmd, kernel, state)) return false;
+            state.Bodies.Floating.SetImpulses(cmd, kernel);
+            return true;
+        }
+
+        /// <summary>The keyword of bodies that the liquid moves.</summary>
+        /// <returns>Whether there are any.</returns>
+        public static bool SetFloating(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
+        {
+            kernel.SetKeyword(cmd, FloatingBodies, state.HasFloatingBodies);
+            return state.HasFloatingBodies;
         }
     }
 }

@@ -6,8 +6,8 @@ namespace SphFluid
     internal sealed class StandardMethod : FluidMethod
     {
         static readonly ShaderGroup Group = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
-            groupThreads: 256, buffers: 13, writableBuffers: 7, groupMemory: 7680, vertexBuffers: 0,
-            "LoadParticles", "ScanCells", "ScatterParticles", "StandardDensity", "MoveParticles", "GatherWalls", "FindContacts",
+            groupThreads: 256, buffers: 15, writableBuffers: 7, groupMemory: 8960, vertexBuffers: 0,
+            "LoadParticles", "ScanCells", "ScatterParticles", "StandardDensity", "MoveParticles", "GatherWalls", "MoveBodies", "FindContacts",
             "ResolveContacts", "DampVelocities", "PublishParticles", "DrainParticles", "BirthParticles", "GrowParticles");
 
         static readonly string[] Fields = { "soundSpeedMode" };

@@ -6,7 +6,7 @@ namespace SphFluid
     /// <summary>
     /// Steps a liquid by the Standard method in four dependent dispatches: ScanCells, Scatter, StandardDensity, MoveParticles;
     /// the stable order makes Scatter two. Triangles add three: GatherWalls before the density, FindContacts and ResolveContacts after
-    /// the motion. A step that keeps the order and lists of an earlier one has two, ListedDensity and MoveParticles, and the same three of triangles.
+    /// the motion, and bodies that the liquid moves MoveBodies before the first and after the motion. A step that keeps the order and lists of an earlier one has two, ListedDensity and MoveParticles, and the same three of triangles.
     /// </summary>
     internal sealed class StandardStepper : IFluidStepper, IExchangingStepper
     {
@@ -17,6 +17,7 @@ namespace SphFluid
         readonly StandardDensityPass density;
         readonly MoveParticlesPass moveParticles;
         readonly GatherWallsPass gatherWalls;
+        readonly MoveBodiesPass moveBodies;
         readonly FindContactsPass findContacts;
         readonly ResolveContactsPass resolveContacts;
         readonly PublishParticlesPass publishParticles;
@@ -46,6 +47,7 @@ namespace SphFluid
             density = new StandardDensityPass(shaders);
             moveParticles = new MoveParticlesPass(shaders);
             gatherWalls = new GatherWallsPass(shaders);
+            moveBodies = new MoveBodiesPass(shaders);
             findContacts = new FindContactsPass(shaders);
             resolveContacts = new ResolveContactsPass(shaders);
             publishParticles = new PublishParticlesPass(shaders);
@@ -94,6 +96,7 @@ namespace SphFluid
             if (state.HasBodies)
             {
                 state.RequireWalls();
+                if (state.HasFloatingBodies) moveBodies.RecordBegin(cmd, state);
                 gatherWalls.Record(cmd, state, isKept ? state.Buffers.NewPositions : state.Buffers.Positions, isKept && !state.Bodies.IsUnderWay);
             }
 
@@ -111,6 +114,7 @@ namespace SphFluid
             moveParticles.Record(cmd, state, step);
             if (state.HasBodies)
             {
+                if (state.HasFloatingBodies) moveBodies.Record(cmd, state, step);
                 findContacts.Record(cmd, state, step);
                 resolveContacts.Record(cmd, state, step);
             }

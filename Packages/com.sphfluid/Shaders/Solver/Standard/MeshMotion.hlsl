@@ -7,8 +7,8 @@
 // What triangles do to a velocity.
 #if defined(FLUID_MESH_WALLS)
 
-// As Shell, for the planes of triangles, against the walls' speeds; twice, for corners.
-float3 MeshShell(NearWall wall, float3 velocity)
+// As Shell, for the planes of triangles, against the walls' speeds; twice, for corners. changes: what each plane adds to the velocity.
+float3 MeshShell(NearWall wall, float3 velocity, inout float3 changes[WALL_PLANES])
 {
     [unroll]
     for (int turn = 0; turn < 2; turn++)
@@ -17,7 +17,9 @@ float3 MeshShell(NearWall wall, float3 velocity)
         for (int k = 0; k < WALL_PLANES; k++)
         {
             const float least = wall.Approach[k] - max(0.0, wall.Planes[k].w - _ShellDistance) / _TimeStep;
-            velocity += max(0.0, least - dot(wall.Planes[k].xyz, velocity)) * wall.Planes[k].xyz;
+            const float3 change = max(0.0, least - dot(wall.Planes[k].xyz, velocity)) * wall.Planes[k].xyz;
+            velocity += change;
+            changes[k] += change;
         }
     }
     return velocity;
@@ -27,10 +29,16 @@ float3 MeshShell(NearWall wall, float3 velocity)
 
 float _NoSlipViscosity; // m^2/s
 
+// The plane that has the friction; 3 for none.
+uint FrictionalPlane(NearWall wall)
+{
+    return (wall.Flags >> 4u) & 3u;
+}
+
 float3 MeshFriction(NearWall wall, float3 velocity)
 {
     float3 drag = float3(0.0, 0.0, 0.0);
-    const uint frictional = (wall.Flags >> 4u) & 3u;
+    const uint frictional = FrictionalPlane(wall);
     [unroll]
     for (uint k = 0u; k < uint(WALL_PLANES); k++)
     {

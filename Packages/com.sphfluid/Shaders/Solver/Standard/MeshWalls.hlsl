@@ -21,11 +21,13 @@ NearWall WallOf(uint slot, float3 position)
 
 // 1 - L = product over the planes of 1 - what each adds: its mirror image, as far as the ones before it leave it in sight. The
 // gradient is exact while the planes stay: where it is not, the push goes round in circles and liquid beside creases never rests.
-WallDensity DensityOf(NearWall wall)
+// shares: what each plane has of the gradient.
+WallDensity DensityOf(NearWall wall, out float3 shares[WALL_PLANES])
 {
     WallDensity density;
     density.Value = 0.0;
     density.Gradient = float3(0.0, 0.0, 0.0);
+    shares[0] = shares[1] = shares[2] = float3(0.0, 0.0, 0.0);
     [unroll]
     for (int k = 0; k < WALL_PLANES; k++)
     {
@@ -40,10 +42,21 @@ WallDensity DensityOf(NearWall wall)
             gradient = gradient * sight.w + value * sight.xyz;
             value *= sight.w;
         }
+        [unroll]
+        for (int other = 0; other < WALL_PLANES; other++)
+        {
+            shares[other] = other < k ? shares[other] * (1.0 - value) : gradient * (1.0 - density.Value);
+        }
         density.Gradient = density.Gradient * (1.0 - value) + gradient * (1.0 - density.Value);
         density.Value += value * (1.0 - density.Value);
     }
     return density;
+}
+
+WallDensity DensityOf(NearWall wall)
+{
+    float3 shares[WALL_PLANES];
+    return DensityOf(wall, shares);
 }
 
 // What a particle's walls add; off is what it has without any. Loops that end at once are skipped where branches may not be.

@@ -20,6 +20,9 @@ namespace SphFluid.Tests
             Assert.That(Marshal.SizeOf<CollisionCollider>(), Is.EqualTo(CollisionCollider.Stride));
             Assert.That(Marshal.SizeOf<CollisionBody>(), Is.EqualTo(CollisionBody.Stride));
             Assert.That(Marshal.SizeOf<BodyTriangle>(), Is.EqualTo(BodyTriangle.Stride));
+            Assert.That(Marshal.SizeOf<FloatingState>(), Is.EqualTo(FloatingState.Stride));
+            Assert.That(Marshal.SizeOf<FloatingInput>(), Is.EqualTo(FloatingInput.Stride));
+            Assert.That(Marshal.SizeOf<FloatingPart>(), Is.EqualTo(FloatingPart.Stride));
         }
 
         [Test]

@@ -15,7 +15,7 @@ namespace SphFluid.Tests
         const float TimeStep = 1e-4f;
 
         // Of FluidCounters.hlsl.
-        const int DomainClamp = 1, NonFinite = 2, Removed = 8, MaxSpeed = 12;
+        const int DomainClamp = 1, NonFinite = 2, Removed = 8, MaxSpeed = 13;
 
         static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);
 

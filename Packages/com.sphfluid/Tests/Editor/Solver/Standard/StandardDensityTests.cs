@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     public sealed class StandardDensityTests
     {
         const float Spacing = 0.05f;
-        const int MaxDensity = 13; // COUNTER_MAX_DENSITY
+        const int MaxDensity = 14; // COUNTER_MAX_DENSITY
 
         static readonly Vector2 Canary = new Vector2(-7f, -8f);
         static readonly Vector3 Domain = new Vector3(0.4f, 0.5f, 0.35f);

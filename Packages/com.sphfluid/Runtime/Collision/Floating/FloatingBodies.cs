@@ -1,0 +1,237 @@
+using System;
+using System.Collections.Generic;
+using Unity.Collections;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>The rigid bodies that the liquid moves: a number each while they are there, their states and sums on the GPU.</summary>
+    internal sealed class FloatingBodies : IDisposable
+    {
+        /// <summary>Most bodies at once: BODY_NUMBER_BITS in Shaders/Collision/FloatingBodies.hlsl.</summary>
+        public const int Most = 1023;
+
+        const int Words = 12; // IMPULSE_WORDS
+
+        static readonly int InputsId = Shader.PropertyToID("_FloatingInputs");
+        static readonly int PartsId = Shader.PropertyToID("_FloatingParts");
+        static readonly int StatesId = Shader.PropertyToID("_FloatingStates");
+        static readonly int StatesOutId = Shader.PropertyToID("_FloatingStatesOut");
+        static readonly int SumsId = Shader.PropertyToID("_ImpulseSums");
+        static readonly int CountId = Shader.PropertyToID("_FloatingCount");
+        static readonly int ImpulseUnitId = Shader.PropertyToID("_ImpulseUnit");
+        static readonly int AngularUnitId = Shader.PropertyToID("_AngularUnit");
+        static readonly int ImpulseUnitsId = Shader.PropertyToID("_ImpulseUnits");
+        static readonly int AngularUnitsId = Shader.PropertyToID("_AngularUnits");
+        static readonly int ParticleMassId = Shader.PropertyToID("_ParticleMass");
+
+        readonly float impulseUnit, angularUnit, particleMass, tolerance;
+        readonly List<FloatingBody> slots = new List<FloatingBody>();
+        readonly List<BodyMotion> attached = new List<BodyMotion>();
+        readonly Dictionary<BodyMotion, FloatingPart> rests = new Dictionary<BodyMotion, FloatingPart>();
+        readonly HashSet<FloatingBody> present = new HashSet<FloatingBody>();
+        readonly Queue<long> requests = new Queue<long>();
+        readonly Action<AsyncGPUReadbackRequest> received;
+        FloatingInput[] inputs = Array.Empty<FloatingInput>();
+        FloatingPart[] parts = Array.Empty<FloatingPart>();
+        GraphicsBuffer inputBuffer, partBuffer, stateBuffer, sumBuffer;
+        uint epoch;
+        bool disposed;
+
+        /// <summary>None yet; nothing of any size is held.</summary>
+        /// <param name="settings">The liquid's.</param>
+        public FloatingBodies(in FluidSolverSettings settings)
+        {
+            particleMass = settings.ParticleMass;
+            tolerance = 1e-3f * settings.Spacing;
+            impulseUnit = PowerOfTwo(particleMass * Math.Max(settings.SoundSpeed, settings.MaxSpeed)) / (1 << 26);
+            angularUnit = impulseUnit * 2f * PowerOfTwo(settings.DomainSize.magnitude);
+            received = Receive;
+        }
+
+        /// <summary>Numbers in use: a thread each.</summary>
+        public int Count => slots.Count;
+
+        /// <summary>Frames with steps since the start.</summary>
+        public long Frame { get; private set; }
+
+        /// <summary>Whether the next dispatch is the first of a frame.</summary>
+        public bool Begins { get; set; }
+
+        /// <summary>Bodies that found no number.</summary>
+        public int LeftOut { get; private set; }
+
+        /// <summary>Bytes of the GPU buffers.</summary>
+        public long Bytes => GpuBuffers.Size(inputBuffer, partBuffer, stateBuffer, sumBuffer);
+
+        /// <summary>The number that a body's planes have, 0 for a body that nothing moves but its owner.</summary>
+        public uint NumberOf(FloatingBody body) => body == null ? 0u : (uint)(slots.IndexOf(body) + 1);
+
+        /// <summary>Takes over the bodies of the frame.</summary>
+        /// <param name="motions">Of the collision bodies, in their order; null for those at rest.</param>
+        public void Update(IReadOnlyList<BodyMotion> motions)
+        {
+            if (!Find(motions)) return;
+            if (slots.Count == 0) return;
+            Place(motions);
+            Upload();
+            Begins = true;
+        }
+
+        /// <summary>A frame's steps were recorded.</summary>
+        public void Arrive()
+        {
+            if (slots.Count == 0) return;
+            Frame++;
+            foreach (FloatingBody body in slots) body?.Arrive();
+        }
+
+        /// <summary>Records the read-back of a frame's end; before <see cref="Arrive"/>.</summary>
+        public void RecordRequest(CommandBuffer cmd)
+        {
+            if (slots.Count == 0 || !SystemInfo.supportsAsyncGPUReadback) return;
+            requests.Enqueue(Frame);
+            cmd.RequestAsyncReadback(stateBuffer, slots.Count * FloatingState.Stride, 0, received);
+        }
+
+        /// <summary>Waits for the GPU and reads a body; for tools and tests.</summary>
+        public FloatingState ReadNow(FloatingBody body)
+        {
+            var states = new FloatingState[slots.Count];
+            stateBuffer.GetData(states);
+            return states[slots.IndexOf(body)];
+        }
+
+        /// <summary>Records the globals of Shaders/Collision/BodyImpulses.hlsl.</summary>
+        public void SetImpulses(CommandBuffer cmd, ComputeKernel kernel)
+        {
+            kernel.SetFloat(cmd, ImpulseUnitsId, 1f / impulseUnit);
+            kernel.SetFloat(cmd, AngularUnitsId, 1f / angularUnit);
+            kernel.SetFloat(cmd, ParticleMassId, particleMass);
+            kernel.SetBuffer(cmd, StatesId, stateBuffer);
+            kernel.SetBuffer(cmd, SumsId, sumBuffer);
+        }
+
+        /// <summary>Records what MoveBodies reads and writes.</summary>
+        public void SetMotion(CommandBuffer cmd, ComputeKernel kernel)
+        {
+            kernel.SetInt(cmd, CountId, slots.Count);
+            kernel.SetFloat(cmd, ImpulseUnitId, impulseUnit);
+            kernel.SetFloat(cmd, AngularUnitId, angularUnit);
+            kernel.SetBuffer(cmd, InputsId, inputBuffer);
+            kernel.SetBuffer(cmd, PartsId, partBuffer);
+            kernel.SetBuffer(cmd, StatesOutId, stateBuffer);
+            kernel.SetBuffer(cmd, SumsId, sumBuffer);
+        }
+
+        /// <inheritdoc/>
+        public void Dispose()
+        {
+            disposed = true;
+            GpuBuffers.Dispose(ref inputBuffer);
+            GpuBuffers.Dispose(ref partBuffer);
+            GpuBuffers.Dispose(ref stateBuffer);
+            GpuBuffers.Dispose(ref sumBuffer);
+        }
+
+        // Whether there are any, or were.
+        bool Find(IReadOnlyList<BodyMotion> motions)
+        {
+            bool had = slots.Count > 0;
+            present.Clear();
+            LeftOut = 0;
+            for (int i = 0; i < motions.Count; i++)
+                if (motions[i]?.Floats is FloatingBody body) present.Add(body);
+            for (int s = 0; s < slots.Count; s++)
+                if (slots[s] != null && !present.Contains(slots[s])) slots[s] = null;
+            while (slots.Count > 0 && slots[slots.Count - 1] == null) slots.RemoveAt(slots.Count - 1);
+            for (int i = 0; i < motions.Count; i++)
+            {
+                if (!(motions[i]?.Floats is FloatingBody body) || slots.Contains(body)) continue;
+                int free = slots.IndexOf(null);
+                if (free >= 0) slots[free] = body;
+                else if (slots.Count < Most) slots.Add(body);
+                else LeftOut++;
+                body.Seed();
+            }
+
+            return had || slots.Count > 0;
+        }
+
+        // What a collider's own frame is in that of its body does not change, but for rounding, which must not move it.
+        void Place(IReadOnlyList<BodyMotion> motions)
+        {
+            attached.Clear();
+            if (parts.Length < motions.Count) parts = new FloatingPart[motions.Count];
+            if (inputs.Length < slots.Count) inputs = new FloatingInput[Mathf.NextPowerOfTwo(slots.Count)];
+            uint first = 0;
+            for (int s = 0; s < slots.Count; s++)
+            {
+                if (slots[s] == null)
+                {
+                    inputs[s] = default;
+                    continue;
+                }
+
+                inputs[s] = slots[s].Input(++epoch);
+                inputs[s].FirstPart = first;
+                for (int i = 0; i < motions.Count; i++)
+                {
+                    if (motions[i]?.Floats != slots[s]) continue;
+                    parts[first] = Rest(motions[i], slots[s].Pose);
+                    parts[first++].Body = (uint)i;
+                    attached.Add(motions[i]);
+                }
+
+                inputs[s].PartCount = first - inputs[s].FirstPart;
+            }
+
+            if (rests.Count > attached.Count) Forget();
+        }
+
+        FloatingPart Rest(BodyMotion motion, in FloatingPose pose)
+        {
+            var now = new FloatingPart { Rotation = pose.ToBody(motion.Rotation1), Position = pose.ToBody(motion.Position1) };
+            if (rests.TryGetValue(motion, out FloatingPart before) && IsNear(before, now)) return before;
+            return rests[motion] = now;
+        }
+
+        bool IsNear(in FloatingPart a, in FloatingPart b)
+        {
+            float turn = FloatingPose.Turn(Quaternion.Inverse(a.Rotation) * b.Rotation).magnitude;
+            return (a.Position - b.Position).magnitude + turn * Mathf.Max(1f, a.Position.magnitude) < tolerance;
+        }
+
+        void Forget()
+        {
+            var gone = new List<BodyMotion>();
+            foreach (BodyMotion motion in rests.Keys)
+                if (!attached.Contains(motion)) gone.Add(motion);
+            foreach (BodyMotion motion in gone) rests.Remove(motion);
+        }
+
+        void Upload()
+        {
+            GpuBuffers.Reserve(ref inputBuffer, "Floating Inputs", slots.Count, FloatingInput.Stride);
+            GpuBuffers.Reserve(ref partBuffer, "Floating Parts", attached.Count, FloatingPart.Stride);
+            inputBuffer.SetData(inputs, 0, 0, slots.Count);
+            partBuffer.SetData(parts, 0, 0, attached.Count);
+            if (stateBuffer != null) return;
+            stateBuffer = GpuBuffers.Create("Floating States", Most, FloatingState.Stride);
+            sumBuffer = GpuBuffers.Create("Impulse Sums", Most * Words, sizeof(uint));
+            sumBuffer.SetData(new uint[Most * Words]);
+        }
+
+        void Receive(AsyncGPUReadbackRequest request)
+        {
+            long frame = requests.Dequeue();
+            if (disposed || request.hasError) return;
+            NativeArray<FloatingState> states = request.GetData<FloatingState>();
+            for (int s = 0; s < slots.Count && s < states.Length; s++) slots[s]?.Receive(states[s], frame);
+        }
+
+        // The next one at or above a number: 0.3 gives 0.5.
+        static float PowerOfTwo(double value) => (float)Math.Pow(2.0, Math.Ceiling(Math.Log(value, 2.0)));
+    }
+}

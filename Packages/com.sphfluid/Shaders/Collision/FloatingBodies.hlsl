@@ -1,0 +1,68 @@
+#ifndef SPHFLUID_FLOATING_BODIES
+#define SPHFLUID_FLOATING_BODIES
+
+// Rigid bodies that the liquid moves (FloatingTypes.cs), in simulation space. The frame of a body has its origin at the centre of mass and the principal axes.
+
+#define IMPULSE_WORDS 12u // a body: low and high word of x, y, z of the impulse, then of the angular impulse
+
+// Bits of a body's number, as GatherWalls packs one for each plane. Number 0: of no such body; else its state is that before it.
+#define BODY_NUMBER_BITS 10u
+#define BODY_NUMBER_MASK 1023u
+
+#define FLOATING_SEEDS 1u // bit of Flags: the state begins anew at the pose and the velocities of the input
+
+// Mirrored by FloatingState; 96 bytes. Velocities lie between the steps, as those of the particles do.
+struct FloatingState
+{
+    float4 Rotation; // frame of the body to simulation space, a quaternion
+    float3 Centre;   // m
+    uint Epoch;      // of the input that it was seeded by
+    float3 Velocity; // m/s
+    float Time;      // s, of the steps in the sums below
+    float3 AngularVelocity; // rad/s
+    float Unused0;
+    float3 Impulse;         // N s: what the liquid gave it since the first step of the frame
+    float Unused1;
+    float3 AngularImpulse;  // N m s, about the centre of mass
+    float Unused2;
+};
+
+// What the owner of a body says once a frame. Mirrored by FloatingInput; 208 bytes.
+struct FloatingInput
+{
+    float4 Rotation;
+    float3 Centre;
+    uint Epoch;
+    float3 Velocity;
+    uint Flags;
+    float3 AngularVelocity;
+    float InverseMass; // 1/kg
+    float3 InverseInertia; // 1/(kg m^2), about the principal axes; 0: does not turn about it
+    uint FirstPart;   // of _FloatingParts
+    float3 Gravity;   // m/s^2; 0 where it does not act
+    uint PartCount;
+    float3 FreeX;     // row by row, what a velocity is multiplied by: the identity less the frozen axes
+    float Unused0;
+    float3 FreeY;
+    float Unused1;
+    float3 FreeZ;
+    float Unused2;
+    float3 PushVelocity; // m/s: what others than the liquid changed, over the frame
+    float Unused3;
+    float3 PushAngularVelocity; // rad/s
+    float Unused4;
+    float3 PushDisplacement; // m
+    float Unused5;
+    float3 PushRotation; // rad, as a vector
+    float Unused6;
+};
+
+// A collider of a body, where its triangles rest in the body's frame. Mirrored by FloatingPart; 32 bytes.
+struct FloatingPart
+{
+    float4 Rotation; // frame of the triangles to that of the floating body
+    float3 Position; // m
+    uint Body;       // of _Bodies
+};
+
+#endif
