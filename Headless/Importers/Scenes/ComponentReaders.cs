@@ -15,6 +15,7 @@ internal static class ComponentReaders
         [ClassIds.Camera] = Of<Camera>(FillCamera),
         [ClassIds.Light] = Of<Light>(FillLight),
         [ClassIds.ReflectionProbe] = Of<ReflectionProbe>(FillProbe),
+        [ClassIds.Rigidbody] = Of<Rigidbody>(FillRigidbody),
         [ClassIds.BoxCollider] = Of<BoxCollider>((c, f) => (c.center, c.size) = (f.Vector3("m_Center"), f.Vector3("m_Size", Vector3.one))),
         [ClassIds.SphereCollider] = Of<SphereCollider>((c, f) => (c.center, c.radius) = (f.Vector3("m_Center"), f.Float("m_Radius", 0.5f))),
         [ClassIds.CapsuleCollider] = Of<CapsuleCollider>((c, f) =>
@@ -46,6 +47,18 @@ internal static class ComponentReaders
         }
         fill((T)component, fields);
     });
+
+    // Newer lines of Unity call drag damping.
+    private static void FillRigidbody(Rigidbody body, NativeFields f)
+    {
+        body.mass = f.Float("m_Mass", 1);
+        body.drag = f.Float("m_Drag", f.Float("m_LinearDamping", 0));
+        body.angularDrag = f.Float("m_AngularDrag", f.Float("m_AngularDamping", 0.05f));
+        body.useGravity = f.Bool("m_UseGravity", true);
+        body.isKinematic = f.Bool("m_IsKinematic");
+        body.interpolation = (RigidbodyInterpolation)f.Int("m_Interpolate");
+        body.constraints = (RigidbodyConstraints)f.Int("m_Constraints");
+    }
 
     private static void FillRenderer(MeshRenderer renderer, NativeFields f)
     {

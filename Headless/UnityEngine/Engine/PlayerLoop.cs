@@ -21,7 +21,7 @@ static class PlayerLoop
         while (FrameClock.StepFixed())
         {
             ScriptSchedule.FixedUpdate();
-            if (Physics.simulationMode == SimulationMode.FixedUpdate) PhysicsWorld.Sync();
+            if (Physics.simulationMode == SimulationMode.FixedUpdate) PhysicsWorld.Simulate(Time.fixedDeltaTime);
             CoroutineScheduler.Run(WaitKind.FixedUpdate);
             ScriptSchedule.RunStarts();
         }

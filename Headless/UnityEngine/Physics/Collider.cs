@@ -2,7 +2,7 @@ using Headless.Engine;
 
 namespace UnityEngine;
 
-/// <summary>Shapes for queries. There is no dynamics: nothing moves, no collision or trigger messages are sent.</summary>
+/// <summary>Shapes for queries and for bodies' contacts. No collision or trigger messages are sent.</summary>
 public class Collider : Component
 {
     bool m_Enabled = true;

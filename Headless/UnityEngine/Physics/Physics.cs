@@ -19,8 +19,7 @@ public partial class Physics
 
     public static void SyncTransforms() => PhysicsWorld.Sync();
 
-    /// <summary>Only synchronises colliders: bodies do not move here.</summary>
-    public static void Simulate(float step) => PhysicsWorld.Sync();
+    public static void Simulate(float step) => PhysicsWorld.Simulate(step);
 
     public static Vector3 ClosestPoint(Vector3 point, Collider collider, Vector3 position, Quaternion rotation) => collider.ClosestPointAt(point, position, rotation);
 }

@@ -68,6 +68,21 @@ readonly struct PhysicsBox
         return inside ? point : nearest;
     }
 
+    /// <summary>From a point inside the shortest way out of a box with right angles: direction and distance.</summary>
+    public (Vector3 normal, float distance) WayOut(Vector3 point)
+    {
+        Vector3 normal = Vector3.up;
+        float least = float.PositiveInfinity;
+        foreach (Vector3 halfEdge in (ReadOnlySpan<Vector3>)[X, Y, Z])
+        {
+            float length = halfEdge.magnitude, along = length > 0f ? Vector3.Dot(point - Center, halfEdge) / length : 0f;
+            if (length - MathF.Abs(along) >= least) continue;
+            least = length - MathF.Abs(along);
+            normal = halfEdge / MathF.Max(length, 1e-30f) * (along < 0f ? -1f : 1f);
+        }
+        return (normal, least);
+    }
+
     static Vector3 Along(Vector3 offset, Vector3 halfEdge)
     {
         float square = halfEdge.sqrMagnitude;

@@ -4,10 +4,11 @@ using UnityEngine;
 
 namespace Headless.Engine;
 
-/// <summary>Enabled colliders of all scenes, and the queries over them.</summary>
+/// <summary>Enabled colliders and bodies of all scenes, the queries over them and the physics step.</summary>
 static class PhysicsWorld
 {
     static readonly List<Collider> s_Colliders = new();
+    static readonly List<Rigidbody> s_Bodies = new();
 
     public static void Add(Collider collider) => s_Colliders.Add(collider);
 
@@ -17,7 +18,28 @@ static class PhysicsWorld
         if (index >= 0) s_Colliders.RemoveAt(index);
     }
 
-    public static void Clear() => s_Colliders.Clear();
+    public static void Add(Rigidbody body) => s_Bodies.Add(body);
+
+    public static void Remove(Rigidbody body) => s_Bodies.Remove(body);
+
+    public static void Clear()
+    {
+        s_Colliders.Clear();
+        s_Bodies.Clear();
+    }
+
+    /// <summary>Moves the bodies, then takes over where all is.</summary>
+    public static void Simulate(float step)
+    {
+        if (s_Bodies.Count > 0 && step > 0f)
+        {
+            Sync();
+            List<Collider> still = s_Colliders.FindAll(c => !c.isTrigger && (c.attachedRigidbody is not { } body || body.isKinematic));
+            foreach (Rigidbody body in s_Bodies)
+                if (!body.isKinematic) RigidbodyMotion.Step(body, step, still);
+        }
+        Sync();
+    }
 
     public static void Sync()
     {

@@ -60,6 +60,9 @@ namespace SphFluid
             this.terrains = terrains;
         }
 
+        /// <summary>Whose rigid bodies the liquid moves; null: nobody's.</summary>
+        public IFloatingOwners Owners { get; set; }
+
         /// <summary>Solid colliders found last, in hierarchy order.</summary>
         public IReadOnlyList<ColliderState> States => states;
 
@@ -75,12 +78,15 @@ namespace SphFluid
             (states, previous) = (previous, states);
             states.Clear();
             Matrix4x4 worldToSimulation = query.WorldToSimulation;
+            Owners?.Begin(query.Position, query.Rotation);
             foreach (Collider collider in ordered)
             {
                 IColliderSettings own = ColliderSettings.Of(collider);
                 if (own != null && !own.AppliesTo(query.Owner)) continue;
                 float friction = own?.EffectiveFriction ?? ColliderSettings.DomainFriction;
-                states.Add(terrains.StateOf(collider, friction, worldToSimulation, query.DomainSize, query.Spacing));
+                ColliderState state = terrains.StateOf(collider, friction, worldToSimulation, query.DomainSize, query.Spacing);
+                bool floats = Owners != null && (own == null || own.MovedByLiquid);
+                states.Add(floats ? state.With(Owners.OwnerOf(collider)) : state);
             }
             return !SameStates();
         }

@@ -25,6 +25,9 @@ namespace SphFluid
             finder = new ColliderFinder(Terrains);
         }
 
+        /// <summary>Whose rigid bodies the liquid moves; null: nobody's.</summary>
+        public IFloatingOwners Owners { set => finder.Owners = value; }
+
         /// <summary>What is read of terrains.</summary>
         public TerrainPatches Terrains { get; } = new TerrainPatches();
 

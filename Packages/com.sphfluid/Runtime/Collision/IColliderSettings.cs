@@ -11,6 +11,9 @@ namespace SphFluid
         /// <summary>0 free slip to 1 no slip, or <see cref="ColliderSettings.DomainFriction"/>.</summary>
         float EffectiveFriction { get; }
 
+        /// <summary>Whether the liquid moves the Rigidbody of the colliders.</summary>
+        bool MovedByLiquid { get; }
+
         /// <summary>Whether a simulation collides.</summary>
         /// <param name="owner">The simulation's component; null: any.</param>
         bool AppliesTo(Component owner);

@@ -19,6 +19,10 @@ namespace SphFluid
             "viscosity (no slip). The thesis's method knows the faces' friction only.")]
         float friction = 1f;
 
+        [SerializeField, Tooltip("The liquid moves the Rigidbody of these colliders, unless it is kinematic. Off: they push the liquid and feel nothing of it. " +
+            "The thesis's method moves none.")]
+        bool movedByLiquid = true;
+
         [SerializeField, Tooltip("Simulations that collide with these colliders. Empty: all that find them.")]
         List<FluidSimulation> simulations = new List<FluidSimulation>();
 
@@ -28,6 +32,9 @@ namespace SphFluid
         /// <summary>0 free slip to 1 no slip; other numbers are brought into that range.</summary>
         public float Friction { get => friction; set => friction = Mathf.Clamp01(value); }
 
+        /// <summary>Whether the liquid moves the Rigidbody of these colliders, unless it is kinematic.</summary>
+        public bool MovedByLiquid { get => movedByLiquid; set => movedByLiquid = value; }
+
         /// <summary>Simulations that collide; empty: all that find the colliders.</summary>
         public List<FluidSimulation> Simulations => simulations;
 
@@ -36,6 +43,8 @@ namespace SphFluid
         // NaN: 0.
         float IColliderSettings.EffectiveFriction =>
             !ownFriction ? ColliderSettings.DomainFriction : friction > 0f ? Mathf.Min(friction, 1f) : 0f;
+
+        bool IColliderSettings.MovedByLiquid => movedByLiquid;
 
         bool IColliderSettings.AppliesTo(Component owner) =>
             owner == null || simulations.Count == 0 || simulations.Contains(owner as FluidSimulation);

@@ -449,6 +449,11 @@ namespace SphFluid
 
         void OnDestroy() => queries?.Dispose();
 
+        void FixedUpdate()
+        {
+            if (run != null && run.MovesBodies) run.FixedUpdate(transform.position, transform.rotation, Time.fixedDeltaTime);
+        }
+
         void LateUpdate()
         {
             if (!requested) return;

@@ -104,6 +104,8 @@ namespace SphFluid
         TimeScaleInvalid,
         /// <summary>The device or the shader set cannot answer queries; the liquid runs without.</summary>
         QueriesUnavailable,
+        /// <summary>More rigid bodies are in the liquid than it can move.</summary>
+        TooManyBodies,
     }
 
     /// <summary>One message to the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>

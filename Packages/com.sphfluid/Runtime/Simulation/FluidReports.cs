@@ -47,6 +47,12 @@ namespace SphFluid
             FluidSeverity.Error, exception is FluidDeviceException ? FluidIssue.DeviceUnsupported : FluidIssue.StartFailed,
             simulation, exception.Message, "");
 
+        /// <summary>Rigid bodies that the liquid does not move.</summary>
+        public static FluidMessage TooManyBodies(UnityEngine.Object simulation, int most) => new FluidMessage(
+            FluidSeverity.Warning, FluidIssue.TooManyBodies, simulation,
+            $"More than {most} Rigidbodies are in the domain, the most that the liquid moves: the others push it and feel nothing of it.",
+            "Switch Moved By Liquid off in a Fluid Collider where the liquid need not move the body.");
+
         /// <summary>What to report when a run failed: a check names the setting and the cure; the failure itself is reported where no check knows of it.</summary>
         public static IEnumerable<FluidMessage> ErrorsOf(IReadOnlyList<FluidMessage> check, FluidMessage failure)
         {

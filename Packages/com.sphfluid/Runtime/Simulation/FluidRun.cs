@@ -16,6 +16,7 @@ namespace SphFluid
         readonly FluidPace pace;
         readonly FluidFlows flows;
         readonly FluidZones zones;
+        readonly RigidbodyFloats floats;
         FluidLiveKey live;
         Vector3 position;
         Quaternion rotation;
@@ -41,7 +42,8 @@ namespace SphFluid
                 obstacles = new FluidObstacles(Solver.Settings, collision);
                 pace = new FluidPace(spec, start, Solver);
                 obstacles.Share();
-                FollowBodies();
+                if (obstacles.Bodies != null) collision.Owners = floats = new RigidbodyFloats(Solver.Settings.SupportRadius);
+                FollowBodies(spec);
                 Solver.SetObstacles(obstacles);
                 Execute(0);
                 Know();
@@ -94,13 +96,15 @@ namespace SphFluid
                 Rest(deltaTime);
                 return;
             }
-            FollowBodies();
+            floats?.Follow();
+            FollowBodies(spec);
             double motion = Math.Max(obstacles.Bodies?.LongestMotion ?? 0.0, deltaTime * flows.FastestSpeed(spec));
             int steps = frameTime == null ? pace.StepOnce(motion) : pace.Advance(deltaTime, motion);
             flows.Begin(spec, steps * pace.Clock.TimeStep);
             if (zones.Waits(spec)) zones.Follow(spec, steps * pace.Clock.TimeStep);
             Execute(steps);
             flows.End(spec, steps);
+            if (steps > 0) floats?.Note(obstacles.Bodies.Floating, Solver.SimulatedTime);
             if (steps > 0) pace.Stepped(steps * pace.Clock.TimeStep);
             Know();
             if (substeps.Note(pace.Clock, steps, deltaTime) is string text)
@@ -110,6 +114,12 @@ namespace SphFluid
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.GuardActed, spec.Owner, guard,
                     "Lower the profile's Time Step Fraction, or raise Expected Speed or set Time Step Mode to Adaptive when colliders or forces move the liquid faster than its fall."));
         }
+
+        /// <summary>Whether there are Rigidbodies that the liquid moves.</summary>
+        public bool MovesBodies => floats != null && floats.Count > 0;
+
+        /// <summary>Before a step of the scene's physics.</summary>
+        public void FixedUpdate(Vector3 domainPosition, Quaternion domainRotation, float deltaTime) => floats?.FixedUpdate(domainPosition, domainRotation, deltaTime);
 
         /// <summary>What pushes the liquid.</summary>
         public FluidZones Zones => zones;
@@ -193,9 +203,10 @@ namespace SphFluid
             Know();
         }
 
-        void FollowBodies()
+        void FollowBodies(in FluidSpec spec)
         {
             foreach (BodyJump jump in obstacles.Follow()) report(jump.Message);
+            if (obstacles.Bodies != null && obstacles.Bodies.Floating.LeftOut > 0) report(FluidReports.TooManyBodies(spec.Owner, FloatingBodies.Most));
         }
 
         void Execute(int steps)

@@ -270,7 +270,6 @@ namespace SphFluid
                 SimulatedTime += timeStep;
             }
 
-            if (state.HasFloatingBodies) state.Bodies.Floating.RecordRequest(cmd);
             state.EndBodySteps();
             counters.RecordRequest(cmd);
             exchange?.Counts.RecordRequest(cmd);

@@ -42,9 +42,9 @@ struct FloatingInput
     float3 Gravity;   // m/s^2; 0 where it does not act
     uint PartCount;
     float3 FreeX;     // row by row, what a velocity is multiplied by: the identity less the frozen axes
-    float Unused0;
+    float Damping;    // 1/s
     float3 FreeY;
-    float Unused1;
+    float AngularDamping;
     float3 FreeZ;
     float Unused2;
     float3 PushVelocity; // m/s: what others than the liquid changed, over the frame

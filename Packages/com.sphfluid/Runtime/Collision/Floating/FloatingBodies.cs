@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using Unity.Collections;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -31,13 +30,10 @@ namespace SphFluid
         readonly List<BodyMotion> attached = new List<BodyMotion>();
         readonly Dictionary<BodyMotion, FloatingPart> rests = new Dictionary<BodyMotion, FloatingPart>();
         readonly HashSet<FloatingBody> present = new HashSet<FloatingBody>();
-        readonly Queue<long> requests = new Queue<long>();
-        readonly Action<AsyncGPUReadbackRequest> received;
         FloatingInput[] inputs = Array.Empty<FloatingInput>();
         FloatingPart[] parts = Array.Empty<FloatingPart>();
         GraphicsBuffer inputBuffer, partBuffer, stateBuffer, sumBuffer;
         uint epoch;
-        bool disposed;
 
         /// <summary>None yet; nothing of any size is held.</summary>
         /// <param name="settings">The liquid's.</param>
@@ -47,11 +43,16 @@ namespace SphFluid
             tolerance = 1e-3f * settings.Spacing;
             impulseUnit = PowerOfTwo(particleMass * Math.Max(settings.SoundSpeed, settings.MaxSpeed)) / (1 << 26);
             angularUnit = impulseUnit * 2f * PowerOfTwo(settings.DomainSize.magnitude);
-            received = Receive;
         }
 
         /// <summary>Numbers in use: a thread each.</summary>
         public int Count => slots.Count;
+
+        /// <summary>What the bodies' owners are given of their states.</summary>
+        public FloatingReadback Readback { get; } = new FloatingReadback();
+
+        /// <summary>The bodies by number less one; null where a number is free.</summary>
+        public IReadOnlyList<FloatingBody> Bodies => slots;
 
         /// <summary>Frames with steps since the start.</summary>
         public long Frame { get; private set; }
@@ -73,6 +74,7 @@ namespace SphFluid
         public void Update(IReadOnlyList<BodyMotion> motions)
         {
             if (!Find(motions)) return;
+            Readback.Deliver(slots, Frame);
             if (slots.Count == 0) return;
             Place(motions);
             Upload();
@@ -87,12 +89,10 @@ namespace SphFluid
             foreach (FloatingBody body in slots) body?.Arrive();
         }
 
-        /// <summary>Records the read-back of a frame's end; before <see cref="Arrive"/>.</summary>
-        public void RecordRequest(CommandBuffer cmd)
+        /// <summary>Asks for the states at the end of a frame, when its steps have been given to the GPU.</summary>
+        public void Request()
         {
-            if (slots.Count == 0 || !SystemInfo.supportsAsyncGPUReadback) return;
-            requests.Enqueue(Frame);
-            cmd.RequestAsyncReadback(stateBuffer, slots.Count * FloatingState.Stride, 0, received);
+            if (slots.Count > 0) Readback.Request(stateBuffer, slots.Count, Frame - 1);
         }
 
         /// <summary>Waits for the GPU and reads a body; for tools and tests.</summary>
@@ -128,7 +128,6 @@ namespace SphFluid
         /// <inheritdoc/>
         public void Dispose()
         {
-            disposed = true;
             GpuBuffers.Dispose(ref inputBuffer);
             GpuBuffers.Dispose(ref partBuffer);
             GpuBuffers.Dispose(ref stateBuffer);
@@ -221,14 +220,6 @@ namespace SphFluid
             stateBuffer = GpuBuffers.Create("Floating States", Most, FloatingState.Stride);
             sumBuffer = GpuBuffers.Create("Impulse Sums", Most * Words, sizeof(uint));
             sumBuffer.SetData(new uint[Most * Words]);
-        }
-
-        void Receive(AsyncGPUReadbackRequest request)
-        {
-            long frame = requests.Dequeue();
-            if (disposed || request.hasError) return;
-            NativeArray<FloatingState> states = request.GetData<FloatingState>();
-            for (int s = 0; s < slots.Count && s < states.Length; s++) slots[s]?.Receive(states[s], frame);
         }
 
         // The next one at or above a number: 0.3 gives 0.5.

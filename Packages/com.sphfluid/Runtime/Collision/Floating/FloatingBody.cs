@@ -39,6 +39,9 @@ namespace SphFluid
         /// <summary>Frame with steps that <see cref="Known"/> is of; −1: none since the last seed.</summary>
         public long KnownFrame { get; private set; } = -1;
 
+        /// <summary>Whether steps were taken since the last seed, and no read-back of them was taken.</summary>
+        public bool IsAwaited => !seeds && KnownFrame < 0;
+
         /// <summary>With the next steps the GPU's body begins anew where its owner has it.</summary>
         public void Seed()
         {
@@ -72,6 +75,8 @@ namespace SphFluid
                 InverseMass = Mass.InverseMass,
                 InverseInertia = Mass.InverseInertia,
                 Gravity = Mass.Gravity,
+                Damping = Mass.Damping,
+                AngularDamping = Mass.AngularDamping,
                 FreeX = Mass.FreeX,
                 FreeY = Mass.FreeY,
                 FreeZ = Mass.FreeZ,

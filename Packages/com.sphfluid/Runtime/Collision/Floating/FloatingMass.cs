@@ -14,6 +14,9 @@ namespace SphFluid
         /// <summary>Gravity that acts on the body [m/s²], simulation space; 0 where none does.</summary>
         public Vector3 Gravity;
 
+        /// <summary>What is lost of velocity and of angular velocity in a time, over it [1/s].</summary>
+        public float Damping, AngularDamping;
+
         /// <summary>Row by row what velocities are multiplied by: the identity less the axes along which the body does not move.</summary>
         public Vector3 FreeX, FreeY, FreeZ;
 
@@ -23,6 +26,7 @@ namespace SphFluid
             Mass = mass;
             Inertia = inertia;
             Gravity = gravity;
+            Damping = AngularDamping = 0f;
             FreeX = Vector3.right;
             FreeY = Vector3.up;
             FreeZ = Vector3.forward;

@@ -45,9 +45,9 @@ namespace SphFluid
         public Vector3 Gravity;
         public uint PartCount;
         public Vector3 FreeX;
-        public float Unused0;
+        public float Damping;
         public Vector3 FreeY;
-        public float Unused1;
+        public float AngularDamping;
         public Vector3 FreeZ;
         public float Unused2;
         public Vector3 PushVelocity;

@@ -1,0 +1,50 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Headless.Engine;
+
+/// <summary>A physics step of a body as PhysX takes it: forces, gravity, damping, contacts, then the pose. No gyroscopic torque.</summary>
+static class RigidbodyMotion
+{
+    public static void Step(Rigidbody body, float dt, List<Collider> obstacles)
+    {
+        Vector3 velocity = body.velocity + body.AddedVelocity + dt / body.mass * body.AddedForce + (body.useGravity ? dt * Physics.gravity : Vector3.zero);
+        Vector3 angular = body.angularVelocity + body.AddedAngularVelocity + PerInertia(body, dt * body.AddedTorque);
+        body.AddedVelocity = body.AddedAngularVelocity = body.AddedForce = body.AddedTorque = Vector3.zero;
+        velocity *= Mathf.Max(0f, 1f - dt * body.drag);
+        angular *= Mathf.Max(0f, 1f - dt * body.angularDrag);
+        body.velocity = FreeOf(body.constraints, RigidbodyConstraints.FreezePositionX, velocity);
+        body.angularVelocity = Vector3.ClampMagnitude(Turning(body, angular), body.maxAngularVelocity);
+        Vector3 depth = body.detectCollisions ? new RigidbodyContacts(body, obstacles, dt).Resolve() : Vector3.zero;
+        Vector3 center = body.worldCenterOfMass + dt * body.velocity + depth;
+        float angle = body.angularVelocity.magnitude * dt;
+        Quaternion turn = angle > 0f ? Quaternion.AngleAxis(angle * Mathf.Rad2Deg, body.angularVelocity.normalized) : Quaternion.identity;
+        Quaternion rotation = Quaternion.Normalize(turn * body.rotation);
+        body.transform.SetPositionAndRotation(center - rotation * body.centerOfMass, rotation);
+    }
+
+    /// <summary>An angular impulse over the inertia.</summary>
+    public static Vector3 PerInertia(Rigidbody body, Vector3 impulse) => InAxes(body, impulse, (moment, part) => moment > 0f ? part / moment : 0f);
+
+    /// <summary>An angular acceleration times the inertia.</summary>
+    public static Vector3 TimesInertia(Rigidbody body, Vector3 acceleration) => InAxes(body, acceleration, (moment, part) => moment * part);
+
+    // Positions freeze along the world's axes, rotations about the body's own.
+    public static Vector3 Turning(Rigidbody body, Vector3 angular) =>
+        body.rotation * FreeOf(body.constraints, RigidbodyConstraints.FreezeRotationX, Quaternion.Inverse(body.rotation) * angular);
+
+    public static Vector3 FreeOf(RigidbodyConstraints constraints, RigidbodyConstraints first, Vector3 v)
+    {
+        for (int axis = 0; axis < 3; axis++)
+            if (((int)constraints & ((int)first << axis)) != 0) v[axis] = 0f;
+        return v;
+    }
+
+    static Vector3 InAxes(Rigidbody body, Vector3 v, Func<float, float, float> change)
+    {
+        Quaternion axes = body.rotation * body.inertiaTensorRotation;
+        Vector3 parts = Quaternion.Inverse(axes) * v, moments = body.inertiaTensor;
+        return axes * new Vector3(change(moments.x, parts.x), change(moments.y, parts.y), change(moments.z, parts.z));
+    }
+}

@@ -1,0 +1,111 @@
+using System;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>Where a body is and how it moves, in simulation space.</summary>
+    internal struct FloatMotion
+    {
+        public FloatingPose Pose;
+        public Vector3 Velocity;
+        public Vector3 AngularVelocity;
+    }
+
+    /// <summary>What is added to a body at once [m/s, rad/s, m, rad].</summary>
+    internal struct FloatChange
+    {
+        public Vector3 Velocity;
+        public Vector3 AngularVelocity;
+        public Vector3 Displacement;
+        public Vector3 Rotation;
+    }
+
+    /// <summary>
+    /// Brings a body of the scene's physics to where the GPU has it, known some frames late: half of the gap a frame, less what was given
+    /// since. The GPU's body feels none of it, so nothing that is late acts back on it.
+    /// </summary>
+    internal sealed class FloatFollower
+    {
+        /// <summary>Frames that are remembered: read-backs that are older do not count.</summary>
+        public const int Memory = 32;
+
+        const float Gain = 0.5f;
+
+        readonly Entry[] entries = new Entry[Memory];
+        FloatChange given;
+        long newest = -1, oldest;
+
+        struct Entry
+        {
+            public FloatMotion Motion;
+            public FloatChange Given; // between the frame before and this one
+            public double Begin, Time;
+        }
+
+        /// <summary>Forgets all frames: the body was put elsewhere.</summary>
+        public void Restart()
+        {
+            newest = -1;
+            given = default;
+        }
+
+        /// <summary>Remembers the scene's body at a frame with steps, after the corrections since the last one.</summary>
+        /// <param name="frame">Number of the frame, one more each time.</param>
+        /// <param name="time">The liquid's time at its end [s].</param>
+        /// <param name="motion">The body.</param>
+        public void Note(long frame, double time, in FloatMotion motion)
+        {
+            double begin = newest < 0 ? time : entries[newest % Memory].Time;
+            if (newest < 0) oldest = frame;
+            newest = frame;
+            entries[frame % Memory] = new Entry { Motion = motion, Given = given, Begin = begin, Time = time };
+            given = default;
+        }
+
+        /// <summary>What to give the scene's body now; it counts as given.</summary>
+        /// <param name="gpu">The body on the GPU.</param>
+        /// <param name="frame">Frame that this is of.</param>
+        /// <returns>Nothing, where the frame is not remembered.</returns>
+        public FloatChange Correct(in FloatMotion gpu, long frame)
+        {
+            if (newest < 0 || frame < oldest || frame > newest || newest - frame >= Memory) return default;
+            Entry then = entries[frame % Memory];
+            double now = entries[newest % Memory].Time;
+            var gap = new FloatChange
+            {
+                Velocity = gpu.Velocity - then.Motion.Velocity,
+                AngularVelocity = gpu.AngularVelocity - then.Motion.AngularVelocity,
+            };
+            float since = (float)(now - then.Time);
+            gap.Displacement = gpu.Pose.Centre - then.Motion.Pose.Centre + since * gap.Velocity;
+            gap.Rotation = gpu.Pose.TurnFrom(then.Motion.Pose) + since * gap.AngularVelocity;
+            for (long j = frame + 1; j <= newest; j++) Subtract(ref gap, entries[j % Memory].Given, (float)(now - entries[j % Memory].Begin));
+            Subtract(ref gap, given, 0f);
+            var change = new FloatChange
+            {
+                Velocity = Gain * gap.Velocity,
+                AngularVelocity = Gain * gap.AngularVelocity,
+                Displacement = Gain * gap.Displacement,
+                Rotation = Gain * gap.Rotation,
+            };
+            Add(change);
+            return change;
+        }
+
+        void Add(in FloatChange change)
+        {
+            given.Velocity += change.Velocity;
+            given.AngularVelocity += change.AngularVelocity;
+            given.Displacement += change.Displacement;
+            given.Rotation += change.Rotation;
+        }
+
+        static void Subtract(ref FloatChange gap, in FloatChange earlier, float age)
+        {
+            gap.Velocity -= earlier.Velocity;
+            gap.AngularVelocity -= earlier.AngularVelocity;
+            gap.Displacement -= earlier.Displacement + age * earlier.Velocity;
+            gap.Rotation -= earlier.Rotation + age * earlier.AngularVelocity;
+        }
+    }
+}

@@ -1,0 +1,169 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// A Rigidbody in the liquid. The GPU has a body of its own, which the liquid moves within the steps; what PhysX does beside that
+    /// (contacts, joints, forces of scripts) is found from the Rigidbody's velocities and places and pushes the GPU's body. PhysX in turn gets the liquid's
+    /// force as last known, and corrections towards the GPU's body.
+    /// </summary>
+    internal sealed class RigidbodyFloat
+    {
+        // Of a step's displacement or turn: what rounding, and PhysX's way of turning, leave.
+        const float Unexplained = 0.01f;
+
+        // Over the support radius: farther in a step is no push, the body was put elsewhere.
+        const float Elsewhere = 4f;
+
+        // Corrections below this would keep bodies from resting [m, rad].
+        const float LeastCorrection = 1e-5f;
+
+        readonly Rigidbody rigidbody;
+        readonly FloatFollower follower = new FloatFollower();
+        readonly float reach;
+        FloatMotion last;
+        FloatChange refused;
+        Vector3 expectedVelocity, expectedAngularVelocity; // without what others do
+        float stepLength;
+        bool isKnown, corrected;
+        uint epoch;
+
+        public RigidbodyFloat(Rigidbody rigidbody, float reach, in FloatSpace space)
+        {
+            this.rigidbody = rigidbody;
+            this.reach = reach;
+            Body = new FloatingBody(RigidbodyMass.Of(rigidbody, space.ToSimulation), PoseOf(space, rigidbody.transform.position, rigidbody.transform.rotation));
+        }
+
+        /// <summary>The body on the GPU.</summary>
+        public FloatingBody Body { get; }
+
+        /// <summary>Whether it is in the domain in this frame.</summary>
+        public bool IsPresent { get; set; }
+
+        /// <summary>Whether the liquid can move a Rigidbody.</summary>
+        public static bool Moves(Rigidbody rigidbody) => rigidbody != null && !rigidbody.isKinematic;
+
+        /// <summary>Before a physics step: the liquid's force, and once a frame a correction.</summary>
+        public void FixedUpdate(in FloatSpace space, float deltaTime)
+        {
+            Sample(space);
+            FloatingMass mass = Body.Mass;
+            Vector3 velocity = Vector3.zero, angularVelocity = Vector3.zero;
+            if (Body.KnownFrame >= 0)
+            {
+                FloatingState known = Body.Known;
+                float part = known.Time > 0f ? deltaTime / known.Time : 0f;
+                Quaternion axes = last.Pose.Rotation;
+                velocity = mass.InverseMass * part * known.Impulse;
+                angularVelocity = axes * Vector3.Scale(mass.InverseInertia, Quaternion.Inverse(axes) * (part * known.AngularImpulse));
+                if (!corrected) Correct(space, known, ref velocity, ref angularVelocity);
+            }
+
+            velocity = new Vector3(Vector3.Dot(mass.FreeX, velocity), Vector3.Dot(mass.FreeY, velocity), Vector3.Dot(mass.FreeZ, velocity));
+            expectedVelocity = Damped(expectedVelocity + velocity + deltaTime * mass.Gravity, mass.Damping, deltaTime);
+            expectedAngularVelocity = Damped(expectedAngularVelocity + angularVelocity, mass.AngularDamping, deltaTime);
+            if (velocity != Vector3.zero) rigidbody.AddForce(space.ToWorld * velocity, ForceMode.VelocityChange);
+            if (angularVelocity != Vector3.zero) rigidbody.AddTorque(space.ToWorld * angularVelocity, ForceMode.VelocityChange);
+            stepLength = deltaTime;
+        }
+
+        /// <summary>Once a frame, before the liquid's steps: where the Rigidbody is, and what others than the liquid did to it.</summary>
+        public void Follow(in FloatSpace space)
+        {
+            FloatMotion before = last;
+            bool wasKnown = isKnown;
+            Sample(space);
+            Body.Mass = RigidbodyMass.Of(rigidbody, space.ToSimulation);
+            Body.Pose = PoseOf(space, rigidbody.transform.position, rigidbody.transform.rotation); // as the colliders are seen: interpolated, where it is
+            Body.Velocity = last.Velocity;
+            Body.AngularVelocity = last.AngularVelocity;
+            if (!wasKnown) Restart();
+            else if (refused.Displacement.magnitude > Elsewhere * reach) Restart();
+            else Body.Push(last.Velocity - expectedVelocity, last.AngularVelocity - expectedAngularVelocity,
+                refused.Displacement, refused.Rotation);
+            refused = default;
+            expectedVelocity = last.Velocity;
+            expectedAngularVelocity = last.AngularVelocity;
+            corrected = false;
+        }
+
+        /// <summary>The steps of the frame were recorded.</summary>
+        /// <param name="frame">Number of the frame.</param>
+        /// <param name="time">The liquid's time [s].</param>
+        /// <param name="lead">How much later that is than the last physics step [s].</param>
+        public void Note(long frame, double time, float lead)
+        {
+            if (epoch != Body.Epoch) follower.Restart(); // of what was before a seed nothing holds
+            epoch = Body.Epoch;
+            FloatMotion now = last;
+            now.Pose = Turned(last.Pose, lead * last.Velocity, lead * last.AngularVelocity);
+            follower.Note(frame, time, now);
+        }
+
+        void Restart()
+        {
+            Body.Seed();
+            follower.Restart();
+        }
+
+        void Correct(in FloatSpace space, in FloatingState known, ref Vector3 velocity, ref Vector3 angularVelocity)
+        {
+            corrected = true;
+            FloatChange change = follower.Correct(
+                new FloatMotion { Pose = known.Pose, Velocity = known.Velocity, AngularVelocity = known.AngularVelocity }, Body.KnownFrame);
+            velocity += change.Velocity;
+            angularVelocity += change.AngularVelocity;
+            if (change.Displacement.magnitude < LeastCorrection && change.Rotation.magnitude < LeastCorrection) return;
+            last.Pose = Turned(last.Pose, change.Displacement, change.Rotation);
+            Put(space, last.Pose);
+        }
+
+        // What the last physics step did beside going on by its velocities.
+        void Sample(in FloatSpace space)
+        {
+            FloatMotion now = MotionOf(space);
+            if (isKnown && stepLength > 0f)
+            {
+                Vector3 displacement = stepLength * now.Velocity, turn = stepLength * now.AngularVelocity;
+                refused.Displacement += Beyond(now.Pose.Centre - last.Pose.Centre - displacement, displacement);
+                refused.Rotation += Beyond(now.Pose.TurnFrom(last.Pose) - turn, turn);
+            }
+            else if (isKnown)
+            {
+                refused.Displacement += Beyond(now.Pose.Centre - last.Pose.Centre, Vector3.zero);
+                refused.Rotation += Beyond(now.Pose.TurnFrom(last.Pose), Vector3.zero);
+            }
+
+            stepLength = 0f;
+            last = now;
+            isKnown = true;
+        }
+
+        static Vector3 Damped(Vector3 velocity, float damping, float deltaTime) => velocity * Mathf.Max(0f, 1f - damping * deltaTime);
+
+        static FloatingPose Turned(in FloatingPose pose, Vector3 displacement, Vector3 rotation) => new FloatingPose(
+            pose.Centre + displacement, Quaternion.AngleAxis(rotation.magnitude * Mathf.Rad2Deg, rotation.normalized) * pose.Rotation);
+
+        static Vector3 Beyond(Vector3 found, Vector3 explained) =>
+            found.magnitude > LeastCorrection + Unexplained * explained.magnitude ? found : Vector3.zero;
+
+        FloatMotion MotionOf(in FloatSpace space) => new FloatMotion
+        {
+            Pose = PoseOf(space, rigidbody.position, rigidbody.rotation),
+            Velocity = space.ToSimulation * rigidbody.GetPointVelocity(rigidbody.worldCenterOfMass), // its velocity is called otherwise in 2022.3 and 6000.0
+            AngularVelocity = space.ToSimulation * rigidbody.angularVelocity,
+        };
+
+        FloatingPose PoseOf(in FloatSpace space, Vector3 position, Quaternion rotation) => new FloatingPose(
+            space.ToSimulation * (position + rotation * rigidbody.centerOfMass - space.Position),
+            space.ToSimulation * rotation * RigidbodyMass.Axes(rigidbody));
+
+        void Put(in FloatSpace space, in FloatingPose pose)
+        {
+            Quaternion rotation = space.ToWorld * pose.Rotation * Quaternion.Inverse(RigidbodyMass.Axes(rigidbody));
+            rigidbody.rotation = rotation;
+            rigidbody.position = space.ToWorld * pose.Centre + space.Position - rotation * rigidbody.centerOfMass;
+        }
+    }
+}

@@ -1,0 +1,87 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>The Rigidbodies that a liquid moves: those in its domain that are not kinematic and have no collider that opts out.</summary>
+    internal sealed class RigidbodyFloats : IFloatingOwners
+    {
+        readonly float reach;
+        readonly Dictionary<Rigidbody, RigidbodyFloat> floats = new Dictionary<Rigidbody, RigidbodyFloat>();
+        readonly List<RigidbodyFloat> ordered = new List<RigidbodyFloat>();
+        readonly List<Rigidbody> gone = new List<Rigidbody>();
+        FloatSpace space;
+
+        /// <param name="reach">Support radius [m].</param>
+        public RigidbodyFloats(float reach)
+        {
+            this.reach = reach;
+        }
+
+        /// <summary>Number of bodies.</summary>
+        public int Count => ordered.Count;
+
+        /// <summary>Begins a look for colliders.</summary>
+        public void Begin(Vector3 position, Quaternion rotation)
+        {
+            space = new FloatSpace(position, rotation);
+            foreach (RigidbodyFloat known in ordered) known.IsPresent = false;
+        }
+
+        /// <inheritdoc/>
+        public FloatingBody OwnerOf(Collider collider)
+        {
+            Rigidbody rigidbody = collider.attachedRigidbody;
+            if (!RigidbodyFloat.Moves(rigidbody)) return null;
+            if (!floats.TryGetValue(rigidbody, out RigidbodyFloat found))
+            {
+                found = new RigidbodyFloat(rigidbody, reach, space);
+                floats.Add(rigidbody, found);
+                ordered.Add(found);
+            }
+
+            found.IsPresent = true;
+            return found.Body;
+        }
+
+        /// <summary>Once a frame after the look, before the liquid's steps.</summary>
+        public void Follow()
+        {
+            if (ordered.Count == 0) return;
+            Leave();
+            foreach (RigidbodyFloat known in ordered) known.Follow(space);
+        }
+
+        /// <summary>The steps of a frame were given to the GPU.</summary>
+        /// <param name="bodies">The bodies on the GPU.</param>
+        /// <param name="time">The liquid's time [s].</param>
+        public void Note(FloatingBodies bodies, double time)
+        {
+            if (ordered.Count == 0) return;
+            bodies.Request();
+            foreach (RigidbodyFloat known in ordered) known.Note(bodies.Frame - 1, time, Time.time - Time.fixedTime);
+        }
+
+        /// <summary>Before a physics step.</summary>
+        public void FixedUpdate(Vector3 position, Quaternion rotation, float deltaTime)
+        {
+            if (ordered.Count == 0) return;
+            var now = new FloatSpace(position, rotation);
+            foreach (KeyValuePair<Rigidbody, RigidbodyFloat> known in floats)
+                if (RigidbodyFloat.Moves(known.Key)) known.Value.FixedUpdate(now, deltaTime);
+        }
+
+        void Leave()
+        {
+            foreach (KeyValuePair<Rigidbody, RigidbodyFloat> known in floats)
+                if (!known.Value.IsPresent) gone.Add(known.Key);
+            foreach (Rigidbody rigidbody in gone)
+            {
+                ordered.Remove(floats[rigidbody]);
+                floats.Remove(rigidbody);
+            }
+
+            gone.Clear();
+        }
+    }
+}

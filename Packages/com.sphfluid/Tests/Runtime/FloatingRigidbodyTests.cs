@@ -1,0 +1,179 @@
+using System.Collections;
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Rigidbodies in a pool: the liquid moves them, the scene's physics follows.</summary>
+    public sealed class FloatingRigidbodyTests
+    {
+        const float Spacing = 0.06f;
+
+        static readonly Vector3 Crate = new Vector3(0.45f, 0.3f, 0.45f);
+
+        readonly float fixedDelta = Time.fixedDeltaTime;
+        SimulationRig rig;
+        FluidSimulation simulation;
+
+        [SetUp]
+        public void Fill()
+        {
+            rig = new SimulationRig(1f / 60f);
+            Time.fixedDeltaTime = Time.captureDeltaTime; // a physics step a frame: places are of the same time
+            simulation = rig.Create(liquid: false);
+            simulation.DomainSize = new Vector3(16f, 20f, 16f) * Spacing;
+            simulation.Spacing = Spacing;
+            FluidVolume water = rig.AddVolume(simulation);
+            water.Size = new Vector3(16f, 10f, 16f) * Spacing;
+            water.transform.localPosition = new Vector3(0f, -5f * Spacing, 0f);
+        }
+
+        [TearDown]
+        public void Empty()
+        {
+            Time.fixedDeltaTime = fixedDelta;
+            rig.Dispose();
+        }
+
+        Rigidbody AddCrate(float ratio, float height, float turn = 5f)
+        {
+            GameObject crate = rig.NewObject("Crate");
+            crate.transform.SetPositionAndRotation(new Vector3(0f, height, 0f), Quaternion.Euler(turn, 0f, 0f));
+            crate.AddComponent<BoxCollider>().size = Crate;
+            Rigidbody body = crate.AddComponent<Rigidbody>();
+            body.mass = ratio * 1000f * Crate.x * Crate.y * Crate.z;
+            return body;
+        }
+
+        IEnumerator Play(float seconds)
+        {
+            while (!simulation.IsRunning) yield return null;
+            double end = simulation.SimulatedTime + seconds;
+            while (simulation.SimulatedTime < end) yield return null;
+        }
+
+        FloatingState OnTheGpu()
+        {
+            FloatingBodies bodies = simulation.Solver.State.Bodies.Floating;
+            return bodies.ReadNow(bodies.Bodies.Single());
+        }
+
+        [UnityTest]
+        public IEnumerator ACrateFloatsAndTheRigidbodyIsWhereTheLiquidHasIt([Values(0.15f, 0.5f)] float ratio)
+        {
+            Rigidbody crate = AddCrate(ratio, (0.5f - ratio + 0.05f) * Crate.y);
+            yield return Play(1.2f);
+            var gaps = new List<float>();
+            var heights = new List<float>();
+            for (int frame = 0; frame < 30; frame++)
+            {
+                gaps.Add((OnTheGpu().Centre - crate.worldCenterOfMass).magnitude);
+                heights.Add(crate.position.y);
+                yield return null;
+            }
+
+            // The crate lifts the water by what it displaces of it.
+            float volume = SimulationRig.Read(simulation).Length * Mathf.Pow(Spacing, 3f) + ratio * Crate.x * Crate.y * Crate.z;
+            float level = volume / (simulation.DomainSize.x * simulation.DomainSize.z) - 0.5f * simulation.DomainSize.y;
+            float draught = (level - heights.Average() + 0.5f * Crate.y) / Crate.y;
+            string figures = $"draught {draught}, largest gap {gaps.Max()} m, at {crate.position}, tilt {Vector3.Angle(crate.transform.up, Vector3.up)}";
+            Assert.That(draught, Is.EqualTo(ratio).Within(0.3f * Spacing / Crate.y), figures);
+            Assert.That(gaps.Max(), Is.LessThan(0.02f * Crate.y), figures);
+            Assert.That(Vector3.Angle(crate.transform.up, Vector3.up), Is.LessThan(8f), figures);
+            FluidCounters counters = simulation.Solver.Counters;
+            Assert.That(counters.Squeezed + counters.NonFinite + counters.ImpulseLimits + counters.DomainClamps, Is.Zero);
+        }
+
+        // The forces that PhysX gets are late by that much more; the liquid and its body do not know.
+        [UnityTest]
+        public IEnumerator TheAgeOfTheReadBackDoesNotChangeTheLiquidsBody()
+        {
+            var found = new List<FloatingState>();
+            foreach (int age in new[] { 1, 4 })
+            {
+                Rigidbody crate = AddCrate(0.25f, 0.1f);
+                crate.isKinematic = true;
+                simulation.StopSimulation();
+                simulation.StartSimulation();
+                yield return null;
+                while (!simulation.IsRunning || simulation.Solver.StepCount < 8) yield return null;
+                simulation.Solver.State.Bodies.Floating.Readback.Age = age;
+                crate.isKinematic = false;
+                yield return Play(0.5f);
+                found.Add(OnTheGpu());
+                Object.DestroyImmediate(crate.gameObject);
+            }
+
+            Assert.That(found[0].Velocity.magnitude, Is.GreaterThan(0.01f));
+            Assert.That((found[1].Centre - found[0].Centre).magnitude, Is.LessThan(1e-4f));
+            Assert.That((found[1].Velocity - found[0].Velocity).magnitude, Is.LessThan(1e-3f));
+        }
+
+        [UnityTest]
+        public IEnumerator AHeavyCrateSinksToTheFloorOfTheScene()
+        {
+            GameObject floor = rig.NewObject("Floor");
+            floor.AddComponent<BoxCollider>().size = new Vector3(2f, 0.2f, 2f);
+            floor.transform.position = new Vector3(0f, -0.5f * simulation.DomainSize.y - 0.06f, 0f); // its top 4 cm above the domain's
+            Rigidbody crate = AddCrate(2f, 0f, 0f);
+            yield return Play(1.5f);
+            float top = floor.transform.position.y + 0.1f;
+            float gap = (OnTheGpu().Centre - crate.worldCenterOfMass).magnitude;
+            Assert.That(crate.position.y - 0.5f * Crate.y, Is.InRange(top - 0.003f, top + 0.5f * Spacing), "on the floor, or on a film of water that cannot get away");
+            Assert.That(gap, Is.LessThan(0.003f));
+        }
+
+        [UnityTest]
+        public IEnumerator WhatIsKinematicOrOptsOutGoesWhereTheSceneHasIt([Values] bool kinematic)
+        {
+            Rigidbody crate = AddCrate(0.3f, 0f);
+            crate.useGravity = false;
+            if (kinematic) crate.isKinematic = true;
+            else crate.gameObject.AddComponent<FluidCollider>().MovedByLiquid = false;
+            yield return Play(0.2f);
+            Assert.That(crate.position, Is.EqualTo(Vector3.zero));
+            Assert.That(simulation.Solver.State.HasFloatingBodies, Is.False);
+            crate.isKinematic = false;
+            if (!kinematic) crate.GetComponent<FluidCollider>().MovedByLiquid = true;
+            yield return Play(0.3f);
+            Assert.That(crate.position.y, Is.GreaterThan(0.02f), "it comes up");
+        }
+
+        [UnityTest]
+        public IEnumerator AScriptsForceReachesTheBodyInTheLiquid()
+        {
+            Rigidbody crate = AddCrate(0.5f, 0f, 0f);
+            crate.constraints = RigidbodyConstraints.FreezeRotation | RigidbodyConstraints.FreezePositionY | RigidbodyConstraints.FreezePositionZ;
+            yield return Play(0.2f);
+            for (int frame = 0; frame < 12; frame++)
+            {
+                crate.AddForce(new Vector3(2f * crate.mass, 0f, 0f)); // 2 m/s^2
+                yield return null;
+            }
+
+            FloatingState state = OnTheGpu();
+            Assert.That(state.Centre.x, Is.GreaterThan(0.005f));
+            Assert.That(state.Centre.y, Is.EqualTo(0f).Within(1e-4f));
+            Assert.That((state.Centre - crate.worldCenterOfMass).magnitude, Is.LessThan(0.01f));
+        }
+
+        [UnityTest]
+        public IEnumerator ABodyThatIsPutElsewhereOrLeavesIsFollowed()
+        {
+            Rigidbody crate = AddCrate(0.5f, 0.3f);
+            yield return Play(0.2f);
+            crate.position = new Vector3(0.1f, 0.35f, 0f);
+            yield return Play(0.1f);
+            Assert.That((OnTheGpu().Centre - crate.worldCenterOfMass).magnitude, Is.LessThan(0.04f), "it falls into the water");
+            crate.position = new Vector3(0f, 50f, 0f);
+            yield return Play(0.1f);
+            Assert.That(simulation.Solver.State.HasFloatingBodies, Is.False);
+            Object.DestroyImmediate(crate.gameObject);
+            yield return Play(0.05f);
+            Assert.That(simulation.IsRunning, Is.True);
+        }
+    }
+}
