@@ -34,9 +34,9 @@ static class PhysicsWorld
         if (s_Bodies.Count > 0 && step > 0f)
         {
             Sync();
-            List<Collider> still = s_Colliders.FindAll(c => !c.isTrigger && (c.attachedRigidbody is not { } body || body.isKinematic));
+            List<Collider> solid = s_Colliders.FindAll(c => !c.isTrigger);
             foreach (Rigidbody body in s_Bodies)
-                if (!body.isKinematic) RigidbodyMotion.Step(body, step, still);
+                if (!body.isKinematic) RigidbodyMotion.Step(body, step, solid);
         }
         Sync();
     }

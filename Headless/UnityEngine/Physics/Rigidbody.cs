@@ -3,8 +3,8 @@ using Headless.Engine;
 namespace UnityEngine;
 
 /// <summary>
-/// A body that moves by forces, gravity and its own velocities in each physics step, and is stopped by colliders that stand still; bodies do
-/// not touch each other, there are no joints, and the Transform is not interpolated.
+/// A body that moves by forces, gravity and its own velocities in each physics step, and is stopped by colliders and other bodies where a corner of
+/// one is in the other; there are no joints, and the Transform is not interpolated.
 /// </summary>
 public class Rigidbody : Component
 {

@@ -5,8 +5,8 @@ using UnityEngine;
 namespace Headless.Engine;
 
 /// <summary>
-/// Contacts of a body's corners, or of its balls and capsules, with colliders that stand still: impulses one after the other, Coulomb's
-/// friction of Unity's default material. Less than PhysX does: edges against edges and bodies among themselves pass each other.
+/// Contacts of a body's corners, or of its balls and capsules, with colliders and other bodies: impulses one after the other, Coulomb's
+/// friction of Unity's default material. Less than PhysX does: edges pass edges, and a body in the other's inside only corners push out.
 /// </summary>
 sealed class RigidbodyContacts
 {
@@ -20,6 +20,8 @@ sealed class RigidbodyContacts
     struct Contact
     {
         public Vector3 Arm;
+        public Rigidbody? Other;
+        public Vector3 OtherArm;
         public Vector3 Normal;
         public float Gap;
         public float Push;
@@ -55,6 +57,9 @@ sealed class RigidbodyContacts
     void Touch(Collider obstacle, Vector3 point, float radius, float reach)
     {
         if (!obstacle.HasShape) return;
+        Rigidbody? other = obstacle.attachedRigidbody;
+        if (ReferenceEquals(other, m_Body)) return;
+        if (other is { isKinematic: true }) other = null;
         Vector3 offset = point - obstacle.ClosestPointCore(point);
         float distance = offset.magnitude;
         Vector3 normal = distance > 1e-6f ? offset / distance : Vector3.zero;
@@ -65,29 +70,44 @@ sealed class RigidbodyContacts
             distance = -distance;
         }
         float gap = distance - radius;
-        if (gap < reach) m_Contacts.Add(new Contact { Arm = point - radius * normal - m_Body.worldCenterOfMass, Normal = normal, Gap = gap });
+        if (gap >= reach) return;
+        Vector3 place = point - radius * normal;
+        m_Contacts.Add(new Contact
+        {
+            Arm = place - m_Body.worldCenterOfMass, Normal = normal, Gap = gap, Other = other, OtherArm = other is null ? Vector3.zero : place - other.worldCenterOfMass,
+        });
     }
 
     Contact Solve(Contact c)
     {
-        Vector3 velocity = m_Body.velocity + Vector3.Cross(m_Body.angularVelocity, c.Arm);
         float before = c.Push;
-        c.Push = MathF.Max(0f, before - (Vector3.Dot(velocity, c.Normal) + MathF.Max(0f, c.Gap) / m_Step) / Ease(c.Arm, c.Normal));
-        Give((c.Push - before) * c.Normal, c.Arm);
-        velocity = m_Body.velocity + Vector3.Cross(m_Body.angularVelocity, c.Arm);
-        Vector3 along = velocity - Vector3.Dot(velocity, c.Normal) * c.Normal, was = c.Held;
-        if (along.sqrMagnitude > 1e-12f) c.Held = Vector3.ClampMagnitude(was - along / Ease(c.Arm, along.normalized), Friction * c.Push);
-        Give(c.Held - was, c.Arm);
+        c.Push = MathF.Max(0f, before - (Vector3.Dot(Approach(c), c.Normal) + MathF.Max(0f, c.Gap) / m_Step) / Ease(c, c.Normal));
+        Give(c, (c.Push - before) * c.Normal);
+        Vector3 velocity = Approach(c), along = velocity - Vector3.Dot(velocity, c.Normal) * c.Normal, was = c.Held;
+        if (along.sqrMagnitude > 1e-12f) c.Held = Vector3.ClampMagnitude(was - along / Ease(c, along.normalized), Friction * c.Push);
+        Give(c, c.Held - was);
         return c;
     }
 
-    // What an impulse of 1 changes of the velocity there.
-    float Ease(Vector3 arm, Vector3 direction) =>
-        1f / m_Body.mass + Vector3.Dot(Vector3.Cross(RigidbodyMotion.PerInertia(m_Body, Vector3.Cross(arm, direction)), arm), direction);
+    Vector3 Approach(in Contact c) => VelocityAt(m_Body, c.Arm) - (c.Other is null ? Vector3.zero : VelocityAt(c.Other, c.OtherArm));
 
-    void Give(Vector3 impulse, Vector3 arm)
+    // What an impulse of 1 changes of the velocity there.
+    float Ease(in Contact c, Vector3 direction) => Ease(m_Body, c.Arm, direction) + (c.Other is null ? 0f : Ease(c.Other, c.OtherArm, direction));
+
+    void Give(in Contact c, Vector3 impulse)
     {
-        m_Body.velocity = RigidbodyMotion.FreeOf(m_Body.constraints, RigidbodyConstraints.FreezePositionX, m_Body.velocity + impulse / m_Body.mass);
-        m_Body.angularVelocity = RigidbodyMotion.Turning(m_Body, m_Body.angularVelocity + RigidbodyMotion.PerInertia(m_Body, Vector3.Cross(arm, impulse)));
+        Give(m_Body, impulse, c.Arm);
+        if (c.Other is not null) Give(c.Other, -impulse, c.OtherArm);
+    }
+
+    static Vector3 VelocityAt(Rigidbody body, Vector3 arm) => body.velocity + Vector3.Cross(body.angularVelocity, arm);
+
+    static float Ease(Rigidbody body, Vector3 arm, Vector3 direction) =>
+        1f / body.mass + Vector3.Dot(Vector3.Cross(RigidbodyMotion.PerInertia(body, Vector3.Cross(arm, direction)), arm), direction);
+
+    static void Give(Rigidbody body, Vector3 impulse, Vector3 arm)
+    {
+        body.velocity = RigidbodyMotion.FreeOf(body.constraints, RigidbodyConstraints.FreezePositionX, body.velocity + impulse / body.mass);
+        body.angularVelocity = RigidbodyMotion.Turning(body, body.angularVelocity + RigidbodyMotion.PerInertia(body, Vector3.Cross(arm, impulse)));
     }
 }
