@@ -19,6 +19,7 @@ public sealed class SamplePlayTests
     [TestCase("Fountain", 0.1, 6500)]
     [TestCase("PourAndFill", 0.2, 150)]
     [TestCase("FloatingCrates", 0.1, 11000)]
+    [TestCase("WaterWheel", 0.2, 100)]
     public void TheSamplePlaysWithoutAnErrorAndGetsLiquid(string sample, double seconds, int leastParticles)
     {
         string output = Path.Combine(folder, sample);
