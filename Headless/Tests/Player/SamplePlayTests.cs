@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Headless.Tests.Player;
 
-/// <summary>Samples of the package whose liquid comes, or moves bodies, while they play.</summary>
+/// <summary>Samples of the package whose liquid comes, or moves bodies, while they play, and those with scripts of their own.</summary>
 [Category("Gpu")]
 public sealed class SamplePlayTests
 {
@@ -20,6 +20,9 @@ public sealed class SamplePlayTests
     [TestCase("PourAndFill", 0.2, 150)]
     [TestCase("FloatingCrates", 0.1, 11000)]
     [TestCase("WaterWheel", 0.2, 100)]
+    [TestCase("HeatedWater", 0.1, 9000)]
+    [TestCase("GettingStarted", 0.1, 8000)]
+    [TestCase("WaveTank", 0.1, 10000)]
     public void TheSamplePlaysWithoutAnErrorAndGetsLiquid(string sample, double seconds, int leastParticles)
     {
         string output = Path.Combine(folder, sample);

@@ -108,6 +108,12 @@ namespace SphFluid
         /// <summary>Raised after a stop; the GPU memory is freed by then.</summary>
         public event Action<FluidSimulation> Stopped;
 
+        /// <summary>
+        /// Raised in LateUpdate of every frame in which the liquid runs, after its steps were given to the GPU and before it is drawn: the place for kernels of
+        /// yours that read <see cref="TryGetBuffers"/>. Also raised while it is paused or asleep; <see cref="StepCount"/> tells whether it took steps.
+        /// </summary>
+        public event Action<FluidSimulation> Updated;
+
         /// <summary>Raised for each new message, after it was written to the console.</summary>
         public event Action<FluidMessage> Reported;
 
@@ -371,19 +377,23 @@ namespace SphFluid
         public void RemoveLiquid(Vector3 centre, float radius) =>
             ExchangingRun().Flows.Remove(DrainZone.Capsule(OwnSpec.WorldToLocal * Matrix4x4.TRS(centre, Quaternion.identity, radius * Vector3.one), 0f));
 
-        /// <summary>Gives the liquid in a sphere a velocity, besides the one that it has, over the next frame with steps; less within a support radius of the sphere's surface.</summary>
+        /// <summary>
+        /// Gives the liquid in a sphere a velocity, besides the one that it has, over the next frame with steps; less within a support radius of the sphere's surface.
+        /// Force zones, bursts and impulses of a frame are 16 together at most: impulses beyond that are dropped, after the zones and bursts, and a message says so.
+        /// </summary>
         /// <param name="centre">World position [m].</param>
         /// <param name="radius">Radius [m].</param>
-        /// <param name="deltaVelocity">The velocity [m/s], world space; those of several calls add up.</param>
-        /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the velocity is more than a fifth of the speed of sound, or 16 impulses wait already.</exception>
+        /// <param name="deltaVelocity">The velocity [m/s], world space; those of several calls add up. Where impulses, explosions and bursts that may reach the same
+        /// liquid add up to more than a fifth of the speed of sound in a frame, they are weakened to that, and a message says so once.</param>
+        /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the velocity is more than a fifth of the speed of sound, or 16 impulses wait already: this one is not taken.</exception>
         /// <exception cref="InvalidOperationException">The liquid does not run, or its method has no force zones.</exception>
         public void AddImpulse(Vector3 centre, float radius, Vector3 deltaVelocity) => PushedRun().Zones.Push(new ZonePush(centre, radius, deltaVelocity), name);
 
         /// <summary>Drives the liquid in a sphere apart, over the next frame with steps; less within a support radius of the sphere's surface and of its centre.</summary>
         /// <param name="centre">World position [m].</param>
         /// <param name="radius">Radius [m].</param>
-        /// <param name="speed">Velocity away from the centre, besides the one that the liquid has [m/s]; negative: towards it.</param>
-        /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the speed is more than a fifth of the speed of sound, or 16 impulses wait already.</exception>
+        /// <param name="speed">Velocity away from the centre, besides the one that the liquid has [m/s]; negative: towards it. It adds up with others as <see cref="AddImpulse"/> says.</param>
+        /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the speed is more than a fifth of the speed of sound, or 16 impulses wait already: this one is not taken.</exception>
         /// <exception cref="InvalidOperationException">The liquid does not run, or its method has no force zones.</exception>
         public void AddExplosion(Vector3 centre, float radius, float speed) => PushedRun().Zones.Push(new ZonePush(centre, radius, speed), name);
 
@@ -414,6 +424,15 @@ namespace SphFluid
         /// <summary>Checks the settings, the liquid and the colliders, of a prefab asset only the settings; changes nothing and logs nothing.</summary>
         /// <returns>What is wrong or worth knowing, errors first.</returns>
         public IReadOnlyList<FluidMessage> Validate() => FluidChecks.Preview(Spec, FluidScene.Volumes(this), out _);
+
+        /// <summary>The liquid on the GPU, for kernels and shaders of yours: as of its last steps, until its next LateUpdate. Ask each frame.</summary>
+        /// <param name="buffers">The buffers, to be read only; none where the liquid does not run.</param>
+        /// <returns>False while the liquid does not run; <see cref="StatusMessage"/> says why.</returns>
+        public bool TryGetBuffers(out FluidBuffers buffers)
+        {
+            buffers = run == null ? default : new FluidBuffers(run.Solver, LocalToWorld);
+            return run != null;
+        }
 
         /// <summary>Waits for the GPU and reads the particles, in simulation space, sorted by cell, without those that left the domain; for tools and tests.</summary>
         /// <param name="particles">Receives the particles.</param>
@@ -466,6 +485,7 @@ namespace SphFluid
             if (TryAdvance(spec, out FluidMessage failure))
             {
                 queries?.Ask(run.Solver, spec.Profile.Shaders, run.SimulatedTime, spec.Position, spec.Rotation);
+                Updated?.Invoke(this);
                 return;
             }
             foreach (FluidMessage message in FluidReports.ErrorsOf(Validate(), failure)) Report(message);

@@ -14,7 +14,12 @@ namespace SphFluid
         public Vector3 Position;
         public Quaternion Rotation;
         public FluidForceKind Kind;
+
+        /// <summary>Box, sphere or capsule; <see cref="FluidZoneShape.Collider"/> where the object has no collider of such a shape.</summary>
         public FluidZoneShape Shape;
+
+        /// <summary>From the zone's axes, along which it pushes, to those of its shape.</summary>
+        public Quaternion ShapeTurn;
 
         /// <summary>Edge lengths [m].</summary>
         public Vector3 Size;
@@ -41,6 +46,27 @@ namespace SphFluid
         public readonly bool IsFinite => AffineMath.IsFinite(Position) && AffineMath.IsFinite(Size) && Size.x > 0f && Size.y > 0f && Size.z > 0f &&
             (IsDrag ? AffineMath.IsFinite(DragRate) && DragRate >= 0f && AffineMath.IsFinite(WindSpeed) : AffineMath.IsFinite(Strength)) &&
             (Kind != FluidForceKind.Turbulence || AffineMath.IsFinite(EddySize) && EddySize > 0f && AffineMath.IsFinite(EddyTime) && EddyTime >= 0f);
+
+        /// <summary>How far it reaches from its position [m].</summary>
+        public readonly float Reach => new Vector3(Core.x, Core.y, Core.z).magnitude + Core.w;
+
+        /// <summary>Speed that liquid can get in it [m/s], on a straight path: v² + 2 a L over the length on which it pushes; of drag, its wind.</summary>
+        /// <param name="speed">Speed with which it comes in [m/s].</param>
+        /// <param name="domain">Edge lengths of the domain [m].</param>
+        /// <param name="simulation">Rotation of the simulation.</param>
+        public readonly double SpeedFrom(double speed, Vector3 domain, Quaternion simulation)
+        {
+            if (IsDrag) return Kind == FluidForceKind.Wind && DragRate > 0f ? System.Math.Max(speed, System.Math.Abs(WindSpeed)) : speed;
+            Vector3 along = Quaternion.Inverse(simulation) * Rotation * Vector3.forward;
+            double length = Kind switch
+            {
+                FluidForceKind.Directional => System.Math.Min(Shape == FluidZoneShape.Box ? Size.z : Size.x,
+                    Mathf.Abs(along.x) * domain.x + Mathf.Abs(along.y) * domain.y + Mathf.Abs(along.z) * domain.z),
+                FluidForceKind.Turbulence => EddySize,
+                _ => System.Math.Min(Reach, 0.5 * domain.magnitude), // of a vortex about half a turn through the middle of the radius
+            };
+            return System.Math.Sqrt(speed * speed + 2.0 * System.Math.Abs(Strength) * length);
+        }
 
         /// <summary>The zone on the GPU.</summary>
         /// <param name="worldToLocal">World to simulation space.</param>
@@ -71,7 +97,7 @@ namespace SphFluid
                     zone.Wind = new Vector4(wind.x, wind.y, wind.z, DragRate);
                     break;
             }
-            zone.Place(worldToLocal.MultiplyPoint3x4(Position), turn);
+            zone.Place(worldToLocal.MultiplyPoint3x4(Position), turn * ShapeTurn);
             return zone;
         }
 
@@ -82,7 +108,7 @@ namespace SphFluid
         public readonly ForceZone Burst(in Matrix4x4 worldToLocal, Quaternion simulation, Vector3 acceleration)
         {
             var zone = new ForceZone { Core = Core, Uniform = worldToLocal.MultiplyVector(acceleration) };
-            zone.Place(worldToLocal.MultiplyPoint3x4(Position), Quaternion.Inverse(simulation) * Rotation);
+            zone.Place(worldToLocal.MultiplyPoint3x4(Position), Quaternion.Inverse(simulation) * Rotation * ShapeTurn);
             return zone;
         }
 
@@ -99,5 +125,8 @@ namespace SphFluid
     {
         /// <summary>Velocity to be given with the next steps [m/s], world space.</summary>
         public Vector3 Burst;
+
+        /// <summary>The liquid that was said to be made too fast.</summary>
+        public object FastIn;
     }
 }

@@ -168,6 +168,115 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator BlowsThatOverlapAreWeakenedToTheirLimitAndOthersAreNot()
+        {
+            FluidSimulation simulation = Liquid();
+            rig.Profile.SoundSpeedMode = FluidSoundSpeedMode.FixedByRule;
+            FluidForceZone zone = Zone(FluidForceKind.Directional, Vector3.forward, 0f);
+            yield return Play(simulation, 0.02);
+            float most = 0.2f * simulation.Solver.Settings.SoundSpeed;
+            simulation.AddImpulse(new Vector3(5f, 0f, 0f), 1f, most * Vector3.up); // not where the liquid is: 5 m > 1 m + the zone's reach
+            zone.Burst(0.1f * most * Vector3.right);
+            yield return Play(simulation, simulation.SimulatedTime + 0.015);
+            Assert.That((Velocity(simulation) - 0.1f * most * Vector3.right).magnitude, Is.LessThan(0.02f * most), "one that is elsewhere weakens nothing");
+            Assert.That(simulation.Messages.Any(m => m.Text.Contains("add up")), Is.False);
+            Vector3 before = Velocity(simulation);
+            for (int i = 0; i < 4; i++) simulation.AddImpulse(Vector3.zero, 2f, 0.4f * most * Vector3.up);
+            zone.Burst(-0.4f * most * Vector3.up);
+            LogAssert.Expect(LogType.Warning, new Regex("add up to.*weakened"));
+            yield return Play(simulation, simulation.SimulatedTime + 0.015);
+            Assert.That((Velocity(simulation) - before - (4f - 1f) / 5f * most * Vector3.up).magnitude, Is.LessThan(0.05f * most), $"{Velocity(simulation)}, {most}");
+        }
+
+        // The liquid's cube is 0.2 m wide; the collider holds its right half.
+        [UnityTest]
+        public IEnumerator TheShapeOfAColliderIsItsPlaceSizeAndAxis([Values("box", "sphere", "capsule")] string shape)
+        {
+            FluidSimulation simulation = Liquid();
+            FluidForceZone zone = Zone(FluidForceKind.Directional, Vector3.up);
+            zone.transform.rotation = Quaternion.Euler(-90f, 0f, 0f); // forward is up
+            zone.transform.localScale = new Vector3(2f, 2f, 2f);
+            zone.Shape = FluidZoneShape.Collider;
+            AddTrigger(zone, shape);
+            yield return Play(simulation, 0.05);
+            FluidParticle[] particles = SimulationRig.Read(simulation);
+            float right = particles.Where(p => p.Position.x > 0.05f).Average(p => p.VelT0.y), left = particles.Where(p => p.Position.x < -0.02f).Average(p => p.VelT0.y);
+            float rear = particles.Where(p => p.Position.x > 0.05f && p.Position.z > 0.05f).Average(p => p.VelT0.y);
+            Assert.That(right, Is.GreaterThan(0.02f), "inside");
+            Assert.That(rear, Is.GreaterThan(0.02f), "all along z");
+            Assert.That(left, Is.LessThan(0.3f * right), "outside");
+            Vector3 reach = zone.Spec.Size;
+            Assert.That(zone.Spec.Position, Is.EqualTo(new Vector3(0.2f, 0f, 0f)).Using<Vector3>((a, b) => (a - b).magnitude < 1e-4f ? 0 : 1));
+            Assert.That(reach.x, Is.EqualTo(0.4f).Within(1e-4f));
+        }
+
+        // At x = 0.2 m in the world, 0.4 m across x; a capsule lies along the world's z, which is the object's y.
+        static void AddTrigger(FluidForceZone zone, string shape)
+        {
+            var centre = new Vector3(0.1f, 0f, 0f);
+            if (shape == "box")
+            {
+                BoxCollider box = zone.gameObject.AddComponent<BoxCollider>();
+                (box.center, box.size, box.isTrigger) = (centre, new Vector3(0.2f, 0.5f, 0.5f), true);
+            }
+            else if (shape == "sphere")
+            {
+                SphereCollider sphere = zone.gameObject.AddComponent<SphereCollider>();
+                (sphere.center, sphere.radius, sphere.isTrigger) = (centre, 0.1f, true);
+            }
+            else
+            {
+                CapsuleCollider capsule = zone.gameObject.AddComponent<CapsuleCollider>();
+                (capsule.center, capsule.radius, capsule.height, capsule.direction, capsule.isTrigger) = (centre, 0.1f, 0.6f, 1, true);
+            }
+        }
+
+        [TestCase(0)]
+        [TestCase(1)]
+        [TestCase(2)]
+        public void ACapsuleColliderLiesAlongItsAxisAndTheForceStaysForward(int direction)
+        {
+            FluidForceZone zone = Zone(FluidForceKind.Directional, new Vector3(1f, 2f, 3f));
+            zone.transform.localScale = new Vector3(1f, 2f, 3f);
+            zone.Shape = FluidZoneShape.Collider;
+            CapsuleCollider capsule = zone.gameObject.AddComponent<CapsuleCollider>();
+            (capsule.radius, capsule.height, capsule.direction) = (0.1f, 1f, direction);
+            ZoneSpec spec = zone.Spec;
+            Vector3 axis = zone.transform.rotation * new Vector3(direction == 0 ? 1f : 0f, direction == 1 ? 1f : 0f, direction == 2 ? 1f : 0f);
+            Assert.That(Mathf.Abs(Vector3.Dot(spec.Rotation * spec.ShapeTurn * Vector3.up, axis)), Is.EqualTo(1f).Within(1e-5f));
+            Assert.That(spec.Rotation, Is.EqualTo(zone.transform.rotation));
+            Assert.That(spec.Size.x, Is.EqualTo(direction == 2 ? 0.4f : 0.6f).Within(1e-5f));
+            Assert.That(spec.Size.y, Is.EqualTo(direction + 1f).Within(1e-5f));
+        }
+
+        [UnityTest]
+        public IEnumerator AShapeWithoutAColliderThatServesIsNamed()
+        {
+            FluidSimulation simulation = Liquid();
+            FluidForceZone zone = Zone(FluidForceKind.Directional, Vector3.up);
+            yield return Play(simulation, 0.01);
+            zone.Shape = FluidZoneShape.Collider;
+            zone.gameObject.AddComponent<MeshCollider>().isTrigger = true;
+            LogAssert.Expect(LogType.Error, new Regex("Zone.*no Box, Sphere or Capsule Collider.*does nothing"));
+            Vector3 before = Velocity(simulation);
+            yield return Play(simulation, simulation.SimulatedTime + 0.03);
+            Assert.That((Velocity(simulation) - before).magnitude, Is.LessThan(1e-3f));
+        }
+
+        [UnityTest]
+        public IEnumerator AZoneThatMakesLiquidTooFastIsNamedOnce()
+        {
+            FluidSimulation simulation = Liquid(); // made for 2 m/s, 0.8 m long
+            FluidForceZone zone = Zone(FluidForceKind.Directional, Vector3.forward, 1f);
+            yield return Play(simulation, 0.01);
+            Assert.That(simulation.Messages.Any(m => m.Text.Contains("made for")), Is.False, "2.37 m/s are less than 2.5");
+            zone.Strength = 20f;
+            LogAssert.Expect(LogType.Warning, new Regex("Zone.*to 6 m/s.*made for 2 m/s.*Expected Speed to 6 m/s"));
+            yield return Play(simulation, simulation.SimulatedTime + 0.03);
+            Assert.That(simulation.Messages.Count(m => m.Text.Contains("made for")), Is.EqualTo(1));
+        }
+
+        [UnityTest]
         public IEnumerator OnlyTheLiquidThatIsNamedIsPushed()
         {
             FluidSimulation one = Liquid(), two = Liquid();

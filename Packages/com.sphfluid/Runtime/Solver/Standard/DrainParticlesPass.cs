@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Marks the particles that leave by drains, or because they are the oldest of a full liquid, before the motion of a step that sorts.</summary>
+    /// <summary>Marks the particles that leave by drains, because their time is over, or because they are the oldest of a full liquid, before the motion of a step that sorts.</summary>
     internal sealed class DrainParticlesPass : ComputePass
     {
         const int HighestDigit = 24;
@@ -19,6 +19,8 @@ namespace SphFluid
         static readonly int MostParticles = Id("_MostParticles");
         static readonly int RecycledCount = Id("_RecycledCount");
         static readonly int DigitShift = Id("_DigitShift");
+        static readonly int Expired = Id("_Expired");
+        static readonly int ExpiredCount = Id("_ExpiredCount");
 
         readonly ComputeKernel drain, count, choose, oldest;
 
@@ -33,7 +35,7 @@ namespace SphFluid
 
         /// <param name="cmd">Command buffer.</param>
         /// <param name="state">The buffers.</param>
-        /// <param name="drains">Drains, none or more, and whom a full liquid loses.</param>
+        /// <param name="drains">Drains, none or more, whose time is over, and whom a full liquid loses.</param>
         public void Record(CommandBuffer cmd, StandardState state, in DrainBatch drains)
         {
             using (Sample(cmd))
@@ -42,6 +44,9 @@ namespace SphFluid
                 drain.SetBuffer(cmd, DrainZones, drains.Zones);
                 drain.SetBuffer(cmd, SourceCounts, drains.Counts);
                 drain.SetInt(cmd, DrainCount, drains.Count);
+                drain.SetBuffer(cmd, Expired, drains.Expired);
+                drain.SetInt(cmd, ExpiredCount, drains.ExpiredCount);
+                drain.Set(cmd, state.Buffers.Velocities);
                 drain.Set(cmd, state.Buffers.PositionTerms);
                 drain.SetOut(cmd, state.Buffers.Rank);
                 drain.DispatchThreads(cmd, state.ParticleCount);
