@@ -24,11 +24,8 @@ public class Rigidbody : Component
     /// <summary>Of the centre of mass.</summary>
     public Vector3 velocity { get; set; }
 
-    public Vector3 linearVelocity { get => velocity; set => velocity = value; }
     public float drag { get; set; }
-    public float linearDamping { get => drag; set => drag = value; }
     public float angularDrag { get; set; } = 0.05f;
-    public float angularDamping { get => angularDrag; set => angularDrag = value; }
 
     /// <summary>From the transform's origin along its axes, without its scale.</summary>
     public Vector3 centerOfMass { get => m_CenterOfMass ?? MassProperties.Of(this).Center; set => m_CenterOfMass = value; }
