@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Headless.Tests.Player;
 
-/// <summary>Samples of the package whose liquid comes, or moves bodies, while they play.</summary>
+/// <summary>Samples of the package whose liquid comes, or moves bodies, while they play, and those with scripts of their own.</summary>
 [Category("Gpu")]
 public sealed class SamplePlayTests
 {
@@ -19,6 +19,7 @@ public sealed class SamplePlayTests
     [TestCase("Fountain", 0.1, 6500)]
     [TestCase("PourAndFill", 0.2, 150)]
     [TestCase("FloatingCrates", 0.1, 11000)]
+    [TestCase("HeatedWater", 0.1, 9000)]
     public void TheSamplePlaysWithoutAnErrorAndGetsLiquid(string sample, double seconds, int leastParticles)
     {
         string output = Path.Combine(folder, sample);

@@ -108,6 +108,12 @@ namespace SphFluid
         /// <summary>Raised after a stop; the GPU memory is freed by then.</summary>
         public event Action<FluidSimulation> Stopped;
 
+        /// <summary>
+        /// Raised in LateUpdate of every frame in which the liquid runs, after its steps were given to the GPU and before it is drawn: the place for kernels of
+        /// yours that read <see cref="TryGetBuffers"/>. Also raised while it is paused or asleep; <see cref="StepCount"/> tells whether it took steps.
+        /// </summary>
+        public event Action<FluidSimulation> Updated;
+
         /// <summary>Raised for each new message, after it was written to the console.</summary>
         public event Action<FluidMessage> Reported;
 
@@ -415,6 +421,15 @@ namespace SphFluid
         /// <returns>What is wrong or worth knowing, errors first.</returns>
         public IReadOnlyList<FluidMessage> Validate() => FluidChecks.Preview(Spec, FluidScene.Volumes(this), out _);
 
+        /// <summary>The liquid on the GPU, for kernels and shaders of yours: as of its last steps, until its next LateUpdate. Ask each frame.</summary>
+        /// <param name="buffers">The buffers, to be read only; none where the liquid does not run.</param>
+        /// <returns>False while the liquid does not run; <see cref="StatusMessage"/> says why.</returns>
+        public bool TryGetBuffers(out FluidBuffers buffers)
+        {
+            buffers = run == null ? default : new FluidBuffers(run.Solver, LocalToWorld);
+            return run != null;
+        }
+
         /// <summary>Waits for the GPU and reads the particles, in simulation space, sorted by cell, without those that left the domain; for tools and tests.</summary>
         /// <param name="particles">Receives the particles.</param>
         /// <returns>False when stopped.</returns>
@@ -466,6 +481,7 @@ namespace SphFluid
             if (TryAdvance(spec, out FluidMessage failure))
             {
                 queries?.Ask(run.Solver, spec.Profile.Shaders, run.SimulatedTime, spec.Position, spec.Rotation);
+                Updated?.Invoke(this);
                 return;
             }
             foreach (FluidMessage message in FluidReports.ErrorsOf(Validate(), failure)) Report(message);

@@ -1,4 +1,5 @@
 using System.Collections;
+using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
 using UnityEngine;
@@ -42,6 +43,38 @@ namespace SphFluid.Tests
             Assert.That(simulation.SimulatedTime - before, Is.EqualTo(0.1).Within(0.011));
             Assert.That(simulation.StepCount * (double)simulation.TimeStep, Is.EqualTo(simulation.SimulatedTime).Within(1e-5));
             Assert.That(SimulationRig.MeanHeight(simulation) - height, Is.EqualTo(-0.5 * 9.81 * 0.01).Within(0.015), "0.1 s of fall");
+        }
+
+        [UnityTest]
+        public IEnumerator BuffersAreGivenEachFrameWhileTheLiquidRuns()
+        {
+            FluidSimulation simulation = rig.Create(position: new Vector3(1f, 2f, 3f));
+            var steps = new List<long>();
+            bool given = true;
+            simulation.Updated += s =>
+            {
+                given &= s.TryGetBuffers(out FluidBuffers now) && now.IsValid && now.Particles.count >= now.ParticleCount;
+                steps.Add(s.StepCount);
+            };
+            Assert.That(simulation.TryGetBuffers(out FluidBuffers none), Is.False);
+            Assert.That(none.IsValid, Is.False);
+            yield return Until(simulation);
+            steps.Clear();
+            yield return null;
+            yield return null;
+            simulation.Paused = true;
+            yield return null;
+            Assert.That(given);
+            Assert.That(steps.Count, Is.EqualTo(3), "paused too");
+            Assert.That(steps[1], Is.GreaterThan(steps[0]), "after the steps");
+            Assert.That(steps[2], Is.EqualTo(steps[1]));
+            Assert.That(simulation.TryGetBuffers(out FluidBuffers buffers));
+            Assert.That(buffers.ParticleCount, Is.EqualTo(64));
+            Assert.That(buffers.LocalToWorld.MultiplyPoint3x4(Vector3.zero), Is.EqualTo(new Vector3(1f, 2f, 3f)));
+            simulation.StopSimulation();
+            Assert.That(buffers.IsValid, Is.False);
+            yield return null;
+            Assert.That(steps.Count, Is.EqualTo(3), "not while stopped");
         }
 
         [UnityTest]
