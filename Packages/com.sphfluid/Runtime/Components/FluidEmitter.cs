@@ -32,6 +32,9 @@ namespace SphFluid
         [SerializeField, Min(0f), Tooltip("Seconds of the liquid's time after which the flow ends. 0: it goes on.")]
         float duration;
 
+        [SerializeField, Min(0f), Tooltip("Seconds of the liquid's time after which what this emitter gives leaves the liquid again. 0: it stays.")]
+        float lifetime;
+
         [SerializeField, Tooltip("Simulation that the liquid belongs to. Empty: the simulation among its parents, else the only one " +
             "in the scene, else the one whose domain holds this object.")]
         FluidSimulation simulation;
@@ -56,6 +59,12 @@ namespace SphFluid
 
         /// <summary>Time after which a flow ends [s]; 0: it goes on.</summary>
         public float Duration { get => duration; set => duration = value; }
+
+        /// <summary>
+        /// Time after its birth at which a particle leaves the liquid again [s], to the sort of the steps in which it ends; 0: it stays. A change acts on layers
+        /// that are emitted from then on. What left is counted by <see cref="FluidSimulation.RemovedParticles"/>. A liquid with such particles does not sleep.
+        /// </summary>
+        public float Lifetime { get => lifetime; set => lifetime = value; }
 
         /// <summary>Simulation that the liquid belongs to; null: found as the tooltip says.</summary>
         public FluidSimulation Simulation { get => simulation; set => simulation = value; }
@@ -87,6 +96,7 @@ namespace SphFluid
                     Shape = shape,
                     Size = new Vector2(size.x * Mathf.Abs(scale.x), size.y * Mathf.Abs(scale.y)),
                     Flow = flow,
+                    Lifetime = lifetime,
                     Amount = flow == FluidEmitterFlow.Speed ? speed : volumeRate,
                 };
             }

@@ -32,7 +32,8 @@ namespace SphFluid
         /// <param name="begin">Simulated time at which the frame begins [s].</param>
         /// <param name="end">And ends.</param>
         /// <param name="births">Receives the particles.</param>
-        public void Emit(in EmitterSpec emitter, in FluidSpec spec, double begin, double end, BirthQueue births)
+        /// <param name="lifetimes">Receives when they leave, where they do.</param>
+        public void Emit(in EmitterSpec emitter, in FluidSpec spec, double begin, double end, BirthQueue births, ParticleLifetimes lifetimes)
         {
             Vector3 newPosition = spec.WorldToLocal.MultiplyPoint3x4(emitter.Position);
             Quaternion newRotation = Quaternion.Inverse(spec.Rotation) * emitter.Rotation;
@@ -54,7 +55,9 @@ namespace SphFluid
                 Quaternion turn = Quaternion.Slerp(rotation, newRotation, part);
                 Vector3 centre = Vector3.Lerp(position, newPosition, part);
                 Vector3 velocity = turn * new Vector3(0f, 0f, speed) + carried;
+                uint first = births.NextId;
                 foreach (Vector2 place in sites.Places) births.Add(centre + turn * (Vector3)place, velocity, next, Source);
+                if (emitter.Lifetime > 0f) lifetimes.Add(first, unchecked(births.NextId - first), next + emitter.Lifetime);
                 double period = sites.LayerDistance / speed;
                 next += period;
                 state.VolumeLeft -= layer;

@@ -27,6 +27,9 @@ namespace SphFluid
         /// <summary>Speed [m/s] or volume rate [m³/s], by <see cref="Flow"/>.</summary>
         public float Amount;
 
+        /// <summary>Time that its liquid stays [s]; 0: for ever.</summary>
+        public float Lifetime;
+
         /// <summary>Area of the nozzle [m²] at a particle spacing [m].</summary>
         public readonly double Area(float spacing) => Shape switch
         {

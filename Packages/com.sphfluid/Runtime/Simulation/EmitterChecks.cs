@@ -20,6 +20,8 @@ namespace SphFluid
                 return Wrong(emitter, FormattableString.Invariant($"The nozzle's size is {emitter.Size.x} x {emitter.Size.y} m."), "Give Size two numbers greater than zero.");
             if (!AffineMath.IsFinite(emitter.Amount) || emitter.Amount < 0f)
                 return Wrong(emitter, FormattableString.Invariant($"The emitter's flow is {emitter.Amount}."), "Give its speed or volume rate zero or a greater number.");
+            if (!AffineMath.IsFinite(emitter.Lifetime) || emitter.Lifetime < 0f)
+                return Wrong(emitter, FormattableString.Invariant($"The lifetime of the emitter's liquid is {emitter.Lifetime} s."), "Give Lifetime zero, for ever, or a number of seconds.");
             double speed = emitter.Speed(spec.Spacing), sites = emitter.Area(spec.Spacing) / ((double)spec.Spacing * spec.Spacing);
             if (sites > EmitterSites.Most)
                 return Wrong(emitter, FormattableString.Invariant($"The nozzle needs {sites:0} particles a layer at a spacing of {spec.Spacing} m; {EmitterSites.Most} are allowed."),

@@ -31,7 +31,7 @@ namespace SphFluid
         /// <summary>Whether something comes or goes, so that the liquid cannot sleep.</summary>
         public bool Acts(in FluidSpec spec)
         {
-            if (spec.Drains?.Count > 0 || once.Count > 0 || IsUsed && solver.Exchange.Births.Waiting > 0) return true;
+            if (spec.Drains?.Count > 0 || once.Count > 0 || IsUsed && (solver.Exchange.Births.Waiting > 0 || solver.Exchange.Lifetimes.Waiting > 0)) return true;
             for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
                 if (spec.Emitters[i].State.IsOn) return true;
             return false;
@@ -114,7 +114,7 @@ namespace SphFluid
                 }
                 run.IsUsed = true;
                 if (EmitterChecks.Check(emitter, spec, solver.Settings.SoundSpeed) is FluidMessage wrong) report(wrong);
-                else run.Emit(emitter, spec, begin, begin + time, solver.Exchange.Births);
+                else run.Emit(emitter, spec, begin, begin + time, solver.Exchange.Births, solver.Exchange.Lifetimes);
             }
             gone.Clear();
             foreach (KeyValuePair<EmitterState, EmitterRun> pair in emitters)

@@ -81,6 +81,36 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator LiquidOfEachEmitterLeavesAfterItsLifetime()
+        {
+            FluidSimulation simulation = Tank(false);
+            FluidEmitter shortLived = Nozzle(simulation, new Vector3(0.1f, -0.3f, 0f), Vector3.up, 0.08f, 1f),
+                longLived = Nozzle(simulation, new Vector3(-0.1f, -0.3f, 0f), Vector3.up, 0.08f, 1f);
+            shortLived.Lifetime = 0.1f;
+            longLived.Lifetime = 0.25f;
+            while (!simulation.IsRunning || simulation.SimulatedTime < 0.2) yield return null;
+            Check(simulation, 0.1f, 0.2f, "the first has its full length");
+            while (simulation.SimulatedTime < 0.4) yield return null;
+            Check(simulation, 0.1f, 0.25f, "both have");
+            shortLived.Stop();
+            longLived.Stop();
+            while (simulation.SimulatedTime < 0.7) yield return null;
+            Assert.That(SimulationRig.Read(simulation), Is.Empty);
+            FluidCounters counters = simulation.Solver.ReadCountersNow();
+            Assert.That(counters.Removed, Is.EqualTo(counters.Born).And.GreaterThan(500));
+            Assert.That(simulation.ParticleCount, Is.Zero);
+        }
+
+        // At 1 m/s a jet is as long as its liquid is old.
+        static void Check(FluidSimulation simulation, float right, float left, string when)
+        {
+            FluidParticle[] particles = SimulationRig.Read(simulation);
+            float Length(bool isRight) => particles.Where(p => p.Position.x > 0f == isRight).Max(p => p.Position.y) + 0.3f;
+            Assert.That(Length(true), Is.EqualTo(right).Within(0.022f), when);
+            Assert.That(Length(false), Is.EqualTo(left).Within(0.022f), when);
+        }
+
+        [UnityTest]
         public IEnumerator WhatIsPouredDrainsAndTwoRunsAreEqual()
         {
             var ends = new List<FluidParticle[]>();

@@ -25,6 +25,9 @@ namespace SphFluid
         /// <summary>Id of the next particle.</summary>
         public uint NextId { get; set; }
 
+        /// <summary>Id of the first that waits, else of the next: from it on nobody is born yet.</summary>
+        public uint Unborn => Waiting > 0 ? waiting[0].Id : NextId;
+
         /// <summary>Births that were taken since the start.</summary>
         public long Taken { get; private set; }
 

@@ -20,8 +20,8 @@ namespace SphFluid
         readonly FluidState state;
         readonly IExchangingStepper stepper;
         readonly DrainZone[] zones = new DrainZone[MostDrains];
-        GraphicsBuffer zoneBuffer, ageBuffer, birthBuffer;
-        int drains, due, ceiling;
+        GraphicsBuffer zoneBuffer, ageBuffer, birthBuffer, expiredBuffer;
+        int drains, due, expired, ceiling;
         bool zonesChanged;
 
         /// <param name="state">The liquid's buffers.</param>
@@ -39,6 +39,9 @@ namespace SphFluid
         /// <summary>Particles that wait for their birth.</summary>
         public BirthQueue Births { get; }
 
+        /// <summary>When particles leave again.</summary>
+        public ParticleLifetimes Lifetimes { get; } = new ParticleLifetimes();
+
         /// <summary>What sources gave and drains took.</summary>
         public SourceCounts Counts { get; }
 
@@ -52,7 +55,7 @@ namespace SphFluid
         public bool IsActive => Births.Waiting > 0 || drains > 0;
 
         /// <summary>Bytes of GPU memory.</summary>
-        public long GpuBytes => GpuBuffers.Size(zoneBuffer, ageBuffer, birthBuffer, Counts.Buffer);
+        public long GpuBytes => GpuBuffers.Size(zoneBuffer, ageBuffer, birthBuffer, expiredBuffer, Counts.Buffer);
 
         /// <summary>Gives the drains that act from the next steps on.</summary>
         /// <param name="list">Drains and the sources that count for them.</param>
@@ -83,9 +86,10 @@ namespace SphFluid
         {
             state.ParticleCount = Math.Min(state.ParticleCount, ceiling); // the sort has left the recycled behind
             ceiling = int.MaxValue;
+            expired = Lifetimes.Take(end, Births.Unborn);
             due = Births.Take(end, length, state.Settings.Gravity);
             bool recycles = Recycles && due > 0 && (long)state.ParticleCount + due > MostParticles;
-            if (drains == 0 && !recycles) return;
+            if (drains == 0 && expired == 0 && !recycles) return;
             stepper.RecordDrains(cmd, Drains(cmd, recycles));
             state.IsDrained = true;
             if (recycles) ceiling = MostParticles;
@@ -111,12 +115,14 @@ namespace SphFluid
             GpuBuffers.Dispose(ref zoneBuffer);
             GpuBuffers.Dispose(ref ageBuffer);
             GpuBuffers.Dispose(ref birthBuffer);
+            GpuBuffers.Dispose(ref expiredBuffer);
         }
 
         DrainBatch Drains(CommandBuffer cmd, bool recycles)
         {
             if (zonesChanged || zoneBuffer == null) Upload(cmd, ref zoneBuffer, "Fluid Drains", zones, Math.Max(1, drains), DrainZone.Stride);
             zonesChanged = false;
+            if (expired > 0) Upload(cmd, ref expiredBuffer, "Fluid Expired", Lifetimes.Due, expired, IdRange.Stride);
             if (recycles && ageBuffer == null)
             {
                 ageBuffer = GpuBuffers.Create("Fluid Ages", AgeNumbers, sizeof(uint));
@@ -127,6 +133,8 @@ namespace SphFluid
                 Zones = zoneBuffer,
                 Counts = Counts.Buffer,
                 Ages = ageBuffer,
+                Expired = expiredBuffer,
+                ExpiredCount = expired,
                 Count = drains,
                 Recycles = recycles,
                 Births = due,

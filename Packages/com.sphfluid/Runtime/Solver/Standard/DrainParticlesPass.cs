@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Marks the particles that leave by drains, or because they are the oldest of a full liquid, before the motion of a step that sorts.</summary>
+    /// <summary>Marks the particles that leave by drains, because their time is over, or because they are the oldest of a full liquid, before the motion of a step that sorts.</summary>
     internal sealed class DrainParticlesPass : ComputePass
     {
         const int HighestDigit = 24;
@@ -19,13 +19,16 @@ namespace SphFluid
         static readonly int MostParticles = Id("_MostParticles");
         static readonly int RecycledCount = Id("_RecycledCount");
         static readonly int DigitShift = Id("_DigitShift");
+        static readonly int Expired = Id("_Expired");
+        static readonly int ExpiredCount = Id("_ExpiredCount");
 
-        readonly ComputeKernel drain, count, choose, oldest;
+        readonly ComputeKernel drain, expire, count, choose, oldest;
 
         public DrainParticlesPass(FluidShaderSet shaders)
             : base(shaders, "DrainParticles")
         {
             drain = Kernel();
+            expire = Kernel("DrainExpired");
             count = Kernel("CountAges");
             choose = Kernel("ChooseAge");
             oldest = Kernel("DrainOldest");
@@ -33,7 +36,7 @@ namespace SphFluid
 
         /// <param name="cmd">Command buffer.</param>
         /// <param name="state">The buffers.</param>
-        /// <param name="drains">Drains, none or more, and whom a full liquid loses.</param>
+        /// <param name="drains">Drains, none or more, whose time is over, and whom a full liquid loses.</param>
         public void Record(CommandBuffer cmd, StandardState state, in DrainBatch drains)
         {
             using (Sample(cmd))
@@ -45,8 +48,19 @@ namespace SphFluid
                 drain.Set(cmd, state.Buffers.PositionTerms);
                 drain.SetOut(cmd, state.Buffers.Rank);
                 drain.DispatchThreads(cmd, state.ParticleCount);
+                if (drains.ExpiredCount > 0) RecordExpired(cmd, state, drains);
                 if (drains.Recycles) RecordOldest(cmd, state, drains);
             }
+        }
+
+        void RecordExpired(CommandBuffer cmd, StandardState state, in DrainBatch drains)
+        {
+            BindParticles(cmd, expire, state);
+            expire.Set(cmd, state.Buffers.Velocities);
+            expire.SetBuffer(cmd, Expired, drains.Expired);
+            expire.SetInt(cmd, ExpiredCount, drains.ExpiredCount);
+            expire.SetOut(cmd, state.Buffers.Rank);
+            expire.DispatchThreads(cmd, state.ParticleCount);
         }
 
         void RecordOldest(CommandBuffer cmd, StandardState state, in DrainBatch drains)

@@ -57,7 +57,7 @@ namespace SphFluid.Tests
             while (time < 0.5)
             {
                 double next = time + 0.04 * random.NextDouble() * random.NextDouble();
-                run.Emit(nozzle, liquid, time, next, births);
+                run.Emit(nozzle, liquid, time, next, births, new ParticleLifetimes());
                 time = next;
             }
             double period = EmitterSites.For(nozzle, Spacing).LayerDistance / 1.7;
@@ -75,11 +75,11 @@ namespace SphFluid.Tests
             EmitterSpec nozzle = Nozzle(FluidEmitterShape.Rectangle, 0.02f, 0.02f, 1f);
             var run = new EmitterRun(3);
             var births = new BirthQueue(0u);
-            run.Emit(nozzle, liquid, 0.0, 0.011, births); // one layer; the next at 0.02
+            run.Emit(nozzle, liquid, 0.0, 0.011, births, new ParticleLifetimes()); // one layer; the next at 0.02
             nozzle.Amount = 10f;
-            run.Emit(nozzle, liquid, 0.011, 0.0199, births);
+            run.Emit(nozzle, liquid, 0.011, 0.0199, births, new ParticleLifetimes());
             Assert.That(births.Waiting, Is.EqualTo(1), "the last layer has not gone a spacing yet");
-            run.Emit(nozzle, liquid, 0.0199, 0.0239, births);
+            run.Emit(nozzle, liquid, 0.0199, 0.0239, births, new ParticleLifetimes());
             Assert.That(births.Waiting, Is.EqualTo(3), "at 0.02 and 0.022");
         }
 
@@ -92,11 +92,11 @@ namespace SphFluid.Tests
             var run = new EmitterRun(3);
             var births = new BirthQueue(0u);
             nozzle.State.IsOn = false;
-            run.Emit(nozzle, liquid, 0.0, 0.01, births);
+            run.Emit(nozzle, liquid, 0.0, 0.01, births, new ParticleLifetimes());
             nozzle.State.IsOn = true;
             nozzle.Position = new Vector3(0f, 0.03f, 0f);
-            run.Emit(nozzle, liquid, 0.01, 0.01, births); // a frame without steps
-            run.Emit(nozzle, liquid, 0.01, 0.02, births);
+            run.Emit(nozzle, liquid, 0.01, 0.01, births, new ParticleLifetimes()); // a frame without steps
+            run.Emit(nozzle, liquid, 0.01, 0.02, births, new ParticleLifetimes());
             births.Take(0.02, 0f, Vector3.zero);
             Vector3 expected = Quaternion.Inverse(liquid.Rotation) * new Vector3(0f, 3f, 1f);
             Assert.That((births.Due[0].Velocity - expected).magnitude, Is.LessThan(1e-5f), "3 m/s upwards");

@@ -83,6 +83,40 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void WhoseTimeIsOverLeavesAndNobodyElse([Values(1, 64, 257, 601)] int count, [Values(0u, 0xffffff80u)] uint firstId)
+        {
+            FluidParticle[] start = ParticleSets.Random(count, 0.9f * Domain, 0f, count);
+            for (int i = 0; i < count; i++) start[i].Id = unchecked(firstId + (uint)i);
+            using (var rig = new StandardRig(Settings(), start))
+            {
+                ParticleExchange exchange = rig.Solver.Exchange;
+                exchange.Births.NextId = unchecked(firstId + (uint)count);
+                const float step = 1e-4f;
+                exchange.Lifetimes.Add(firstId, 1u, 0.5 * step);
+                exchange.Lifetimes.Add(unchecked(firstId + 100u), 100u, 0.5 * step); // over the wrap of ids
+                exchange.Lifetimes.Add(unchecked(firstId + 300u), 7u, 1.5 * step);
+                Step(rig, step);
+                int[] expected = Enumerable.Range(0, count).Where(i => i != 0 && (i < 100 || i >= 200)).ToArray();
+                if (count < 200) expected = Enumerable.Range(1, count - 1).ToArray(); // the range is not all born, and waits
+                Assert.That(Offsets(rig, firstId), Is.EqualTo(expected));
+                Step(rig, step);
+                if (count > 307) expected = expected.Where(i => i < 300 || i >= 307).ToArray();
+                Assert.That(Offsets(rig, firstId), Is.EqualTo(expected));
+                Assert.That(rig.Solver.ReadCountersNow().Removed, Is.EqualTo(count - expected.Length));
+                Step(rig, step);
+                Assert.That(Offsets(rig, firstId), Is.EqualTo(expected));
+            }
+        }
+
+        static void Step(StandardRig rig, float length) => GpuTest.Run(cmd =>
+        {
+            rig.Solver.RecordSteps(cmd, 1, length);
+            rig.Solver.RecordNeighbourSetup(cmd);
+        });
+
+        static IEnumerable<int> Offsets(StandardRig rig, uint firstId) => Live(rig).Select(p => (int)unchecked(p.Id - firstId)).OrderBy(i => i);
+
+        [Test]
         public void AFountainKeepsItsNumberAndTwoRunsAreEqual()
         {
             FluidParticle[][] ends = new FluidParticle[2][];

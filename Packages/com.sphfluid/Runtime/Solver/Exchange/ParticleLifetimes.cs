@@ -1,0 +1,80 @@
+using System;
+using System.Runtime.InteropServices;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// When particles leave again. A layer of an emitter has ids that follow each other, so a range of ids and a time stand for all of it, whatever other
+    /// emitters give meanwhile; a particle itself carries no time.
+    /// </summary>
+    internal sealed class ParticleLifetimes
+    {
+        /// <summary>Most ranges that one sort takes; others wait for the next.</summary>
+        public const int MostDue = 64;
+
+        readonly IdRange[] due = new IdRange[MostDue];
+        IdRange[] ranges = new IdRange[64];
+        double[] ends = new double[64];
+        double earliest = double.PositiveInfinity;
+
+        /// <summary>Ranges that wait for their time.</summary>
+        public int Waiting { get; private set; }
+
+        /// <summary>What <see cref="Take"/> took last.</summary>
+        public IdRange[] Due => due;
+
+        /// <summary>Adds a range.</summary>
+        /// <param name="first">Its first id.</param>
+        /// <param name="count">Number of ids, modulo 2^32.</param>
+        /// <param name="end">Simulated time at which its particles leave [s].</param>
+        public void Add(uint first, uint count, double end)
+        {
+            if (count == 0) return;
+            if (Waiting == ranges.Length)
+            {
+                Array.Resize(ref ranges, 2 * Waiting);
+                Array.Resize(ref ends, 2 * Waiting);
+            }
+            ranges[Waiting] = new IdRange { First = first, Count = count };
+            ends[Waiting] = end;
+            earliest = Math.Min(earliest, end);
+            Waiting++;
+        }
+
+        /// <summary>Takes the ranges that leave in a step, the first that were added first.</summary>
+        /// <param name="end">Simulated time at its end [s].</param>
+        /// <param name="unborn">Id from which on nobody is born yet: a range of such ids waits.</param>
+        /// <returns>Their number in <see cref="Due"/>.</returns>
+        public int Take(double end, uint unborn)
+        {
+            if (!(earliest <= end)) return 0;
+            int kept = 0, taken = 0;
+            earliest = double.PositiveInfinity;
+            for (int i = 0; i < Waiting; i++)
+            {
+                IdRange range = ranges[i];
+                bool isBorn = unchecked((int)(unborn - range.First - range.Count)) >= 0;
+                if (ends[i] <= end && isBorn && taken < MostDue)
+                {
+                    due[taken++] = range;
+                    continue;
+                }
+                ranges[kept] = range;
+                ends[kept] = ends[i];
+                earliest = Math.Min(earliest, ends[i]);
+                kept++;
+            }
+            Waiting = kept;
+            return taken;
+        }
+    }
+
+    /// <summary>Ids that follow each other, as the GPU reads them: 8 bytes, uint2.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct IdRange
+    {
+        public const int Stride = 8;
+
+        public uint First, Count;
+    }
+}
