@@ -377,19 +377,23 @@ namespace SphFluid
         public void RemoveLiquid(Vector3 centre, float radius) =>
             ExchangingRun().Flows.Remove(DrainZone.Capsule(OwnSpec.WorldToLocal * Matrix4x4.TRS(centre, Quaternion.identity, radius * Vector3.one), 0f));
 
-        /// <summary>Gives the liquid in a sphere a velocity, besides the one that it has, over the next frame with steps; less within a support radius of the sphere's surface.</summary>
+        /// <summary>
+        /// Gives the liquid in a sphere a velocity, besides the one that it has, over the next frame with steps; less within a support radius of the sphere's surface.
+        /// Force zones, bursts and impulses of a frame are 16 together at most: impulses beyond that are dropped, after the zones and bursts, and a message says so.
+        /// </summary>
         /// <param name="centre">World position [m].</param>
         /// <param name="radius">Radius [m].</param>
-        /// <param name="deltaVelocity">The velocity [m/s], world space; those of several calls add up.</param>
-        /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the velocity is more than a fifth of the speed of sound, or 16 impulses wait already.</exception>
+        /// <param name="deltaVelocity">The velocity [m/s], world space; those of several calls add up. Where impulses, explosions and bursts that may reach the same
+        /// liquid add up to more than a fifth of the speed of sound in a frame, they are weakened to that, and a message says so once.</param>
+        /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the velocity is more than a fifth of the speed of sound, or 16 impulses wait already: this one is not taken.</exception>
         /// <exception cref="InvalidOperationException">The liquid does not run, or its method has no force zones.</exception>
         public void AddImpulse(Vector3 centre, float radius, Vector3 deltaVelocity) => PushedRun().Zones.Push(new ZonePush(centre, radius, deltaVelocity), name);
 
         /// <summary>Drives the liquid in a sphere apart, over the next frame with steps; less within a support radius of the sphere's surface and of its centre.</summary>
         /// <param name="centre">World position [m].</param>
         /// <param name="radius">Radius [m].</param>
-        /// <param name="speed">Velocity away from the centre, besides the one that the liquid has [m/s]; negative: towards it.</param>
-        /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the speed is more than a fifth of the speed of sound, or 16 impulses wait already.</exception>
+        /// <param name="speed">Velocity away from the centre, besides the one that the liquid has [m/s]; negative: towards it. It adds up with others as <see cref="AddImpulse"/> says.</param>
+        /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the speed is more than a fifth of the speed of sound, or 16 impulses wait already: this one is not taken.</exception>
         /// <exception cref="InvalidOperationException">The liquid does not run, or its method has no force zones.</exception>
         public void AddExplosion(Vector3 centre, float radius, float speed) => PushedRun().Zones.Push(new ZonePush(centre, radius, speed), name);
 

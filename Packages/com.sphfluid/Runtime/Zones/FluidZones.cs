@@ -13,12 +13,18 @@ namespace SphFluid
         // Over the speed of sound: the most that a burst or an impulse may give.
         const double MostBurst = 0.2;
 
+        // Over the speed that the speed of sound is made for: this much faster, liquid is compressed by half as much again.
+        const double MostFast = 1.25;
+
         readonly FluidSolver solver;
         readonly Action<FluidMessage> report;
         readonly List<ForceZone> now = new List<ForceZone>();
         readonly List<ZoneState> bursts = new List<ZoneState>();
         readonly List<ZonePush> pushes = new List<ZonePush>();
+        readonly List<(Vector3 place, float reach, float speed)> blows = new List<(Vector3, float, float)>();
         ForceZones zones;
+        double expected;
+        bool reportedSum;
 
         public FluidZones(FluidSolver solver, Action<FluidMessage> report)
         {
@@ -78,19 +84,13 @@ namespace SphFluid
             {
                 ZoneSpec zone = spec.Zones[i];
                 if (Check(zone, spec, solver.Settings) is FluidMessage wrong) report(wrong);
-                else Add(zone.Owner, spec, zone.Zone(worldToLocal, spec.Rotation, solver.SimulatedTime));
-                if (time > 0.0 && zone.State.Burst != Vector3.zero)
+                else
                 {
-                    Add(zone.Owner, spec, zone.Burst(worldToLocal, spec.Rotation, zone.State.Burst / (float)time));
-                    bursts.Add(zone.State);
+                    ReportFast(zone, spec);
+                    Add(zone.Owner, spec, zone.Zone(worldToLocal, spec.Rotation, solver.SimulatedTime));
                 }
             }
-            foreach (ZoneState state in bursts) state.Burst = Vector3.zero;
-            if (time > 0.0)
-            {
-                foreach (ZonePush push in pushes) Add(spec.Owner, spec, push.Zone(worldToLocal, (float)time));
-                pushes.Clear();
-            }
+            if (time > 0.0) AddBlows(spec, worldToLocal, (float)time);
             bool changed = zones.Take(now);
             solver.SetZones(zones);
             return changed;
@@ -108,6 +108,62 @@ namespace SphFluid
                     $"The method {spec.Method} has no force zones: those of the scene do nothing to it.", "Set Method to Standard."));
             for (int i = 0; i < spec.Zones.Count; i++)
                 if (Check(spec.Zones[i], spec, default) is FluidMessage wrong) messages.Add(wrong);
+        }
+
+        // Bursts and impulses act for one frame. Where some may act on the same liquid, their sum is held to what one alone may give.
+        void AddBlows(in FluidSpec spec, in Matrix4x4 worldToLocal, float time)
+        {
+            blows.Clear();
+            for (int i = 0; i < (spec.Zones?.Count ?? 0); i++)
+            {
+                ZoneSpec zone = spec.Zones[i];
+                if (zone.State.Burst != Vector3.zero) blows.Add((zone.Position, zone.Reach, zone.State.Burst.magnitude));
+            }
+            foreach (ZonePush push in pushes) blows.Add((push.Place, push.Reach, push.Speed));
+            int blow = 0;
+            for (int i = 0; i < (spec.Zones?.Count ?? 0); i++)
+            {
+                ZoneSpec zone = spec.Zones[i];
+                if (zone.State.Burst == Vector3.zero) continue;
+                Add(zone.Owner, spec, zone.Burst(worldToLocal, spec.Rotation, Share(spec, blow++) / time * zone.State.Burst));
+                bursts.Add(zone.State);
+            }
+            foreach (ZonePush push in pushes) Add(spec.Owner, spec, push.Weakened(Share(spec, blow++)).Zone(worldToLocal, time));
+            foreach (ZoneState state in bursts) state.Burst = Vector3.zero;
+            pushes.Clear();
+        }
+
+        // What is left of a blow, so that no sum is too large: wherever some act, each has at most its part of the most that any of them takes part in.
+        float Share(in FluidSpec spec, int blow)
+        {
+            double most = MostBurst * solver.Settings.SoundSpeed, largest = 0.0;
+            for (int i = 0; i < blows.Count; i++)
+            {
+                if (!Overlap(blow, i)) continue;
+                double sum = 0.0;
+                for (int k = 0; k < blows.Count; k++) sum += Overlap(i, k) ? blows[k].speed : 0f;
+                largest = Math.Max(largest, sum);
+            }
+            if (largest <= most * (1.0 + 1e-6)) return 1f;
+            if (!reportedSum)
+                report(new FluidMessage(FluidSeverity.Warning, FluidIssue.ForceZoneInvalid, spec.Owner,
+                    FormattableString.Invariant($"Impulses and bursts that reach the same liquid in one frame add up to {largest:0.##} m/s; more than {most:0.##} m/s tears it apart, so they are weakened to that."),
+                    "Give some in the next frame, or raise the simulation's Expected Speed."));
+            reportedSum = true;
+            return (float)(most / largest);
+        }
+
+        bool Overlap(int a, int b) => a == b || (blows[a].place - blows[b].place).magnitude < blows[a].reach + blows[b].reach;
+
+        void ReportFast(in ZoneSpec zone, in FluidSpec spec)
+        {
+            expected = Math.Max(expected, solver.Settings.MaxSpeed); // it follows the liquid in some modes
+            double speed = zone.SpeedFrom(expected, spec.DomainSize, spec.Rotation);
+            if (zone.State.FastIn == this || !(speed > MostFast * expected)) return;
+            zone.State.FastIn = this;
+            report(new FluidMessage(FluidSeverity.Warning, FluidIssue.ForceZoneInvalid, zone.Owner,
+                FormattableString.Invariant($"The force zone can bring the liquid of '{spec.Name}' to {speed:0.##} m/s, and its time step and speed of sound are made for {expected:0.##} m/s: it is compressed more than it should be."),
+                FormattableString.Invariant($"Set the simulation's Expected Speed to {speed:0.#} m/s, or give the zone less strength or size.")));
         }
 
         void Add(Component owner, in FluidSpec spec, in ForceZone made)

@@ -32,6 +32,15 @@ namespace SphFluid
         /// <summary>Whether its numbers can be computed with.</summary>
         public bool IsValid => AffineMath.IsFinite(centre) && AffineMath.IsFinite(velocity) && AffineMath.IsFinite(outward) && AffineMath.IsFinite(radius) && radius > 0f;
 
+        /// <summary>World position of its centre [m].</summary>
+        public Vector3 Place => centre;
+
+        /// <summary>How far it reaches from there [m].</summary>
+        public float Reach => radius;
+
+        /// <summary>A part of it.</summary>
+        public ZonePush Weakened(float factor) => new ZonePush(centre, radius, factor * velocity, factor * outward);
+
         /// <summary>The force zone that gives the velocity within a time.</summary>
         /// <param name="worldToLocal">World to simulation space.</param>
         /// <param name="time">The time [s].</param>

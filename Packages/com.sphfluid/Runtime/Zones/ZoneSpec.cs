@@ -42,6 +42,27 @@ namespace SphFluid
             (IsDrag ? AffineMath.IsFinite(DragRate) && DragRate >= 0f && AffineMath.IsFinite(WindSpeed) : AffineMath.IsFinite(Strength)) &&
             (Kind != FluidForceKind.Turbulence || AffineMath.IsFinite(EddySize) && EddySize > 0f && AffineMath.IsFinite(EddyTime) && EddyTime >= 0f);
 
+        /// <summary>How far it reaches from its position [m].</summary>
+        public readonly float Reach => new Vector3(Core.x, Core.y, Core.z).magnitude + Core.w;
+
+        /// <summary>Speed that liquid can get in it [m/s], on a straight path: v² + 2 a L over the length on which it pushes; of drag, its wind.</summary>
+        /// <param name="speed">Speed with which it comes in [m/s].</param>
+        /// <param name="domain">Edge lengths of the domain [m].</param>
+        /// <param name="simulation">Rotation of the simulation.</param>
+        public readonly double SpeedFrom(double speed, Vector3 domain, Quaternion simulation)
+        {
+            if (IsDrag) return Kind == FluidForceKind.Wind && DragRate > 0f ? System.Math.Max(speed, System.Math.Abs(WindSpeed)) : speed;
+            Vector3 along = Quaternion.Inverse(simulation) * Rotation * Vector3.forward;
+            double length = Kind switch
+            {
+                FluidForceKind.Directional => System.Math.Min(Shape == FluidZoneShape.Box ? Size.z : Size.x,
+                    Mathf.Abs(along.x) * domain.x + Mathf.Abs(along.y) * domain.y + Mathf.Abs(along.z) * domain.z),
+                FluidForceKind.Turbulence => EddySize,
+                _ => System.Math.Min(Reach, 0.5 * domain.magnitude), // of a vortex about half a turn through the middle of the radius
+            };
+            return System.Math.Sqrt(speed * speed + 2.0 * System.Math.Abs(Strength) * length);
+        }
+
         /// <summary>The zone on the GPU.</summary>
         /// <param name="worldToLocal">World to simulation space.</param>
         /// <param name="simulation">Rotation of the simulation.</param>
@@ -99,5 +120,8 @@ namespace SphFluid
     {
         /// <summary>Velocity to be given with the next steps [m/s], world space.</summary>
         public Vector3 Burst;
+
+        /// <summary>The liquid that was said to be made too fast.</summary>
+        public object FastIn;
     }
 }

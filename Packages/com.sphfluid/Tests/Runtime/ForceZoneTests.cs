@@ -168,6 +168,40 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator BlowsThatOverlapAreWeakenedToTheirLimitAndOthersAreNot()
+        {
+            FluidSimulation simulation = Liquid();
+            rig.Profile.SoundSpeedMode = FluidSoundSpeedMode.FixedByRule;
+            FluidForceZone zone = Zone(FluidForceKind.Directional, Vector3.forward, 0f);
+            yield return Play(simulation, 0.02);
+            float most = 0.2f * simulation.Solver.Settings.SoundSpeed;
+            simulation.AddImpulse(new Vector3(5f, 0f, 0f), 1f, most * Vector3.up); // not where the liquid is: 5 m > 1 m + the zone's reach
+            zone.Burst(0.1f * most * Vector3.right);
+            yield return Play(simulation, simulation.SimulatedTime + 0.015);
+            Assert.That((Velocity(simulation) - 0.1f * most * Vector3.right).magnitude, Is.LessThan(0.02f * most), "one that is elsewhere weakens nothing");
+            Assert.That(simulation.Messages.Any(m => m.Text.Contains("add up")), Is.False);
+            Vector3 before = Velocity(simulation);
+            for (int i = 0; i < 4; i++) simulation.AddImpulse(Vector3.zero, 2f, 0.4f * most * Vector3.up);
+            zone.Burst(-0.4f * most * Vector3.up);
+            LogAssert.Expect(LogType.Warning, new Regex("add up to.*weakened"));
+            yield return Play(simulation, simulation.SimulatedTime + 0.015);
+            Assert.That((Velocity(simulation) - before - (4f - 1f) / 5f * most * Vector3.up).magnitude, Is.LessThan(0.05f * most), $"{Velocity(simulation)}, {most}");
+        }
+
+        [UnityTest]
+        public IEnumerator AZoneThatMakesLiquidTooFastIsNamedOnce()
+        {
+            FluidSimulation simulation = Liquid(); // made for 2 m/s, 0.8 m long
+            FluidForceZone zone = Zone(FluidForceKind.Directional, Vector3.forward, 1f);
+            yield return Play(simulation, 0.01);
+            Assert.That(simulation.Messages.Any(m => m.Text.Contains("made for")), Is.False, "2.37 m/s are less than 2.5");
+            zone.Strength = 20f;
+            LogAssert.Expect(LogType.Warning, new Regex("Zone.*to 6 m/s.*made for 2 m/s.*Expected Speed to 6 m/s"));
+            yield return Play(simulation, simulation.SimulatedTime + 0.03);
+            Assert.That(simulation.Messages.Count(m => m.Text.Contains("made for")), Is.EqualTo(1));
+        }
+
+        [UnityTest]
         public IEnumerator OnlyTheLiquidThatIsNamedIsPushed()
         {
             FluidSimulation one = Liquid(), two = Liquid();
