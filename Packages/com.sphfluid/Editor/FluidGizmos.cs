@@ -121,7 +121,8 @@ namespace SphFluid.Editor
             Color color = ZoneColor;
             color.a = (type & GizmoType.Selected) != 0 ? 1f : Faint;
             Gizmos.color = color;
-            Gizmos.matrix = Matrix4x4.TRS(spec.Position, spec.Rotation, Vector3.one);
+            if (spec.Shape == FluidZoneShape.Collider) return; // there is none
+            Gizmos.matrix = Matrix4x4.TRS(spec.Position, spec.Rotation * spec.ShapeTurn, Vector3.one);
             float radius = 0.5f * spec.Size.x, reach = Mathf.Max(0f, 0.5f * spec.Size.y - radius);
             if (spec.Shape == FluidZoneShape.Box) Gizmos.DrawWireCube(Vector3.zero, spec.Size);
             else if (spec.Shape == FluidZoneShape.Sphere) Gizmos.DrawWireSphere(Vector3.zero, radius);
@@ -131,6 +132,7 @@ namespace SphFluid.Editor
                 Gizmos.DrawWireSphere(new Vector3(0f, -reach, 0f), radius);
             }
             float arrow = 0.5f * spec.Size.z;
+            Gizmos.matrix = Matrix4x4.TRS(spec.Position, spec.Rotation, Vector3.one);
             if (spec.Kind == FluidForceKind.Directional || spec.Kind == FluidForceKind.Wind) Gizmos.DrawLine(Vector3.zero, new Vector3(0f, 0f, arrow));
             if (spec.Kind == FluidForceKind.Vortex) Gizmos.DrawLine(new Vector3(0f, -arrow, 0f), new Vector3(0f, arrow, 0f));
         }

@@ -16,11 +16,11 @@ namespace SphFluid
             "velocity along the forward axis. Turbulence: eddies. Damping: drag towards rest.")]
         FluidForceKind kind;
 
-        [SerializeField, Tooltip("Shape of the zone in this transform's space.")]
+        [SerializeField, Tooltip("Shape of the zone in this transform's space. Collider: this object's Box, Sphere or Capsule Collider; make it a trigger, or liquid collides with it.")]
         FluidZoneShape shape;
 
         [SerializeField, Tooltip("Edge lengths of the zone in this transform's space, in metres where its scale is one. A sphere has the diameter x, a capsule the " +
-            "diameter x and the height y.")]
+            "diameter x and the height y. Not used where the shape is the collider's.")]
         Vector3 size = new Vector3(0.5f, 0.5f, 0.5f);
 
         [SerializeField, Tooltip("Acceleration in m/s²; gravity is 9.81. Of turbulence the largest along an axis. Not used by Wind and Damping.")]
@@ -74,7 +74,7 @@ namespace SphFluid
             get
             {
                 Vector3 scale = transform.lossyScale;
-                return new ZoneSpec
+                var spec = new ZoneSpec
                 {
                     Owner = this,
                     State = state,
@@ -82,6 +82,7 @@ namespace SphFluid
                     Rotation = transform.rotation,
                     Kind = kind,
                     Shape = shape,
+                    ShapeTurn = Quaternion.identity,
                     Size = new Vector3(size.x * Mathf.Abs(scale.x), size.y * Mathf.Abs(scale.y), size.z * Mathf.Abs(scale.z)),
                     Strength = strength,
                     WindSpeed = windSpeed,
@@ -89,6 +90,36 @@ namespace SphFluid
                     EddySize = eddySize,
                     EddyTime = eddyTime,
                 };
+                if (shape == FluidZoneShape.Collider) TakeCollider(ref spec, scale);
+                return spec;
+            }
+        }
+
+        // As PhysX scales them: a sphere by the largest scale, a capsule's radius by the larger scale across, its height by that along its axis.
+        void TakeCollider(ref ZoneSpec spec, Vector3 scale)
+        {
+            TryGetComponent(out Collider collider);
+            scale = new Vector3(Mathf.Abs(scale.x), Mathf.Abs(scale.y), Mathf.Abs(scale.z));
+            switch (collider)
+            {
+                case BoxCollider box:
+                    spec.Shape = FluidZoneShape.Box;
+                    spec.Position = transform.TransformPoint(box.center);
+                    spec.Size = Vector3.Scale(scale, box.size);
+                    break;
+                case SphereCollider sphere:
+                    spec.Shape = FluidZoneShape.Sphere;
+                    spec.Position = transform.TransformPoint(sphere.center);
+                    spec.Size = 2f * sphere.radius * Mathf.Max(scale.x, Mathf.Max(scale.y, scale.z)) * Vector3.one;
+                    break;
+                case CapsuleCollider capsule:
+                    int axis = capsule.direction;
+                    float diameter = 2f * capsule.radius * Mathf.Max(scale[(axis + 1) % 3], scale[(axis + 2) % 3]);
+                    spec.Shape = FluidZoneShape.Capsule;
+                    spec.Position = transform.TransformPoint(capsule.center);
+                    spec.Size = new Vector3(diameter, Mathf.Max(diameter, capsule.height * scale[axis]), diameter);
+                    spec.ShapeTurn = axis == 0 ? Quaternion.Euler(0f, 0f, 90f) : axis == 2 ? Quaternion.Euler(90f, 0f, 0f) : Quaternion.identity;
+                    break;
             }
         }
 

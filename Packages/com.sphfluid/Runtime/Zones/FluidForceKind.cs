@@ -33,5 +33,8 @@ namespace SphFluid
 
         /// <summary>A capsule along y, of the diameter that is Size along x and the height that is Size along y.</summary>
         Capsule,
+
+        /// <summary>The object's Box, Sphere or Capsule Collider.</summary>
+        Collider,
     }
 }

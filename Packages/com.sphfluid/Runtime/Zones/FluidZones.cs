@@ -117,14 +117,14 @@ namespace SphFluid
             for (int i = 0; i < (spec.Zones?.Count ?? 0); i++)
             {
                 ZoneSpec zone = spec.Zones[i];
-                if (zone.State.Burst != Vector3.zero) blows.Add((zone.Position, zone.Reach, zone.State.Burst.magnitude));
+                if (HasBurst(zone)) blows.Add((zone.Position, zone.Reach, zone.State.Burst.magnitude));
             }
             foreach (ZonePush push in pushes) blows.Add((push.Place, push.Reach, push.Speed));
             int blow = 0;
             for (int i = 0; i < (spec.Zones?.Count ?? 0); i++)
             {
                 ZoneSpec zone = spec.Zones[i];
-                if (zone.State.Burst == Vector3.zero) continue;
+                if (!HasBurst(zone)) continue;
                 Add(zone.Owner, spec, zone.Burst(worldToLocal, spec.Rotation, Share(spec, blow++) / time * zone.State.Burst));
                 bursts.Add(zone.State);
             }
@@ -132,6 +132,8 @@ namespace SphFluid
             foreach (ZoneState state in bursts) state.Burst = Vector3.zero;
             pushes.Clear();
         }
+
+        static bool HasBurst(in ZoneSpec zone) => zone.State.Burst != Vector3.zero && zone.Shape != FluidZoneShape.Collider;
 
         // What is left of a blow, so that no sum is too large: wherever some act, each has at most its part of the most that any of them takes part in.
         float Share(in FluidSpec spec, int blow)
@@ -177,6 +179,9 @@ namespace SphFluid
         // Without a speed of sound only the numbers.
         static FluidMessage? Check(in ZoneSpec zone, in FluidSpec spec, in FluidSolverSettings settings)
         {
+            if (zone.Shape == FluidZoneShape.Collider)
+                return Wrong(zone, FluidSeverity.Error, "The force zone's shape is its object's collider, and the object has no Box, Sphere or Capsule Collider: the zone does nothing.",
+                    "Add one of these, as a trigger, or choose another Shape. Put several zones together for the shape of a mesh.");
             if (!zone.IsFinite)
                 return Wrong(zone, FluidSeverity.Error, "The force zone has a size, a strength or a rate that is no number, or a size or eddies that are not positive.",
                     "Give its fields finite numbers, sizes greater than zero and a drag rate of zero or more.");

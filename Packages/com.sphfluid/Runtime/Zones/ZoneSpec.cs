@@ -14,7 +14,12 @@ namespace SphFluid
         public Vector3 Position;
         public Quaternion Rotation;
         public FluidForceKind Kind;
+
+        /// <summary>Box, sphere or capsule; <see cref="FluidZoneShape.Collider"/> where the object has no collider of such a shape.</summary>
         public FluidZoneShape Shape;
+
+        /// <summary>From the zone's axes, along which it pushes, to those of its shape.</summary>
+        public Quaternion ShapeTurn;
 
         /// <summary>Edge lengths [m].</summary>
         public Vector3 Size;
@@ -92,7 +97,7 @@ namespace SphFluid
                     zone.Wind = new Vector4(wind.x, wind.y, wind.z, DragRate);
                     break;
             }
-            zone.Place(worldToLocal.MultiplyPoint3x4(Position), turn);
+            zone.Place(worldToLocal.MultiplyPoint3x4(Position), turn * ShapeTurn);
             return zone;
         }
 
@@ -103,7 +108,7 @@ namespace SphFluid
         public readonly ForceZone Burst(in Matrix4x4 worldToLocal, Quaternion simulation, Vector3 acceleration)
         {
             var zone = new ForceZone { Core = Core, Uniform = worldToLocal.MultiplyVector(acceleration) };
-            zone.Place(worldToLocal.MultiplyPoint3x4(Position), Quaternion.Inverse(simulation) * Rotation);
+            zone.Place(worldToLocal.MultiplyPoint3x4(Position), Quaternion.Inverse(simulation) * Rotation * ShapeTurn);
             return zone;
         }
 

@@ -188,6 +188,81 @@ namespace SphFluid.Tests
             Assert.That((Velocity(simulation) - before - (4f - 1f) / 5f * most * Vector3.up).magnitude, Is.LessThan(0.05f * most), $"{Velocity(simulation)}, {most}");
         }
 
+        // The liquid's cube is 0.2 m wide; the collider holds its right half.
+        [UnityTest]
+        public IEnumerator TheShapeOfAColliderIsItsPlaceSizeAndAxis([Values("box", "sphere", "capsule")] string shape)
+        {
+            FluidSimulation simulation = Liquid();
+            FluidForceZone zone = Zone(FluidForceKind.Directional, Vector3.up);
+            zone.transform.rotation = Quaternion.Euler(-90f, 0f, 0f); // forward is up
+            zone.transform.localScale = new Vector3(2f, 2f, 2f);
+            zone.Shape = FluidZoneShape.Collider;
+            AddTrigger(zone, shape);
+            yield return Play(simulation, 0.05);
+            FluidParticle[] particles = SimulationRig.Read(simulation);
+            float right = particles.Where(p => p.Position.x > 0.05f).Average(p => p.VelT0.y), left = particles.Where(p => p.Position.x < -0.02f).Average(p => p.VelT0.y);
+            float rear = particles.Where(p => p.Position.x > 0.05f && p.Position.z > 0.05f).Average(p => p.VelT0.y);
+            Assert.That(right, Is.GreaterThan(0.02f), "inside");
+            Assert.That(rear, Is.GreaterThan(0.02f), "all along z");
+            Assert.That(left, Is.LessThan(0.3f * right), "outside");
+            Vector3 reach = zone.Spec.Size;
+            Assert.That(zone.Spec.Position, Is.EqualTo(new Vector3(0.2f, 0f, 0f)).Using<Vector3>((a, b) => (a - b).magnitude < 1e-4f ? 0 : 1));
+            Assert.That(reach.x, Is.EqualTo(0.4f).Within(1e-4f));
+        }
+
+        // At x = 0.2 m in the world, 0.4 m across x; a capsule lies along the world's z, which is the object's y.
+        static void AddTrigger(FluidForceZone zone, string shape)
+        {
+            var centre = new Vector3(0.1f, 0f, 0f);
+            if (shape == "box")
+            {
+                BoxCollider box = zone.gameObject.AddComponent<BoxCollider>();
+                (box.center, box.size, box.isTrigger) = (centre, new Vector3(0.2f, 0.5f, 0.5f), true);
+            }
+            else if (shape == "sphere")
+            {
+                SphereCollider sphere = zone.gameObject.AddComponent<SphereCollider>();
+                (sphere.center, sphere.radius, sphere.isTrigger) = (centre, 0.1f, true);
+            }
+            else
+            {
+                CapsuleCollider capsule = zone.gameObject.AddComponent<CapsuleCollider>();
+                (capsule.center, capsule.radius, capsule.height, capsule.direction, capsule.isTrigger) = (centre, 0.1f, 0.6f, 1, true);
+            }
+        }
+
+        [TestCase(0)]
+        [TestCase(1)]
+        [TestCase(2)]
+        public void ACapsuleColliderLiesAlongItsAxisAndTheForceStaysForward(int direction)
+        {
+            FluidForceZone zone = Zone(FluidForceKind.Directional, new Vector3(1f, 2f, 3f));
+            zone.transform.localScale = new Vector3(1f, 2f, 3f);
+            zone.Shape = FluidZoneShape.Collider;
+            CapsuleCollider capsule = zone.gameObject.AddComponent<CapsuleCollider>();
+            (capsule.radius, capsule.height, capsule.direction) = (0.1f, 1f, direction);
+            ZoneSpec spec = zone.Spec;
+            Vector3 axis = zone.transform.rotation * new Vector3(direction == 0 ? 1f : 0f, direction == 1 ? 1f : 0f, direction == 2 ? 1f : 0f);
+            Assert.That(Mathf.Abs(Vector3.Dot(spec.Rotation * spec.ShapeTurn * Vector3.up, axis)), Is.EqualTo(1f).Within(1e-5f));
+            Assert.That(spec.Rotation, Is.EqualTo(zone.transform.rotation));
+            Assert.That(spec.Size.x, Is.EqualTo(direction == 2 ? 0.4f : 0.6f).Within(1e-5f));
+            Assert.That(spec.Size.y, Is.EqualTo(direction + 1f).Within(1e-5f));
+        }
+
+        [UnityTest]
+        public IEnumerator AShapeWithoutAColliderThatServesIsNamed()
+        {
+            FluidSimulation simulation = Liquid();
+            FluidForceZone zone = Zone(FluidForceKind.Directional, Vector3.up);
+            yield return Play(simulation, 0.01);
+            zone.Shape = FluidZoneShape.Collider;
+            zone.gameObject.AddComponent<MeshCollider>().isTrigger = true;
+            LogAssert.Expect(LogType.Error, new Regex("Zone.*no Box, Sphere or Capsule Collider.*does nothing"));
+            Vector3 before = Velocity(simulation);
+            yield return Play(simulation, simulation.SimulatedTime + 0.03);
+            Assert.That((Velocity(simulation) - before).magnitude, Is.LessThan(1e-3f));
+        }
+
         [UnityTest]
         public IEnumerator AZoneThatMakesLiquidTooFastIsNamedOnce()
         {
