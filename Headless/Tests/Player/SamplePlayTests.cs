@@ -20,6 +20,8 @@ public sealed class SamplePlayTests
     [TestCase("PourAndFill", 0.2, 150)]
     [TestCase("FloatingCrates", 0.1, 11000)]
     [TestCase("HeatedWater", 0.1, 9000)]
+    [TestCase("GettingStarted", 0.1, 8000)]
+    [TestCase("WaveTank", 0.1, 10000)]
     public void TheSamplePlaysWithoutAnErrorAndGetsLiquid(string sample, double seconds, int leastParticles)
     {
         string output = Path.Combine(folder, sample);

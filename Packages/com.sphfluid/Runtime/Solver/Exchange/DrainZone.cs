@@ -57,7 +57,7 @@ namespace SphFluid
         /// <summary>For the search for the oldest: 258 numbers, the first 256 zero.</summary>
         public GraphicsBuffer Ages;
 
-        /// <summary><see cref="IdRange"/> each: particles whose time is over; may be null where there are none.</summary>
+        /// <summary><see cref="IdRange"/> each: particles whose time is over; one element or more.</summary>
         public GraphicsBuffer Expired;
 
         /// <summary>Number of ranges.</summary>

@@ -22,13 +22,12 @@ namespace SphFluid
         static readonly int Expired = Id("_Expired");
         static readonly int ExpiredCount = Id("_ExpiredCount");
 
-        readonly ComputeKernel drain, expire, count, choose, oldest;
+        readonly ComputeKernel drain, count, choose, oldest;
 
         public DrainParticlesPass(FluidShaderSet shaders)
             : base(shaders, "DrainParticles")
         {
             drain = Kernel();
-            expire = Kernel("DrainExpired");
             count = Kernel("CountAges");
             choose = Kernel("ChooseAge");
             oldest = Kernel("DrainOldest");
@@ -45,22 +44,14 @@ namespace SphFluid
                 drain.SetBuffer(cmd, DrainZones, drains.Zones);
                 drain.SetBuffer(cmd, SourceCounts, drains.Counts);
                 drain.SetInt(cmd, DrainCount, drains.Count);
+                drain.SetBuffer(cmd, Expired, drains.Expired);
+                drain.SetInt(cmd, ExpiredCount, drains.ExpiredCount);
+                drain.Set(cmd, state.Buffers.Velocities);
                 drain.Set(cmd, state.Buffers.PositionTerms);
                 drain.SetOut(cmd, state.Buffers.Rank);
                 drain.DispatchThreads(cmd, state.ParticleCount);
-                if (drains.ExpiredCount > 0) RecordExpired(cmd, state, drains);
                 if (drains.Recycles) RecordOldest(cmd, state, drains);
             }
-        }
-
-        void RecordExpired(CommandBuffer cmd, StandardState state, in DrainBatch drains)
-        {
-            BindParticles(cmd, expire, state);
-            expire.Set(cmd, state.Buffers.Velocities);
-            expire.SetBuffer(cmd, Expired, drains.Expired);
-            expire.SetInt(cmd, ExpiredCount, drains.ExpiredCount);
-            expire.SetOut(cmd, state.Buffers.Rank);
-            expire.DispatchThreads(cmd, state.ParticleCount);
         }
 
         void RecordOldest(CommandBuffer cmd, StandardState state, in DrainBatch drains)
