@@ -57,11 +57,8 @@ namespace SphFluid
         /// <summary>For the search for the oldest: 258 numbers, the first 256 zero.</summary>
         public GraphicsBuffer Ages;
 
-        /// <summary><see cref="IdRange"/> each: particles whose time is over; one element or more.</summary>
+        /// <summary><see cref="IdRange"/> each: the number of ranges, and behind it the ranges whose particles' time is over.</summary>
         public GraphicsBuffer Expired;
-
-        /// <summary>Number of ranges.</summary>
-        public int ExpiredCount;
 
         /// <summary>Number of drains.</summary>
         public int Count;

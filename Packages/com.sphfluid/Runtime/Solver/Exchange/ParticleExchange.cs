@@ -122,7 +122,7 @@ namespace SphFluid
         {
             if (zonesChanged || zoneBuffer == null) Upload(cmd, ref zoneBuffer, "Fluid Drains", zones, Math.Max(1, drains), DrainZone.Stride);
             zonesChanged = false;
-            if (expired > 0 || expiredBuffer == null) Upload(cmd, ref expiredBuffer, "Fluid Expired", Lifetimes.Due, Math.Max(1, expired), IdRange.Stride);
+            Upload(cmd, ref expiredBuffer, "Fluid Expired", Lifetimes.Due, 1 + expired, IdRange.Stride);
             if (recycles && ageBuffer == null)
             {
                 ageBuffer = GpuBuffers.Create("Fluid Ages", AgeNumbers, sizeof(uint));
@@ -134,7 +134,6 @@ namespace SphFluid
                 Counts = Counts.Buffer,
                 Ages = ageBuffer,
                 Expired = expiredBuffer,
-                ExpiredCount = expired,
                 Count = drains,
                 Recycles = recycles,
                 Births = due,

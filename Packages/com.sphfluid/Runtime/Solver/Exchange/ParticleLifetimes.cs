@@ -12,7 +12,7 @@ namespace SphFluid
         /// <summary>Most ranges that one sort takes; others wait for the next.</summary>
         public const int MostDue = 64;
 
-        readonly IdRange[] due = new IdRange[MostDue];
+        readonly IdRange[] due = new IdRange[1 + MostDue];
         IdRange[] ranges = new IdRange[64];
         double[] ends = new double[64];
         double earliest = double.PositiveInfinity;
@@ -20,7 +20,7 @@ namespace SphFluid
         /// <summary>Ranges that wait for their time.</summary>
         public int Waiting { get; private set; }
 
-        /// <summary>What <see cref="Take"/> took last.</summary>
+        /// <summary>What <see cref="Take"/> took last: their number as the first of element 0, and behind it the ranges.</summary>
         public IdRange[] Due => due;
 
         /// <summary>Adds a range.</summary>
@@ -47,6 +47,7 @@ namespace SphFluid
         /// <returns>Their number in <see cref="Due"/>.</returns>
         public int Take(double end, uint unborn)
         {
+            due[0] = default;
             if (!(earliest <= end)) return 0;
             int kept = 0, taken = 0;
             earliest = double.PositiveInfinity;
@@ -56,7 +57,7 @@ namespace SphFluid
                 bool isBorn = unchecked((int)(unborn - range.First - range.Count)) >= 0;
                 if (ends[i] <= end && isBorn && taken < MostDue)
                 {
-                    due[taken++] = range;
+                    due[++taken] = range;
                     continue;
                 }
                 ranges[kept] = range;
@@ -65,6 +66,7 @@ namespace SphFluid
                 kept++;
             }
             Waiting = kept;
+            due[0].First = (uint)taken;
             return taken;
         }
     }

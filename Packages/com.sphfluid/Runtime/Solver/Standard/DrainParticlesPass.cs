@@ -20,7 +20,6 @@ namespace SphFluid
         static readonly int RecycledCount = Id("_RecycledCount");
         static readonly int DigitShift = Id("_DigitShift");
         static readonly int Expired = Id("_Expired");
-        static readonly int ExpiredCount = Id("_ExpiredCount");
 
         readonly ComputeKernel drain, count, choose, oldest;
 
@@ -45,7 +44,6 @@ namespace SphFluid
                 drain.SetBuffer(cmd, SourceCounts, drains.Counts);
                 drain.SetInt(cmd, DrainCount, drains.Count);
                 drain.SetBuffer(cmd, Expired, drains.Expired);
-                drain.SetInt(cmd, ExpiredCount, drains.ExpiredCount);
                 drain.Set(cmd, state.Buffers.Velocities);
                 drain.Set(cmd, state.Buffers.PositionTerms);
                 drain.SetOut(cmd, state.Buffers.Rank);

@@ -16,10 +16,10 @@ namespace SphFluid.Tests
             Assert.That(lifetimes.Waiting, Is.EqualTo(2), "an empty one is none");
             Assert.That(lifetimes.Take(0.09, 100u), Is.Zero);
             Assert.That(lifetimes.Take(0.1, 100u), Is.EqualTo(1));
-            Assert.That((lifetimes.Due[0].First, lifetimes.Due[0].Count), Is.EqualTo((15u, 2u)));
+            Assert.That((lifetimes.Due[1].First, lifetimes.Due[1].Count), Is.EqualTo((15u, 2u)));
             Assert.That(lifetimes.Take(0.2, 100u), Is.Zero);
             Assert.That(lifetimes.Take(0.35, 100u), Is.EqualTo(1));
-            Assert.That(lifetimes.Due[0].First, Is.EqualTo(10u));
+            Assert.That(lifetimes.Due[1].First, Is.EqualTo(10u));
             Assert.That(lifetimes.Waiting, Is.Zero);
             Assert.That(lifetimes.Take(9.0, 100u), Is.Zero);
         }
@@ -49,7 +49,8 @@ namespace SphFluid.Tests
             {
                 int taken = lifetimes.Take(0.2, 1000u);
                 Assert.That(taken, Is.EqualTo(sort < 2 ? ParticleLifetimes.MostDue : 3));
-                seen = seen.Concat(lifetimes.Due.Take(taken).Select(r => r.First).ToArray());
+                Assert.That(lifetimes.Due[0].First, Is.EqualTo(taken));
+                seen = seen.Concat(lifetimes.Due.Skip(1).Take(taken).Select(r => r.First).ToArray());
             }
             Assert.That(seen, Is.EqualTo(Enumerable.Range(0, count).Select(i => (uint)i)));
         }
