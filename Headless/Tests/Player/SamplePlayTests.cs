@@ -19,6 +19,7 @@ public sealed class SamplePlayTests
     [TestCase("Fountain", 0.1, 6500)]
     [TestCase("PourAndFill", 0.2, 150)]
     [TestCase("FloatingCrates", 0.1, 11000)]
+    [TestCase("WaterWheel", 0.2, 100)]
     [TestCase("HeatedWater", 0.1, 9000)]
     [TestCase("GettingStarted", 0.1, 8000)]
     [TestCase("WaveTank", 0.1, 10000)]
