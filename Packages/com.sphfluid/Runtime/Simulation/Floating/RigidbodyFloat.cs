@@ -23,7 +23,8 @@ namespace SphFluid
         readonly float reach;
         FloatMotion last;
         FloatChange refused;
-        Vector3 expectedVelocity, expectedAngularVelocity; // without what others do
+        Vector3 expectedVelocity, expectedAngularVelocity; // of the frame, without what others do
+        FloatShift shift;
         float stepLength;
         bool isKnown, corrected;
         uint epoch;
@@ -57,12 +58,15 @@ namespace SphFluid
                 Quaternion axes = last.Pose.Rotation;
                 velocity = mass.InverseMass * part * known.Impulse;
                 angularVelocity = axes * Vector3.Scale(mass.InverseInertia, Quaternion.Inverse(axes) * (part * known.AngularImpulse));
-                if (!corrected) Correct(space, known, ref velocity, ref angularVelocity);
+                if (!corrected) Correct(space, known, deltaTime, ref velocity, ref angularVelocity);
             }
 
             velocity = new Vector3(Vector3.Dot(mass.FreeX, velocity), Vector3.Dot(mass.FreeY, velocity), Vector3.Dot(mass.FreeZ, velocity));
-            expectedVelocity = Damped(expectedVelocity + velocity + deltaTime * mass.Gravity, mass.Damping, deltaTime);
-            expectedAngularVelocity = Damped(expectedAngularVelocity + angularVelocity, mass.AngularDamping, deltaTime);
+            float kept = Kept(mass.Damping, deltaTime);
+            Vector3 change = velocity + deltaTime * mass.Gravity;
+            expectedVelocity = kept * (expectedVelocity + change);
+            expectedAngularVelocity = Kept(mass.AngularDamping, deltaTime) * (expectedAngularVelocity + angularVelocity);
+            velocity += shift.Begin(kept * (last.Velocity + change), kept);
             if (velocity != Vector3.zero) rigidbody.AddForce(space.ToWorld * velocity, ForceMode.VelocityChange);
             if (angularVelocity != Vector3.zero) rigidbody.AddTorque(space.ToWorld * angularVelocity, ForceMode.VelocityChange);
             stepLength = deltaTime;
@@ -107,7 +111,8 @@ namespace SphFluid
             follower.Restart();
         }
 
-        void Correct(in FloatSpace space, in FloatingState known, ref Vector3 velocity, ref Vector3 angularVelocity)
+        // A displacement is given as a velocity of one step, which contacts may refuse; a turn at once, since PhysX bounds angular velocities.
+        void Correct(in FloatSpace space, in FloatingState known, float deltaTime, ref Vector3 velocity, ref Vector3 angularVelocity)
         {
             corrected = true;
             FloatChange change = follower.Correct(
@@ -115,8 +120,11 @@ namespace SphFluid
             velocity += change.Velocity;
             angularVelocity += change.AngularVelocity;
             if (change.Displacement.magnitude < LeastCorrection && change.Rotation.magnitude < LeastCorrection) return;
-            last.Pose = Turned(last.Pose, change.Displacement, change.Rotation);
-            Put(space, last.Pose);
+            shift.Next = change.Displacement / deltaTime;
+            last.Pose = Turned(last.Pose, Vector3.zero, change.Rotation);
+            Quaternion rotation = space.ToWorld * last.Pose.Rotation * Quaternion.Inverse(RigidbodyMass.Axes(rigidbody));
+            rigidbody.rotation = rotation;
+            rigidbody.position = space.ToWorld * last.Pose.Centre + space.Position - rotation * rigidbody.centerOfMass;
         }
 
         // What the last physics step did beside going on by its velocities.
@@ -125,9 +133,9 @@ namespace SphFluid
             FloatMotion now = MotionOf(space);
             if (isKnown && stepLength > 0f)
             {
-                Vector3 displacement = stepLength * now.Velocity, turn = stepLength * now.AngularVelocity;
-                refused.Displacement += Beyond(now.Pose.Centre - last.Pose.Centre - displacement, displacement);
-                refused.Rotation += Beyond(now.Pose.TurnFrom(last.Pose) - turn, turn);
+                Vector3 displacement = stepLength * now.Velocity, rotation = stepLength * now.AngularVelocity;
+                refused.Displacement += Beyond(now.Pose.Centre - last.Pose.Centre - displacement, displacement) - stepLength * shift.End(now.Velocity);
+                refused.Rotation += Beyond(now.Pose.TurnFrom(last.Pose) - rotation, rotation);
             }
             else if (isKnown)
             {
@@ -136,11 +144,13 @@ namespace SphFluid
             }
 
             stepLength = 0f;
+            now.Velocity -= shift.Left;
             last = now;
             isKnown = true;
         }
 
-        static Vector3 Damped(Vector3 velocity, float damping, float deltaTime) => velocity * Mathf.Max(0f, 1f - damping * deltaTime);
+        // As PhysX damps.
+        static float Kept(float damping, float deltaTime) => Mathf.Max(0f, 1f - damping * deltaTime);
 
         static FloatingPose Turned(in FloatingPose pose, Vector3 displacement, Vector3 rotation) => new FloatingPose(
             pose.Centre + displacement, Quaternion.AngleAxis(rotation.magnitude * Mathf.Rad2Deg, rotation.normalized) * pose.Rotation);
@@ -158,12 +168,5 @@ namespace SphFluid
         FloatingPose PoseOf(in FloatSpace space, Vector3 position, Quaternion rotation) => new FloatingPose(
             space.ToSimulation * (position + rotation * rigidbody.centerOfMass - space.Position),
             space.ToSimulation * rotation * RigidbodyMass.Axes(rigidbody));
-
-        void Put(in FloatSpace space, in FloatingPose pose)
-        {
-            Quaternion rotation = space.ToWorld * pose.Rotation * Quaternion.Inverse(RigidbodyMass.Axes(rigidbody));
-            rigidbody.rotation = rotation;
-            rigidbody.position = space.ToWorld * pose.Centre + space.Position - rotation * rigidbody.centerOfMass;
-        }
     }
 }
