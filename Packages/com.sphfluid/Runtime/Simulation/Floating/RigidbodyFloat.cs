@@ -75,7 +75,6 @@ namespace SphFluid
         /// <summary>Once a frame, before the liquid's steps: where the Rigidbody is, and what others than the liquid did to it.</summary>
         public void Follow(in FloatSpace space)
         {
-            FloatMotion before = last;
             bool wasKnown = isKnown;
             Sample(space);
             Body.Mass = RigidbodyMass.Of(rigidbody, space.ToSimulation);
@@ -131,16 +130,12 @@ namespace SphFluid
         void Sample(in FloatSpace space)
         {
             FloatMotion now = MotionOf(space);
-            if (isKnown && stepLength > 0f)
+            if (isKnown)
             {
                 Vector3 displacement = stepLength * now.Velocity, rotation = stepLength * now.AngularVelocity;
-                refused.Displacement += Beyond(now.Pose.Centre - last.Pose.Centre - displacement, displacement) - stepLength * shift.End(now.Velocity);
+                refused.Displacement += Beyond(now.Pose.Centre - last.Pose.Centre - displacement, displacement);
                 refused.Rotation += Beyond(now.Pose.TurnFrom(last.Pose) - rotation, rotation);
-            }
-            else if (isKnown)
-            {
-                refused.Displacement += Beyond(now.Pose.Centre - last.Pose.Centre, Vector3.zero);
-                refused.Rotation += Beyond(now.Pose.TurnFrom(last.Pose), Vector3.zero);
+                if (stepLength > 0f) refused.Displacement -= stepLength * shift.End(now.Velocity);
             }
 
             stepLength = 0f;
