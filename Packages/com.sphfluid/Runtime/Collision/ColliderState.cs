@@ -104,6 +104,15 @@ namespace SphFluid
             Body = body;
         }
 
+        /// <summary>The same collider, elsewhere.</summary>
+        public ColliderState At(in Matrix4x4 toSimulation) => new ColliderState(this, toSimulation);
+
+        ColliderState(in ColliderState other, in Matrix4x4 toSimulation)
+        {
+            this = other;
+            ToSimulation = toSimulation;
+        }
+
         /// <summary>Whether the states have the same mesh, with the same vertices as far as that is cheap to find out, or both none.</summary>
         public bool HasMeshOf(in ColliderState other) => ReferenceEquals(Mesh, other.Mesh) && ReferenceEquals(Triangles, other.Triangles) && stamp.Equals(other.stamp);
 

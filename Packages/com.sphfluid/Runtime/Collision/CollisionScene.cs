@@ -91,6 +91,15 @@ namespace SphFluid
             solids.Clear();
         }
 
+        /// <summary>A collider of <see cref="Solids"/> as it was at another place; itself where it is there.</summary>
+        public FluidObstacle At(FluidObstacle solid, in Matrix4x4 toSimulation)
+        {
+            if (solid.State.ToSimulation.Equals(toSimulation)) return solid;
+            ColliderState state = solid.State.At(toSimulation);
+            TriangleMesh made = maker.Make(state, solid.Spacing, new List<FluidMessage>());
+            return made == null ? solid : new FluidObstacle(state, solid.Spacing, made);
+        }
+
         /// <summary>Index into <see cref="Solids"/> of the collider that covers a point of simulation space, or −1.</summary>
         /// <param name="point">Point [m].</param>
         /// <param name="clearance">Distance from a triangle below which a point counts as covered [m].</param>

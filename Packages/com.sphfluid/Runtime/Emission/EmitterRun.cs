@@ -67,6 +67,27 @@ namespace SphFluid
             if (end > begin) (position, rotation) = (newPosition, newRotation); // else what it went belongs to the next steps
         }
 
+        /// <summary>Writes when and where the next layer leaves.</summary>
+        public void Save(SaveWriter writer)
+        {
+            writer.Write(Source);
+            writer.Write(ReportedBlocked);
+            writer.Write(next);
+            writer.Write(position);
+            writer.Write(rotation);
+            writer.Write(hasPose);
+        }
+
+        /// <summary>Reads what <see cref="Save"/> wrote.</summary>
+        public static EmitterRun Load(SaveReader reader) => new EmitterRun(reader.Read<int>())
+        {
+            ReportedBlocked = reader.Read<bool>(),
+            next = reader.Read<double>(),
+            position = reader.Read<Vector3>(),
+            rotation = reader.Read<Quaternion>(),
+            hasPose = reader.Read<bool>(),
+        };
+
         static bool IsSame(in EmitterSpec a, in EmitterSpec b) => a.Shape == b.Shape && a.Size.Equals(b.Size);
     }
 }

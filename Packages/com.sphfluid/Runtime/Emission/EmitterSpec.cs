@@ -65,5 +65,20 @@ namespace SphFluid
 
         /// <summary>Of these, before the source that counts now.</summary>
         public double EmittedBefore, BlockedBefore, RefusedBefore;
+
+        /// <summary>Writes whether and how long it emits, and what it gave before.</summary>
+        public void Save(SaveWriter writer)
+        {
+            writer.Write(IsOn);
+            foreach (double value in new[] { VolumeLeft, TimeLeft, EmittedBefore, BlockedBefore, RefusedBefore }) writer.Write(value);
+        }
+
+        /// <summary>Goes on from a save.</summary>
+        public void Load(SaveReader reader)
+        {
+            IsOn = reader.Read<bool>();
+            (VolumeLeft, TimeLeft) = (reader.Read<double>(), reader.Read<double>());
+            (EmittedBefore, BlockedBefore, RefusedBefore) = (reader.Read<double>(), reader.Read<double>(), reader.Read<double>());
+        }
     }
 }

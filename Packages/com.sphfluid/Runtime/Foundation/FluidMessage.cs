@@ -106,6 +106,10 @@ namespace SphFluid
         QueriesUnavailable,
         /// <summary>More rigid bodies are in the liquid than it can move.</summary>
         TooManyBodies,
+        /// <summary>A save cannot be restored.</summary>
+        SaveInvalid,
+        /// <summary>A restored save was made on another device, or in a scene with other objects.</summary>
+        SaveDiffers,
     }
 
     /// <summary>One message to the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>

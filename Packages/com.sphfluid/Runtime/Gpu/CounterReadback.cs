@@ -65,6 +65,13 @@ namespace SphFluid
             return counters;
         }
 
+        /// <summary>Goes on from other counts: what the GPU counts from now on is added to them.</summary>
+        public void Continue(in FluidCounters from)
+        {
+            ReadNow();
+            counters = from;
+        }
+
         public void Dispose()
         {
             readback.Dispose();

@@ -33,7 +33,10 @@ namespace SphFluid
         /// <param name="start">How it starts; null when there is an error.</param>
         /// <returns>The messages, errors first.</returns>
         public static List<FluidMessage> Check(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, CollisionScene collision,
-            Func<SpawnRequest, SpawnResult> spawn, out FluidStart start)
+            Func<SpawnRequest, SpawnResult> spawn, out FluidStart start) =>
+            Check(spec, collision, (now, messages) => Begin(now, volumes, collision, spawn, messages), out start);
+
+        static List<FluidMessage> Check(in FluidSpec spec, CollisionScene collision, Func<FluidSpec, List<FluidMessage>, FluidStart> begin, out FluidStart start)
         {
             start = null;
             var messages = new List<FluidMessage>();
@@ -50,7 +53,11 @@ namespace SphFluid
             if (measurable)
             {
                 if (SceneObjects.IsPrefabAsset(spec.Owner)) messages.Add(Unplaced(spec));
-                else start = CheckScene(spec, volumes, collision, spawn, messages);
+                else
+                {
+                    CheckColliders(spec, collision, messages);
+                    start = begin(spec, messages);
+                }
                 BoundaryChecks.Check(spec, messages);
                 EmitterChecks.Check(spec, messages);
                 EmitterChecks.CheckPlaces(spec, collision, messages);
@@ -61,6 +68,14 @@ namespace SphFluid
             if (start != null) TimeStepChecks.Check(spec, start.Constants, messages);
             return messages.OrderByDescending(m => m.Severity).ToList();
         }
+
+        /// <summary>Checks a simulation whose liquid goes on from a save.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="collision">Receives the colliders.</param>
+        /// <param name="saved">How its liquid started once; receives the constants.</param>
+        /// <returns>The messages, errors first; with an error it cannot go on.</returns>
+        public static List<FluidMessage> CheckAgain(in FluidSpec spec, CollisionScene collision, FluidStart saved) =>
+            Check(spec, collision, (now, messages) => saved, out _);
 
         /// <summary>Whether any message says that the simulation cannot run.</summary>
         /// <param name="messages">The messages.</param>
@@ -127,19 +142,23 @@ namespace SphFluid
             return sized && spaced && AffineMath.IsFinite(spec.Position);
         }
 
-        static FluidStart CheckScene(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, CollisionScene collision,
-            Func<SpawnRequest, SpawnResult> spawn, List<FluidMessage> messages)
+        static void CheckColliders(in FluidSpec spec, CollisionScene collision, List<FluidMessage> messages)
         {
             CollisionQuery query = spec.Query();
             collision.Gather(query);
             messages.AddRange(collision.Messages);
             MeshColliderChecks.Check(query, messages);
+        }
+
+        static FluidStart Begin(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, CollisionScene collision,
+            Func<SpawnRequest, SpawnResult> spawn, List<FluidMessage> messages)
+        {
             List<(VolumeSpec, LiquidShape shape)> found = LiquidChecks.Shapes(spec, volumes, collision, messages);
             if (found.Count == 0 && (volumes.Count > 0 || LiquidChecks.IsDry(spec))) return null;
             List<LiquidShape> shapes = found.ConvertAll(f => f.shape);
             SpawnResult result = spawn(SpawnRequests.For(spec, shapes, collision));
             return LiquidChecks.Check(spec, found, result, collision, messages)
-                ? new FluidStart(result.Particles, result.Needed, LiquidExtent.Of(shapes, spec.DomainSize), result.Fastest)
+                ? new FluidStart(result.Particles, result.Needed, LiquidExtent.Of(shapes, spec.DomainSize), result.Fastest) { Gravity = spec.LocalGravity }
                 : null;
         }
 
@@ -152,7 +171,7 @@ namespace SphFluid
         {
             try
             {
-                if (start != null) start.Constants = FluidConstants.Derive(spec, start, spec.LocalGravity);
+                if (start != null) start.Constants = FluidConstants.Derive(spec, start, start.Gravity);
                 return true;
             }
             catch (ArgumentException exception)

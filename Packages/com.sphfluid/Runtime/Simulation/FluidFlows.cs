@@ -91,6 +91,59 @@ namespace SphFluid
             Report(spec);
         }
 
+        /// <summary>Writes what comes and goes, once no read-back is under way.</summary>
+        public void Save(SaveWriter writer, in FluidSpec spec)
+        {
+            writer.Write(IsUsed);
+            if (!IsUsed) return;
+            solver.Exchange.Save(writer);
+            writer.WriteItems(once.ToArray(), once.Count);
+            writer.Write(emitters.Count);
+            foreach (KeyValuePair<EmitterState, EmitterRun> pair in emitters)
+            {
+                writer.WriteKey(OwnerOf(spec, pair.Key));
+                pair.Value.Save(writer);
+                pair.Key.Save(writer);
+            }
+            writer.Write(drainSources.Count);
+            foreach (KeyValuePair<DrainState, int> pair in drainSources)
+            {
+                writer.WriteKey(OwnerOf(spec, pair.Key));
+                writer.Write(pair.Value);
+                writer.Write(pair.Key.Before);
+            }
+        }
+
+        /// <summary>Goes on from a save.</summary>
+        public void Load(SaveReader reader, in FluidSpec spec)
+        {
+            if (!reader.Read<bool>()) return;
+            Use();
+            solver.Exchange.Load(reader);
+            once.Clear();
+            once.AddRange(reader.ReadItems<DrainZone>());
+            emitters.Clear();
+            Dictionary<string, EmitterSpec> sources = SaveReader.ByKey(spec.Emitters, e => e.Owner);
+            for (int left = reader.Read<int>(); left > 0; left--)
+            {
+                bool isThere = reader.TryFind(sources, out EmitterSpec emitter);
+                EmitterRun run = EmitterRun.Load(reader);
+                EmitterState state = isThere ? emitter.State : new EmitterState();
+                state.Load(reader);
+                state.Run = this;
+                emitters.Add(state, run); // of one that is gone the next frame closes the source
+            }
+            drainSources.Clear();
+            Dictionary<string, DrainSpec> sinks = SaveReader.ByKey(spec.Drains, d => d.Owner);
+            for (int left = reader.Read<int>(); left > 0; left--)
+            {
+                DrainState state = reader.TryFind(sinks, out DrainSpec drain) ? drain.State : new DrainState();
+                drainSources.Add(state, reader.Read<int>());
+                (state.Run, state.Before) = (this, reader.Read<double>());
+            }
+            Count(spec);
+        }
+
         bool IsUsed { get; set; }
 
         void Use() => IsUsed = true;
@@ -222,6 +275,20 @@ namespace SphFluid
                     FormattableString.Invariant($"Of what the emitter gives {100.0 * emitter.State.Blocked / given:0} % finds no place: liquid stands before the nozzle, or the nozzle reaches out of the domain."),
                     "Raise the nozzle out of the liquid, move it into the domain, or raise its speed."));
             }
+        }
+
+        static Component OwnerOf(in FluidSpec spec, EmitterState state)
+        {
+            for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
+                if (spec.Emitters[i].State == state) return spec.Emitters[i].Owner;
+            return null;
+        }
+
+        static Component OwnerOf(in FluidSpec spec, DrainState state)
+        {
+            for (int i = 0; i < (spec.Drains?.Count ?? 0); i++)
+                if (spec.Drains[i].State == state) return spec.Drains[i].Owner;
+            return null;
         }
 
         void ReportTooMany(in FluidSpec spec, Component owner) => report(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, owner,

@@ -15,7 +15,6 @@ namespace SphFluid
 
         readonly FluidSolver solver;
         readonly FluidStart start;
-        readonly Vector3 startGravity;
         readonly Func<int> keepPlaces;
         readonly Action forgetPlaces;
         FluidSpec spec;
@@ -31,7 +30,6 @@ namespace SphFluid
         {
             this.solver = solver;
             this.start = start;
-            startGravity = spec.LocalGravity;
             keepPlaces = () => speeds.KeepPlaces();
             forgetPlaces = () => speeds.ForgetPlaces();
             TakeLimits(spec, solver.Settings);
@@ -51,7 +49,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">A constant is out of range.</exception>
         public void Update(in FluidSpec now)
         {
-            FluidSolverSettings rule = FluidConstants.Derive(now, start, startGravity);
+            FluidSolverSettings rule = FluidConstants.Derive(now, start, start.Gravity);
             yields = false;
             TakeLimits(now, rule);
             solver.ApplySettings(reference == null ? rule : AtReference());
@@ -126,6 +124,41 @@ namespace SphFluid
             speeds.Request();
         }
 
+        /// <summary>Writes what the next frames go by, once no read-back is under way.</summary>
+        public void Save(SaveWriter writer)
+        {
+            writer.Write((Clock as StepClock)?.Pending ?? 0.0);
+            (double target, double pending, double step) = adaptive?.Progress ?? default;
+            writer.Write(target);
+            writer.Write(pending);
+            writer.Write(step);
+            (double speed, bool falls) = reference?.Progress ?? (double.PositiveInfinity, false);
+            writer.Write(speed);
+            writer.Write(falls);
+            (double quiet, bool watches, bool sleeps) = sleep?.Progress ?? default;
+            writer.Write(quiet);
+            writer.Write(watches);
+            writer.Write(sleeps);
+            writer.Write(speeds != null);
+            speeds?.Save(writer);
+        }
+
+        /// <summary>Goes on from a save, as far as the settings are such that it was needed then.</summary>
+        public void Load(SaveReader reader)
+        {
+            double rest = reader.Read<double>();
+            (double target, double pending, double step) = (reader.Read<double>(), reader.Read<double>(), reader.Read<double>());
+            (double speed, bool falls) = (reader.Read<double>(), reader.Read<bool>());
+            (double quiet, bool watches, bool sleeps) = (reader.Read<double>(), reader.Read<bool>(), reader.Read<bool>());
+            if (reader.Read<bool>()) speeds?.Load(reader);
+            if (reference != null) reference.Progress = (speed, falls);
+            if (reference != null && !yields) solver.ApplySettings(AtReference());
+            TakeClock();
+            if (Clock is StepClock clock) clock.Pending = rest;
+            if (adaptive != null && step > 0.0) adaptive.Progress = (target, pending, step);
+            if (speeds != null) sleep?.Continue((quiet, watches, sleeps), keepPlaces);
+        }
+
         /// <inheritdoc/>
         public void Dispose() => speeds?.Dispose();
 
@@ -164,7 +197,7 @@ namespace SphFluid
 
         void TakeSleep(in FluidSpec now, in FluidSolverSettings rule)
         {
-            double depth = FluidConstants.DepthAtRest(now, start, startGravity);
+            double depth = FluidConstants.DepthAtRest(now, start, start.Gravity);
             if (!now.SleepsAtRest) sleep = null;
             else if (sleep == null) sleep = new SleepWatch(rule, depth);
             else sleep.Take(rule, depth);
@@ -179,7 +212,7 @@ namespace SphFluid
         static bool Follows(in FluidSpec spec) => spec.Profile.SoundSpeedMode == FluidSoundSpeedMode.FollowsLiquid &&
             spec.TimeStepMode != FluidTimeStepMode.Fixed && FluidMethods.Has(spec.Method, FluidMethodFeatures.FollowingSoundSpeed);
 
-        FluidSolverSettings AtReference() => FluidConstants.Derive(spec, start, startGravity, reference.Speed);
+        FluidSolverSettings AtReference() => FluidConstants.Derive(spec, start, start.Gravity, reference.Speed);
 
         // Liquid that starts at rest takes long steps until it falls.
         float FirstSpeed() =>

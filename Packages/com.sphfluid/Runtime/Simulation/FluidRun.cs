@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -8,6 +9,7 @@ namespace SphFluid
     /// <summary>A started simulation: solver, clock, colliders and the one command buffer of a frame. Owns the GPU memory.</summary>
     internal sealed class FluidRun : IDisposable
     {
+        readonly FluidStart start;
         readonly Action<FluidMessage> report;
         readonly FluidObstacles obstacles;
         readonly CommandBuffer commands;
@@ -26,13 +28,14 @@ namespace SphFluid
         /// <summary>Starts; takes over <paramref name="collision"/>, which has been gathered.</summary>
         /// <exception cref="ArgumentException">A setting cannot be computed with.</exception>
         /// <exception cref="FluidDeviceException">The device cannot run the method.</exception>
-        public FluidRun(in FluidSpec spec, FluidStart start, CollisionScene collision, in StartWatch watch, Action<FluidMessage> report)
+        public FluidRun(in FluidSpec spec, FluidStart start, IReadOnlyList<FluidParticle> particles, CollisionScene collision, Action<FluidMessage> report)
         {
+            this.start = start;
             this.report = report;
             Key = FluidStartKey.Of(spec);
             live = FluidLiveKey.Of(spec);
             (position, rotation) = (spec.Position, spec.Rotation);
-            Solver = new FluidSolver(start.Constants, spec.Profile.Shaders, RelaxedStart.Particles(spec, start, collision, watch, report),
+            Solver = new FluidSolver(start.Constants, spec.Profile.Shaders, particles,
                 spec.CapacityPolicy == FluidCapacityPolicy.Fixed && spec.Capacity > 0 ? spec.MostParticles : 0);
             flows = new FluidFlows(Solver, report);
             zones = new FluidZones(Solver, report);
@@ -136,6 +139,51 @@ namespace SphFluid
             List<FluidParticle> particles = FluidSpawner.Fill(request).Particles;
             flows.Add(particles);
             return particles.Count;
+        }
+
+        /// <summary>Writes all that the liquid goes on from, waiting for the GPU. It goes on as one does that is restored from it, so that both stay equal to the bit.</summary>
+        public void Save(in FluidSpec spec, Stream stream)
+        {
+            AsyncGPUReadback.WaitAllRequests();
+            List<(string name, SaveWriter contents)> sections = FluidSave.Of(spec, start, Solver);
+            SaveWriter Section(string name)
+            {
+                sections.Add((name, new SaveWriter()));
+                return sections[sections.Count - 1].contents;
+            }
+
+            SaveWriter run = Section(FluidSave.Run);
+            run.Write(position);
+            run.Write(rotation);
+            run.Write(restedTime);
+            pace.Save(Section(FluidSave.Pace));
+            flows.Save(Section(FluidSave.Flows), spec);
+            zones.Save(Section(FluidSave.Zones), spec);
+            obstacles.Bodies?.Save(Section(FluidSave.Colliders));
+            floats?.Save(Section(FluidSave.Floats), obstacles.Bodies.Floating);
+            SaveFile.Write(stream, sections);
+            Continue(spec, FluidSave.From(sections));
+        }
+
+        /// <summary>Goes on from a save of a liquid with these settings.</summary>
+        /// <exception cref="InvalidDataException">A section is not what it should be.</exception>
+        public void Continue(in FluidSpec spec, FluidSave save)
+        {
+            ApplyChanges(spec);
+            GatherColliders(spec);
+            Solver.Continue(save.Live, save.Progress);
+            if (save.Has(FluidSave.Colliders)) obstacles.Bodies?.Load(save.Section(FluidSave.Colliders), Collision);
+            if (save.Has(FluidSave.Floats)) floats?.Load(save.Section(FluidSave.Floats), obstacles.Bodies.Floating);
+            pace.Load(save.Section(FluidSave.Pace));
+            flows.Load(save.Section(FluidSave.Flows), spec);
+            zones.Load(save.Section(FluidSave.Zones), spec);
+            zones.Follow(spec, 0.0);
+            SaveReader run = save.Section(FluidSave.Run);
+            (position, rotation, restedTime) = (run.Read<Vector3>(), run.Read<Quaternion>(), run.Read<double>());
+            FollowBodies(spec);
+            if (obstacles.Bodies != null && obstacles.Bodies.IsUnderWay) pace.Wake();
+            Execute(0);
+            Know();
         }
 
         /// <summary>Ends the liquid's sleep.</summary>

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using UnityEngine;
 
 namespace SphFluid
 {
@@ -23,6 +24,9 @@ namespace SphFluid
 
         /// <summary>Largest speed of a particle at the start [m/s].</summary>
         public float InitialSpeed { get; }
+
+        /// <summary>Gravity at the start in simulation space [m/s²].</summary>
+        public Vector3 Gravity { get; set; }
 
         /// <summary>The solver's constants with the present settings.</summary>
         public FluidSolverSettings Constants { get; set; }

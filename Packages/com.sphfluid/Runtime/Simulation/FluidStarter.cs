@@ -21,7 +21,7 @@ namespace SphFluid
             {
                 try
                 {
-                    return new FluidRun(spec, start, collision, watch, report);
+                    return new FluidRun(spec, start, RelaxedStart.Particles(spec, start, collision, watch, report), collision, report);
                 }
                 catch (Exception exception) when (exception is ArgumentException || exception is FluidDeviceException)
                 {
@@ -36,6 +36,39 @@ namespace SphFluid
             }
             collision.Dispose();
             return null;
+        }
+
+        /// <summary>Checks the simulation and makes the liquid of a save.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="save">The save, of a liquid that can run in it.</param>
+        /// <param name="report">Receives what is wrong or worth knowing.</param>
+        /// <returns>Null when an error was reported.</returns>
+        /// <exception cref="System.IO.InvalidDataException">A section of the save is not what it should be.</exception>
+        public static FluidRun TryContinue(in FluidSpec spec, FluidSave save, Action<FluidMessage> report)
+        {
+            var collision = new CollisionScene();
+            List<FluidMessage> found = FluidChecks.CheckAgain(spec, collision, save.Start);
+            foreach (FluidMessage message in found) report(message);
+            FluidRun run = null;
+            bool goesOn = false;
+            try
+            {
+                if (FluidChecks.HasErrors(found)) return null;
+                run = new FluidRun(spec, save.Start, save.Live, collision, report);
+                run.Continue(spec, save);
+                goesOn = true;
+                return run;
+            }
+            catch (Exception exception) when (exception is ArgumentException || exception is FluidDeviceException)
+            {
+                report(FluidReports.Failure(spec.Owner, exception));
+                return null;
+            }
+            finally
+            {
+                if (!goesOn && run != null) run.Dispose();
+                else if (!goesOn) collision.Dispose();
+            }
         }
     }
 }

@@ -15,6 +15,16 @@ namespace SphFluid
             this.half = half;
         }
 
+        /// <summary>Writes it.</summary>
+        public void Save(SaveWriter writer)
+        {
+            writer.WriteItems(corners, corners.Length);
+            writer.Write(half);
+        }
+
+        /// <summary>Reads what <see cref="Save"/> wrote.</summary>
+        public static LiquidExtent Load(SaveReader reader) => new LiquidExtent(reader.ReadItems<Vector3>(), reader.Read<Vector3>());
+
         public static LiquidExtent Of(IReadOnlyList<LiquidShape> shapes, Vector3 domainSize)
         {
             var corners = new Vector3[shapes.Count * 8];

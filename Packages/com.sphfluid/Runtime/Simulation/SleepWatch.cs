@@ -54,6 +54,18 @@ namespace SphFluid
             kept = 0;
         }
 
+        /// <summary>How long no particle has been fast or gone anywhere [s]; for saves.</summary>
+        internal (double quiet, bool watches, bool sleeps) Progress => (quiet, kept != 0, IsAsleep);
+
+        /// <summary>Goes on from a save; the distances that particles go are measured from there on.</summary>
+        /// <param name="progress">As of the save.</param>
+        /// <param name="keepPlaces">Keeps the particles' places and gives that keeping's number.</param>
+        internal void Continue((double quiet, bool watches, bool sleeps) progress, Func<int> keepPlaces)
+        {
+            (quiet, IsAsleep) = (progress.quiet, progress.sleeps);
+            kept = progress.watches ? keepPlaces() : 0;
+        }
+
         /// <summary>Takes note of a frame with steps.</summary>
         /// <param name="sample">The liquid as it was some frames ago.</param>
         /// <param name="time">The frame's time [s].</param>

@@ -68,6 +68,27 @@ namespace SphFluid
                 slots[i] = new Slot { Known = true, Sample = new SpeedSample { Fastest = speed, Bulk = speed, Head = head, Present = head } };
         }
 
+        /// <summary>What is known of the last frames, the oldest first, once nothing is under way; for saves.</summary>
+        internal void Save(SaveWriter writer)
+        {
+            writer.Write(keepings);
+            for (int i = 0; i < Delay; i++)
+            {
+                Slot slot = slots[(next + i) % Delay];
+                if (!slot.Known) slot.Wait();
+                writer.Write(slot.Sample);
+            }
+        }
+
+        /// <summary>Goes on from a save: no distances until places are kept again.</summary>
+        internal void Load(SaveReader reader)
+        {
+            ForgetPlaces();
+            keepings = reader.Read<int>();
+            next = 0;
+            for (int i = 0; i < Delay; i++) slots[i] = new Slot { Known = true, Sample = reader.Read<SpeedSample>() };
+        }
+
         /// <summary>Records the measurement of a frame's end, after its steps and the neighbour setup.</summary>
         public void Record(CommandBuffer cmd)
         {

@@ -48,6 +48,13 @@ namespace SphFluid
             falls = false;
         }
 
+        /// <summary>The speed in use, and whether it falls; for saves.</summary>
+        internal (double speed, bool falls) Progress
+        {
+            get => (Speed, falls);
+            set => (Speed, falls) = (Math.Min(value.speed, Most), value.falls);
+        }
+
         /// <summary>Follows the measured speed for a frame.</summary>
         /// <param name="measured">What the liquid has or will have at the domain's lowest place [m/s].</param>
         /// <param name="time">Length of the frame [s].</param>

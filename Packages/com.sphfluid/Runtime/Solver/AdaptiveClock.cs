@@ -52,6 +52,13 @@ namespace SphFluid
             }
         }
 
+        /// <summary>What the next frame goes by; for saves.</summary>
+        internal (double target, double pending, double step) Progress
+        {
+            get => (target, pending, TimeStep);
+            set => (target, pending, TimeStep) = value;
+        }
+
         /// <inheritdoc/>
         public int MaxSteps { get; }
 

@@ -143,6 +143,9 @@ namespace SphFluid
         /// <summary>Births recorded since the start, whatever becomes of them.</summary>
         internal long BirthCount => exchange?.Births.Taken ?? 0;
 
+        /// <summary>Whether something has come or gone, or is to.</summary>
+        internal bool HasExchange => exchange != null;
+
         /// <summary>Whether particles can come and go.</summary>
         internal bool Exchanges => stepper is IExchangingStepper;
 
@@ -305,14 +308,29 @@ namespace SphFluid
             }
 
             FluidParticle[] live = CheckParticles(state.Settings, particles, !Exchanges);
-            FluidCounters before = counters.ReadNow();
-            if (live.Length > state.Capacity) ((IExchangingStepper)stepper).Reserve(null, live.Length);
-            Upload(live);
-            (bornBefore, removedBefore) = (before.Born, before.Removed);
+            counters.ReadNow();
+            Replace(live);
             if (exchange != null) exchange.Births.NextId = nextId;
-            loaded = false;
-            neighboursFresh = false;
             ParticleChanges++;
+        }
+
+        /// <summary>How far the liquid has come, besides its particles; for saves.</summary>
+        internal SolverProgress Progress => new SolverProgress
+        {
+            StepCount = StepCount,
+            SimulatedTime = SimulatedTime,
+            PreviousStep = previousStep,
+            NextId = nextId,
+            Counters = counters.Counters,
+        };
+
+        /// <summary>Goes on from a save: no read-back is under way, and order and neighbours are found anew.</summary>
+        internal void Continue(FluidParticle[] live, in SolverProgress progress)
+        {
+            ThrowIfDisposed();
+            counters.Continue(progress.Counters);
+            Replace(live);
+            (StepCount, SimulatedTime, previousStep, nextId) = (progress.StepCount, progress.SimulatedTime, progress.PreviousStep, progress.NextId);
         }
 
         /// <summary>Records the globals and the keyword of a kernel that includes Shaders/Solver/GridNeighbours.hlsl.</summary>
@@ -406,6 +424,15 @@ namespace SphFluid
 
             Array.Resize(ref particles, count);
             return particles;
+        }
+
+        void Replace(FluidParticle[] live)
+        {
+            if (live.Length > state.Capacity) ((IExchangingStepper)stepper).Reserve(null, live.Length);
+            Upload(live);
+            (bornBefore, removedBefore) = (counters.Counters.Born, counters.Counters.Removed);
+            loaded = false;
+            neighboursFresh = false;
         }
 
         int Exchangeable(int capacity) => method.Has(FluidMethodFeatures.ChangingCount) ? capacity : 0;

@@ -79,6 +79,9 @@ namespace SphFluid
             StepCount++;
         }
 
+        /// <summary>Time that waits for a step [s]; for saves.</summary>
+        internal double Pending { get => pending; set => pending = value; }
+
         /// <summary>Back to time zero.</summary>
         public void Reset()
         {

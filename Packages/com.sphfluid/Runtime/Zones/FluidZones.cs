@@ -96,6 +96,35 @@ namespace SphFluid
             return changed;
         }
 
+        /// <summary>Writes the bursts and impulses that wait.</summary>
+        public void Save(SaveWriter writer, in FluidSpec spec)
+        {
+            writer.WriteItems(pushes.ToArray(), pushes.Count);
+            var waiting = new List<ZoneSpec>();
+            for (int i = 0; i < (spec.Zones?.Count ?? 0); i++)
+                if (spec.Zones[i].State.Burst != Vector3.zero) waiting.Add(spec.Zones[i]);
+            writer.Write(waiting.Count);
+            foreach (ZoneSpec zone in waiting)
+            {
+                writer.WriteKey(zone.Owner);
+                writer.Write(zone.State.Burst);
+            }
+        }
+
+        /// <summary>Goes on from a save.</summary>
+        public void Load(SaveReader reader, in FluidSpec spec)
+        {
+            pushes.Clear();
+            pushes.AddRange(reader.ReadItems<ZonePush>());
+            Dictionary<string, ZoneSpec> present = SaveReader.ByKey(spec.Zones, z => z.Owner);
+            for (int left = reader.Read<int>(); left > 0; left--)
+            {
+                bool isThere = reader.TryFind(present, out ZoneSpec zone);
+                Vector3 burst = reader.Read<Vector3>();
+                if (isThere) zone.State.Burst = burst;
+            }
+        }
+
         /// <inheritdoc/>
         public void Dispose() => zones?.Dispose();
 

@@ -45,6 +45,11 @@ namespace SphFluid
         public static AffineMap Of(in Matrix4x4 m) =>
             new AffineMap(m.m00, m.m01, m.m02, m.m10, m.m11, m.m12, m.m20, m.m21, m.m22, m.m03, m.m13, m.m23);
 
+        /// <summary>The map, each element rounded once.</summary>
+        public Matrix4x4 Matrix => new Matrix4x4(
+            new Vector4((float)M00, (float)M10, (float)M20, 0f), new Vector4((float)M01, (float)M11, (float)M21, 0f),
+            new Vector4((float)M02, (float)M12, (float)M22, 0f), new Vector4((float)X, (float)Y, (float)Z, 1f));
+
         /// <summary>The same linear part with another offset.</summary>
         public AffineMap At(double x, double y, double z) => new AffineMap(M00, M01, M02, M10, M11, M12, M20, M21, M22, x, y, z);
 

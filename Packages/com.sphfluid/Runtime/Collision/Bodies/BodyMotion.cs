@@ -80,6 +80,15 @@ namespace SphFluid
             }
         }
 
+        /// <summary>Where the last steps left the collider: its own space to simulation space.</summary>
+        /// <param name="last">The collider as it was last seen.</param>
+        public Matrix4x4 Begun(in ColliderState last)
+        {
+            if (IsAtRest) return last.ToSimulation;
+            AffineMap start = AffineMap.Of(Matrix4x4.TRS(Position0, Rotation0, Vector3.one)) * Stretch0.Map;
+            return (start * toShape.Inverse * ColliderFrame.Of(reference).Inverse * AffineMap.Of(reference.ToSimulation)).Matrix;
+        }
+
         /// <summary>Ends the motion: it begins where it ended.</summary>
         public void Arrive()
         {

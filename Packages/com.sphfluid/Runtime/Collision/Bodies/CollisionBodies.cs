@@ -153,6 +153,41 @@ namespace SphFluid
             Floating.Dispose();
         }
 
+        /// <summary>Writes where the last steps left each collider, and which of them are bodies of their own.</summary>
+        public void Save(SaveWriter writer)
+        {
+            List<FluidObstacle> there = lastSolids.FindAll(s => s.Collider != null);
+            writer.Write(there.Count);
+            foreach (FluidObstacle solid in there)
+            {
+                bool moves = movers.TryGetValue(solid.State.Key, out BodyMotion motion);
+                writer.WriteKey(solid.Collider);
+                writer.Write(moves);
+                writer.Write(moves ? motion.Begun(solid.State) : solid.State.ToSimulation);
+            }
+        }
+
+        /// <summary>Goes on from a save: colliders move from where they were then to where they are. Triangles rest where they were then.</summary>
+        /// <param name="reader">The save.</param>
+        /// <param name="scene">The colliders as they are now.</param>
+        public void Load(SaveReader reader, CollisionScene scene)
+        {
+            movers.Clear();
+            lastSolids.Clear();
+            Dictionary<string, FluidObstacle> present = SaveReader.ByKey(scene.Solids, s => s.Collider);
+            for (int left = reader.Read<int>(); left > 0; left--)
+            {
+                bool isThere = reader.TryFind(present, out FluidObstacle now);
+                bool moves = reader.Read<bool>();
+                Matrix4x4 place = reader.Read<Matrix4x4>();
+                if (!isThere) continue;
+                FluidObstacle then = scene.At(now, place);
+                lastSolids.Add(then);
+                if (moves || then.State.Body != null) movers[then.State.Key] = new BodyMotion(then);
+            }
+            Rebuild(lastSolids);
+        }
+
         // Whether the set of bodies changed. A collider that rested and is elsewhere now becomes a body of its own for good.
         bool Follow(IReadOnlyList<FluidObstacle> solids)
         {

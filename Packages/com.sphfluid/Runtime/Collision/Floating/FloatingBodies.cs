@@ -96,11 +96,49 @@ namespace SphFluid
         }
 
         /// <summary>Waits for the GPU and reads a body; for tools and tests.</summary>
-        public FloatingState ReadNow(FloatingBody body)
+        public FloatingState ReadNow(FloatingBody body) => ReadNow()[slots.IndexOf(body)];
+
+        /// <summary>Waits for the GPU and reads all bodies; those of free numbers are of no meaning.</summary>
+        public FloatingState[] ReadNow()
         {
             var states = new FloatingState[slots.Count];
-            stateBuffer.GetData(states);
-            return states[slots.IndexOf(body)];
+            stateBuffer?.GetData(states, 0, 0, states.Length);
+            return states;
+        }
+
+        /// <summary>Writes the bodies with their states and what they were given since the last step, waiting for the GPU.</summary>
+        /// <param name="writer">The save.</param>
+        /// <param name="keyOf">What a body is found again by.</param>
+        public void Save(SaveWriter writer, Func<FloatingBody, string> keyOf)
+        {
+            writer.Write(epoch);
+            writer.Write(Frame);
+            writer.Write(slots.Count);
+            foreach (FloatingBody body in slots) writer.WriteText(body == null ? "" : keyOf(body));
+            var sums = new uint[Words * slots.Count];
+            sumBuffer?.GetData(sums, 0, 0, sums.Length);
+            writer.WriteItems(ReadNow(), slots.Count);
+            writer.WriteItems(sums, sums.Length);
+            Readback.Save(writer);
+        }
+
+        /// <summary>Goes on from a save.</summary>
+        /// <param name="reader">The save.</param>
+        /// <param name="present">The bodies of the scene by key.</param>
+        public void Load(SaveReader reader, IReadOnlyDictionary<string, FloatingBody> present)
+        {
+            epoch = reader.Read<uint>();
+            Frame = reader.Read<long>();
+            slots.Clear();
+            rests.Clear();
+            for (int left = reader.Read<int>(); left > 0; left--) slots.Add(reader.TryFind(present, out FloatingBody body) ? body : null);
+            FloatingState[] states = reader.ReadItems<FloatingState>();
+            uint[] sums = reader.ReadItems<uint>();
+            Readback.Load(reader);
+            if (slots.Count == 0) return;
+            RequireStates();
+            stateBuffer.SetData(states);
+            sumBuffer.SetData(sums);
         }
 
         /// <summary>Records the globals of Shaders/Collision/BodyImpulses.hlsl.</summary>
@@ -216,6 +254,11 @@ namespace SphFluid
             GpuBuffers.Reserve(ref partBuffer, "Floating Parts", attached.Count, FloatingPart.Stride);
             inputBuffer.SetData(inputs, 0, 0, slots.Count);
             partBuffer.SetData(parts, 0, 0, attached.Count);
+            RequireStates();
+        }
+
+        void RequireStates()
+        {
             if (stateBuffer != null) return;
             stateBuffer = GpuBuffers.Create("Floating States", Most, FloatingState.Stride);
             sumBuffer = GpuBuffers.Create("Impulse Sums", Most * Words, sizeof(uint));

@@ -59,6 +59,30 @@ namespace SphFluid
             pushRotation += rotation;
         }
 
+        /// <summary>Writes what the next steps are given and what is known.</summary>
+        public void Save(SaveWriter writer)
+        {
+            writer.WriteItems(new[] { pushVelocity, pushAngularVelocity, pushDisplacement, pushRotation, Velocity, AngularVelocity }, 6);
+            writer.Write(seeds);
+            writer.Write(Mass);
+            writer.Write(Epoch);
+            writer.Write(Known);
+            writer.Write(KnownFrame);
+        }
+
+        /// <summary>Goes on from a save.</summary>
+        public void Load(SaveReader reader)
+        {
+            Vector3[] vectors = reader.ReadItems<Vector3>();
+            (pushVelocity, pushAngularVelocity, pushDisplacement) = (vectors[0], vectors[1], vectors[2]);
+            (pushRotation, Velocity, AngularVelocity) = (vectors[3], vectors[4], vectors[5]);
+            seeds = reader.Read<bool>();
+            Mass = reader.Read<FloatingMass>();
+            Epoch = reader.Read<uint>();
+            Known = reader.Read<FloatingState>();
+            KnownFrame = reader.Read<long>();
+        }
+
         /// <summary>What the next steps are given.</summary>
         /// <param name="seed">Number of a seed, if there is one.</param>
         internal FloatingInput Input(uint seed)

@@ -39,6 +39,20 @@ namespace SphFluid
             }
         }
 
+        /// <summary>Writes what is under way, waiting for it.</summary>
+        public void Save(SaveWriter writer)
+        {
+            writer.Write(slots.Count);
+            foreach (Slot slot in slots) slot.Save(writer);
+        }
+
+        /// <summary>Goes on from a save.</summary>
+        public void Load(SaveReader reader)
+        {
+            slots.Clear();
+            for (int left = reader.Read<int>(); left > 0; left--) slots.Enqueue(Slot.Load(reader));
+        }
+
         sealed class Slot
         {
             readonly System.Action<AsyncGPUReadbackRequest> received;
@@ -70,15 +84,31 @@ namespace SphFluid
                 known = true;
             }
 
+            public void Save(SaveWriter writer)
+            {
+                Wait();
+                writer.Write(Frame);
+                writer.WriteItems(states, hasError ? 0 : count);
+            }
+
+            public static Slot Load(SaveReader reader)
+            {
+                var slot = new Slot { Frame = reader.Read<long>(), states = reader.ReadItems<FloatingState>(), known = true };
+                slot.count = slot.states.Length;
+                return slot;
+            }
+
             public void Deliver(IReadOnlyList<FloatingBody> bodies)
             {
-                if (!known)
-                {
-                    request.WaitForCompletion();
-                    Take(request);
-                }
-
+                Wait();
                 for (int i = 0; i < count && i < bodies.Count && !hasError; i++) bodies[i]?.Receive(states[i], Frame);
+            }
+
+            void Wait()
+            {
+                if (known) return;
+                request.WaitForCompletion();
+                Take(request);
             }
 
             void Take(AsyncGPUReadbackRequest done)

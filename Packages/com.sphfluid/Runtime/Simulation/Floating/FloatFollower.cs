@@ -62,6 +62,24 @@ namespace SphFluid
             given = default;
         }
 
+        /// <summary>Writes what is remembered.</summary>
+        public void Save(SaveWriter writer)
+        {
+            writer.WriteItems(entries, Memory);
+            writer.Write(given);
+            writer.Write(newest);
+            writer.Write(oldest);
+        }
+
+        /// <summary>Goes on from a save.</summary>
+        public void Load(SaveReader reader)
+        {
+            System.Array.Copy(reader.ReadItems<Entry>(), entries, Memory);
+            given = reader.Read<FloatChange>();
+            newest = reader.Read<long>();
+            oldest = reader.Read<long>();
+        }
+
         /// <summary>What to give the scene's body now; it counts as given.</summary>
         /// <param name="gpu">The body on the GPU.</param>
         /// <param name="frame">Frame that this is of.</param>

@@ -36,6 +36,9 @@ namespace SphFluid
             Body = new FloatingBody(RigidbodyMass.Of(rigidbody, space.ToSimulation), PoseOf(space, rigidbody.transform.position, rigidbody.transform.rotation));
         }
 
+        /// <summary>The scene's body.</summary>
+        public Rigidbody Rigidbody => rigidbody;
+
         /// <summary>The body on the GPU.</summary>
         public FloatingBody Body { get; }
 
@@ -78,7 +81,7 @@ namespace SphFluid
             bool wasKnown = isKnown;
             Sample(space);
             Body.Mass = RigidbodyMass.Of(rigidbody, space.ToSimulation);
-            Body.Pose = PoseOf(space, rigidbody.transform.position, rigidbody.transform.rotation); // as the colliders are seen: interpolated, where it is
+            Look(space); // as the colliders are seen: interpolated, where it is
             Body.Velocity = last.Velocity;
             Body.AngularVelocity = last.AngularVelocity;
             if (!wasKnown) Restart();
@@ -102,6 +105,41 @@ namespace SphFluid
             FloatMotion now = last;
             now.Pose = Turned(last.Pose, lead * last.Velocity, lead * last.AngularVelocity);
             follower.Note(frame, time, now);
+        }
+
+        /// <summary>Where the colliders of the Rigidbody are seen now.</summary>
+        public void Look(in FloatSpace space) => Body.Pose = PoseOf(space, rigidbody.transform.position, rigidbody.transform.rotation);
+
+        /// <summary>Writes what was last seen and given.</summary>
+        public void Save(SaveWriter writer)
+        {
+            Body.Save(writer);
+            follower.Save(writer);
+            writer.Write(last);
+            writer.Write(refused);
+            writer.Write(expectedVelocity);
+            writer.Write(expectedAngularVelocity);
+            writer.Write(shift);
+            writer.Write(stepLength);
+            writer.Write(isKnown);
+            writer.Write(corrected);
+            writer.Write(epoch);
+        }
+
+        /// <summary>Goes on from a save.</summary>
+        public void Load(SaveReader reader)
+        {
+            Body.Load(reader);
+            follower.Load(reader);
+            last = reader.Read<FloatMotion>();
+            refused = reader.Read<FloatChange>();
+            expectedVelocity = reader.Read<Vector3>();
+            expectedAngularVelocity = reader.Read<Vector3>();
+            shift = reader.Read<FloatShift>();
+            stepLength = reader.Read<float>();
+            isKnown = reader.Read<bool>();
+            corrected = reader.Read<bool>();
+            epoch = reader.Read<uint>();
         }
 
         void Restart()

@@ -71,6 +71,41 @@ namespace SphFluid
                 if (RigidbodyFloat.Moves(known.Key)) known.Value.FixedUpdate(now, deltaTime);
         }
 
+        /// <summary>Writes the bodies, once no read-back is under way.</summary>
+        public void Save(SaveWriter writer, FloatingBodies bodies)
+        {
+            bodies.Save(writer, KeyOf);
+            List<RigidbodyFloat> there = ordered.FindAll(f => f.Rigidbody != null);
+            writer.Write(there.Count);
+            foreach (RigidbodyFloat known in there)
+            {
+                writer.WriteKey(known.Rigidbody);
+                writer.WritePart(known.Save);
+            }
+        }
+
+        /// <summary>Goes on from a save, after a look.</summary>
+        public void Load(SaveReader reader, FloatingBodies bodies)
+        {
+            var present = new Dictionary<string, FloatingBody>();
+            foreach (RigidbodyFloat known in ordered) present.TryAdd(ScenePath.Of(known.Rigidbody), known.Body);
+            bodies.Load(reader, present);
+            Dictionary<string, RigidbodyFloat> byKey = SaveReader.ByKey(ordered, f => f.Rigidbody);
+            for (int left = reader.Read<int>(); left > 0; left--)
+            {
+                bool isThere = reader.TryFind(byKey, out RigidbodyFloat known);
+                SaveReader own = reader.ReadPart();
+                if (isThere) known.Load(own);
+            }
+            foreach (RigidbodyFloat known in ordered) known.Look(space);
+        }
+
+        string KeyOf(FloatingBody body)
+        {
+            RigidbodyFloat known = ordered.Find(f => f.Body == body);
+            return known == null || known.Rigidbody == null ? "" : ScenePath.Of(known.Rigidbody);
+        }
+
         void Leave()
         {
             foreach (KeyValuePair<Rigidbody, RigidbodyFloat> known in floats)

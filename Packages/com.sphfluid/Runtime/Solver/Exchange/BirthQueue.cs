@@ -46,8 +46,8 @@ namespace SphFluid
         {
             if (Waiting == waiting.Length)
             {
-                Array.Resize(ref waiting, 2 * Waiting);
-                Array.Resize(ref times, 2 * Waiting);
+                Array.Resize(ref waiting, Math.Max(64, 2 * Waiting));
+                Array.Resize(ref times, Math.Max(64, 2 * Waiting));
             }
             waiting[Waiting] = new ParticleBirth { Position = position, Velocity = velocity, Id = NextId, Source = (uint)source };
             times[Waiting] = time;
@@ -92,6 +92,25 @@ namespace SphFluid
             Waiting = kept;
             Taken += taken;
             return taken;
+        }
+
+        /// <summary>Writes what waits.</summary>
+        public void Save(SaveWriter writer)
+        {
+            writer.Write(NextId);
+            writer.Write(Taken);
+            writer.WriteItems(waiting, Waiting);
+            writer.WriteItems(times, Waiting);
+        }
+
+        /// <summary>Goes on from a save.</summary>
+        public void Load(SaveReader reader)
+        {
+            NextId = reader.Read<uint>();
+            Taken = reader.Read<long>();
+            waiting = reader.ReadItems<ParticleBirth>();
+            times = reader.ReadItems<double>();
+            Waiting = waiting.Length;
         }
 
         void Keep(int from, int to)

@@ -109,6 +109,23 @@ namespace SphFluid
             due = 0;
         }
 
+        /// <summary>Writes what waits and what was counted.</summary>
+        public void Save(SaveWriter writer)
+        {
+            Births.Save(writer);
+            Lifetimes.Save(writer);
+            Counts.Save(writer);
+        }
+
+        /// <summary>Goes on from a save, with the particles of it.</summary>
+        public void Load(SaveReader reader)
+        {
+            Births.Load(reader);
+            Lifetimes.Load(reader);
+            Counts.Load(reader);
+            ceiling = int.MaxValue;
+        }
+
         public void Dispose()
         {
             Counts.Dispose();

@@ -32,13 +32,29 @@ namespace SphFluid
             if (count == 0) return;
             if (Waiting == ranges.Length)
             {
-                Array.Resize(ref ranges, 2 * Waiting);
-                Array.Resize(ref ends, 2 * Waiting);
+                Array.Resize(ref ranges, Math.Max(64, 2 * Waiting));
+                Array.Resize(ref ends, Math.Max(64, 2 * Waiting));
             }
             ranges[Waiting] = new IdRange { First = first, Count = count };
             ends[Waiting] = end;
             earliest = Math.Min(earliest, end);
             Waiting++;
+        }
+
+        /// <summary>Writes what waits.</summary>
+        public void Save(SaveWriter writer)
+        {
+            writer.WriteItems(ranges, Waiting);
+            writer.WriteItems(ends, Waiting);
+        }
+
+        /// <summary>Goes on from a save.</summary>
+        public void Load(SaveReader reader)
+        {
+            ranges = reader.ReadItems<IdRange>();
+            ends = reader.ReadItems<double>();
+            Waiting = ranges.Length;
+            earliest = double.NegativeInfinity; // the next look finds it
         }
 
         /// <summary>Takes the ranges that leave in a step, the first that were added first.</summary>

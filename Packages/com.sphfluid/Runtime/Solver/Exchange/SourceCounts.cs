@@ -64,6 +64,24 @@ namespace SphFluid
         /// <summary>Particles that were not born because the liquid may have no more.</summary>
         public long Refused(int source) => totals[Place(source) + 2];
 
+        /// <summary>Writes the counts and which numbers are free, once no read-back is under way.</summary>
+        public void Save(SaveWriter writer)
+        {
+            ReadNow();
+            writer.WriteItems(totals, totals.Length);
+            writer.WriteItems(free.ToArray(), free.Count);
+        }
+
+        /// <summary>Goes on from a save: what the GPU counts from now on is added.</summary>
+        public void Load(SaveReader reader)
+        {
+            ReadNow();
+            long[] saved = reader.ReadItems<long>();
+            Array.Copy(saved, totals, Math.Min(saved.Length, totals.Length));
+            free.Clear();
+            foreach (int source in reader.ReadItems<int>()) free.Enqueue(source);
+        }
+
         /// <summary>Records the read-back.</summary>
         public void RecordRequest(CommandBuffer cmd) => readback.RecordRequest(cmd, buffer);
 

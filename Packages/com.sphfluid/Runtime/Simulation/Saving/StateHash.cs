@@ -1,0 +1,29 @@
+using System;
+using System.Runtime.InteropServices;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// FNV-1a with 64 bits (Fowler, Noll, Vo; the IETF draft draft-eastlake-fnv). Worked example: of the ASCII letter a it is 0xAF63DC4C8601EC8C.
+    /// </summary>
+    internal static class StateHash
+    {
+        const ulong Offset = 0xCBF29CE484222325ul, Prime = 0x100000001B3ul;
+
+        /// <summary>The hash of items that follow others.</summary>
+        public static ulong Of<T>(ReadOnlySpan<T> items, ulong before = Offset) where T : unmanaged
+        {
+            ulong hash = before;
+            foreach (byte value in MemoryMarshal.AsBytes(items)) hash = unchecked((hash ^ value) * Prime);
+            return hash;
+        }
+
+        /// <summary>Waits for the GPU and hashes a liquid: its particles by number, and the bodies that it moves.</summary>
+        public static ulong Of(FluidSolver solver)
+        {
+            ulong hash = Of(new ReadOnlySpan<FluidParticle>(SavedParticles.Read(solver)));
+            FloatingBodies floating = solver.State.Bodies?.Floating;
+            return floating == null || floating.Count == 0 ? hash : Of(new ReadOnlySpan<FloatingState>(floating.ReadNow()), hash);
+        }
+    }
+}

@@ -1,0 +1,199 @@
+using System.Collections;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace SphFluid.Tests
+{
+    /// <summary>A running liquid to bytes and back.</summary>
+    public sealed class SavingTests
+    {
+        const float Spacing = 0.05f;
+        const float Frame = 1f / 64f; // sums of it are exact: the times of a later run differ by whole frames
+
+        readonly float fixedDelta = Time.fixedDeltaTime;
+        SimulationRig rig;
+        FluidSimulation simulation;
+        Transform paddle;
+        int frame;
+
+        [SetUp]
+        public void SetUp()
+        {
+            rig = new SimulationRig(Frame);
+            Time.fixedDeltaTime = Frame;
+            simulation = rig.Create(liquid: false);
+            simulation.DomainSize = new Vector3(0.8f, 0.8f, 0.6f);
+            simulation.Spacing = Spacing;
+            FluidVolume water = rig.AddVolume(simulation);
+            water.Size = new Vector3(0.8f, 0.4f, 0.6f);
+            water.transform.localPosition = new Vector3(0f, -0.2f, 0f);
+            paddle = null;
+            frame = 0;
+        }
+
+        [TearDown]
+        public void TearDown()
+        {
+            Time.fixedDeltaTime = fixedDelta;
+            rig.Dispose();
+        }
+
+        Transform AddPaddle()
+        {
+            GameObject holder = rig.NewObject("Paddle");
+            holder.AddComponent<BoxCollider>().size = new Vector3(0.05f, 0.5f, 0.4f);
+            paddle = holder.transform;
+            Swing();
+            return paddle;
+        }
+
+        // To and fro, turning and growing.
+        void Swing()
+        {
+            if (paddle == null) return;
+            float phase = 0.1f * frame;
+            paddle.SetPositionAndRotation(new Vector3(-0.25f + 0.05f * Mathf.Sin(phase), -0.1f, 0f), Quaternion.Euler(0f, 0f, 10f * Mathf.Sin(0.7f * phase)));
+            paddle.localScale = Vector3.one * (1f + 0.1f * Mathf.Sin(0.5f * phase));
+        }
+
+        Rigidbody AddCrate()
+        {
+            GameObject crate = rig.NewObject("Crate");
+            crate.transform.SetPositionAndRotation(new Vector3(0.1f, 0.05f, 0f), Quaternion.Euler(8f, 0f, 3f));
+            crate.AddComponent<BoxCollider>().size = new Vector3(0.25f, 0.15f, 0.25f);
+            Rigidbody body = crate.AddComponent<Rigidbody>();
+            body.mass = 4f;
+            return body;
+        }
+
+        FluidEmitter AddNozzle()
+        {
+            GameObject holder = rig.NewObject("Nozzle");
+            holder.transform.SetParent(simulation.transform, false);
+            holder.transform.SetPositionAndRotation(new Vector3(0.2f, 0.3f, 0.1f), Quaternion.LookRotation(Vector3.down, Vector3.right));
+            FluidEmitter emitter = holder.AddComponent<FluidEmitter>();
+            emitter.Size = new Vector2(0.12f, 0.12f);
+            emitter.Speed = 1.1f;
+            emitter.Lifetime = 0.3f;
+            return emitter;
+        }
+
+        FluidDrain AddDrain()
+        {
+            GameObject holder = rig.NewObject("Drain");
+            holder.transform.SetParent(simulation.transform, false);
+            holder.transform.localPosition = new Vector3(-0.3f, -0.35f, 0.2f);
+            FluidDrain drain = holder.AddComponent<FluidDrain>();
+            drain.Size = new Vector3(0.15f, 0.1f, 0.15f);
+            return drain;
+        }
+
+        IEnumerator Play(int frames, List<ulong> hashes = null)
+        {
+            while (!simulation.IsRunning) yield return null;
+            for (int i = 0; i < frames; i++)
+            {
+                frame++;
+                Swing();
+                yield return null;
+                hashes?.Add(simulation.ComputeStateHash());
+            }
+        }
+
+        byte[] Save()
+        {
+            var stream = new MemoryStream();
+            simulation.Save(stream);
+            return stream.ToArray();
+        }
+
+        IEnumerator CheckContinuation(Rigidbody crate, int before = 20, int after = 15)
+        {
+            yield return Play(before);
+            byte[] save = Save();
+            ulong saved = simulation.ComputeStateHash();
+            (double time, long steps, int savedFrame) = (simulation.SimulatedTime, simulation.StepCount, frame);
+            Scene scene = crate == null ? null : new Scene(crate);
+            var first = new List<ulong>();
+            yield return Play(after, first);
+            Assert.That(first.Distinct().Count(), Is.EqualTo(after), "the liquid moves");
+
+            frame = savedFrame;
+            Swing();
+            scene?.Restore();
+            FluidSolver old = simulation.Solver;
+            Assert.That(simulation.Restore(new MemoryStream(save)), simulation.StatusMessage);
+            Assert.That(simulation.Solver, Is.Not.SameAs(old));
+            Assert.That(simulation.ComputeStateHash(), Is.EqualTo(saved));
+            Assert.That((simulation.SimulatedTime, simulation.StepCount), Is.EqualTo((time, steps)));
+            var second = new List<ulong>();
+            yield return Play(after, second);
+            Assert.That(second, Is.EqualTo(first));
+            Assert.That(simulation.Messages.Where(m => m.Issue == FluidIssue.SaveDiffers || m.Issue == FluidIssue.SaveInvalid), Is.Empty);
+        }
+
+        sealed class Scene
+        {
+            readonly Rigidbody body;
+            readonly Vector3 position, velocity, angularVelocity;
+            readonly Quaternion rotation;
+
+            public Scene(Rigidbody body)
+            {
+                this.body = body;
+                (position, rotation, angularVelocity) = (body.position, body.rotation, body.angularVelocity);
+#pragma warning disable 618 // linearVelocity in Unity 6
+                velocity = body.velocity;
+            }
+
+            public void Restore()
+            {
+                body.transform.SetPositionAndRotation(position, rotation);
+                (body.position, body.rotation, body.angularVelocity) = (position, rotation, angularVelocity);
+                body.velocity = velocity;
+#pragma warning restore 618
+            }
+        }
+
+        [UnityTest]
+        public IEnumerator ARestoredLiquidGoesOnToTheBit([Values] FluidTimeStepMode mode, [Values] bool follows)
+        {
+            simulation.TimeStepMode = mode;
+            simulation.FixedTimeStep = 0.001f;
+            rig.Profile.SoundSpeedMode = follows ? FluidSoundSpeedMode.FollowsLiquid : FluidSoundSpeedMode.FixedByRule;
+            yield return CheckContinuation(null);
+        }
+
+        [UnityTest]
+        public IEnumerator WithAColliderThatMoves() { AddPaddle(); return CheckContinuation(null); }
+
+        [UnityTest]
+        public IEnumerator WithEmittersAndDrains()
+        {
+            AddPaddle();
+            FluidEmitter emitter = AddNozzle();
+            FluidDrain drain = AddDrain();
+            yield return CheckContinuation(null, 30);
+            Assert.That(emitter.EmittedVolume, Is.Positive);
+            Assert.That(drain.DrainedVolume, Is.Positive);
+        }
+
+        [UnityTest]
+        public IEnumerator WithABodyThatFloats()
+        {
+            AddPaddle();
+            yield return CheckContinuation(AddCrate());
+        }
+
+        [UnityTest]
+        public IEnumerator ByTheThesisMethod()
+        {
+            simulation.Method = FluidMethodKind.Thesis;
+            yield return CheckContinuation(null, 5, 5);
+        }
+    }
+}
