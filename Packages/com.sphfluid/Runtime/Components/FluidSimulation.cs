@@ -352,10 +352,16 @@ namespace SphFluid
         public bool Restore(Stream stream)
         {
             if (stream == null) throw new ArgumentNullException(nameof(stream));
+            List<FluidMessage> before = messages.GetRange(0, messages.Count);
+            messages.Clear();
             FluidRun restored = null;
             if (FluidReports.NotPlaying(this) is FluidMessage obstacle) Report(obstacle);
             else restored = FluidRestore.TryMake(Spec, stream, Report);
-            if (restored == null) return false;
+            if (restored == null)
+            {
+                messages.InsertRange(0, before.FindAll(m => !messages.Contains(m)));
+                return false;
+            }
             Release();
             run = restored;
             requested = true;

@@ -1,5 +1,7 @@
+using System;
 using System.Collections;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using NUnit.Framework;
@@ -117,14 +119,14 @@ namespace SphFluid.Tests
             byte[] save = Save();
             ulong saved = simulation.ComputeStateHash();
             (double time, long steps, int savedFrame) = (simulation.SimulatedTime, simulation.StepCount, frame);
-            Scene scene = crate == null ? null : new Scene(crate);
+            float[] place = PlaceOf(crate);
             var first = new List<ulong>();
             yield return Play(after, first);
             Assert.That(first.Distinct().Count(), Is.EqualTo(after), "the liquid moves");
 
             frame = savedFrame;
             Swing();
-            scene?.Restore();
+            Bring(crate, place);
             FluidSolver old = simulation.Solver;
             Assert.That(simulation.Restore(new MemoryStream(save)), simulation.StatusMessage);
             Assert.That(simulation.Solver, Is.Not.SameAs(old));
@@ -136,27 +138,25 @@ namespace SphFluid.Tests
             Assert.That(simulation.Messages.Where(m => m.Issue == FluidIssue.SaveDiffers || m.Issue == FluidIssue.SaveInvalid), Is.Empty);
         }
 
-        sealed class Scene
+        // What a game saves of a Rigidbody.
+        static float[] PlaceOf(Rigidbody body)
         {
-            readonly Rigidbody body;
-            readonly Vector3 position, velocity, angularVelocity;
-            readonly Quaternion rotation;
-
-            public Scene(Rigidbody body)
-            {
-                this.body = body;
-                (position, rotation, angularVelocity) = (body.position, body.rotation, body.angularVelocity);
+            if (body == null) return new float[0];
 #pragma warning disable 618 // linearVelocity in Unity 6
-                velocity = body.velocity;
-            }
+            (Vector3 p, Quaternion q, Vector3 v, Vector3 w) = (body.position, body.rotation, body.velocity, body.angularVelocity);
+            return new[] { p.x, p.y, p.z, q.x, q.y, q.z, q.w, v.x, v.y, v.z, w.x, w.y, w.z };
+        }
 
-            public void Restore()
-            {
-                body.transform.SetPositionAndRotation(position, rotation);
-                (body.position, body.rotation, body.angularVelocity) = (position, rotation, angularVelocity);
-                body.velocity = velocity;
+        static void Bring(Rigidbody body, float[] n)
+        {
+            if (body == null) return;
+            var position = new Vector3(n[0], n[1], n[2]);
+            var rotation = new Quaternion(n[3], n[4], n[5], n[6]);
+            body.transform.SetPositionAndRotation(position, rotation);
+            (body.position, body.rotation) = (position, rotation);
+            body.velocity = new Vector3(n[7], n[8], n[9]);
+            body.angularVelocity = new Vector3(n[10], n[11], n[12]);
 #pragma warning restore 618
-            }
         }
 
         [UnityTest]
@@ -194,6 +194,60 @@ namespace SphFluid.Tests
         {
             simulation.Method = FluidMethodKind.Thesis;
             yield return CheckContinuation(null, 5, 5);
+        }
+
+        /// <summary>
+        /// With a folder in SPHFLUID_SAVE_FOLDER, a first process saves there and goes on, and a second one, of the same command, restores and compares;
+        /// SPHFLUID_SAVE_FRAMES frames after the save. Without, one process does both, in scenes of their own.
+        /// </summary>
+        [UnityTest]
+        public IEnumerator InAnotherProcess()
+        {
+            string given = Environment.GetEnvironmentVariable("SPHFLUID_SAVE_FOLDER");
+            int frames = int.Parse(Environment.GetEnvironmentVariable("SPHFLUID_SAVE_FRAMES") ?? "5", CultureInfo.InvariantCulture);
+            string folder = given ?? Path.Combine(Path.GetTempPath(), Path.GetRandomFileName());
+            Directory.CreateDirectory(folder);
+            if (!File.Exists(Path.Combine(folder, "hashes.txt"))) yield return SaveAndGoOn(folder, frames);
+            else yield return RestoreAndCompare(folder, frames);
+            if (given != null) yield break;
+            TearDown();
+            SetUp();
+            yield return RestoreAndCompare(folder, frames);
+            Directory.Delete(folder, true);
+        }
+
+        IEnumerator SaveAndGoOn(string folder, int frames)
+        {
+            AddPaddle();
+            AddNozzle();
+            Rigidbody crate = AddCrate();
+            yield return Play(25);
+            File.WriteAllBytes(Path.Combine(folder, "liquid.save"), Save());
+            var place = new byte[13 * sizeof(float)];
+            Buffer.BlockCopy(PlaceOf(crate), 0, place, 0, place.Length);
+            File.WriteAllBytes(Path.Combine(folder, "crate.bytes"), place);
+            var hashes = new List<ulong>();
+            yield return Play(frames, hashes);
+            File.WriteAllLines(Path.Combine(folder, "hashes.txt"), hashes.Select(h => h.ToString("X16", CultureInfo.InvariantCulture)).Append($"{simulation.StepCount} steps"));
+        }
+
+        IEnumerator RestoreAndCompare(string folder, int frames)
+        {
+            yield return Play(2); // the first frame has a time of its own
+            frame = 25;
+            AddPaddle();
+            AddNozzle();
+            Rigidbody crate = AddCrate();
+            var place = new float[13];
+            byte[] bytes = File.ReadAllBytes(Path.Combine(folder, "crate.bytes"));
+            Buffer.BlockCopy(bytes, 0, place, 0, bytes.Length);
+            Bring(crate, place);
+            using (FileStream stream = File.OpenRead(Path.Combine(folder, "liquid.save"))) Assert.That(simulation.Restore(stream), simulation.StatusMessage);
+            var hashes = new List<ulong>();
+            yield return Play(frames, hashes);
+            string[] first = File.ReadAllLines(Path.Combine(folder, "hashes.txt"));
+            Assert.That(hashes.Select(h => h.ToString("X16", CultureInfo.InvariantCulture)).Append($"{simulation.StepCount} steps"), Is.EqualTo(first));
+            Assert.That(hashes.Distinct().Count(), Is.EqualTo(frames));
         }
     }
 }
