@@ -98,6 +98,7 @@ static class UnityTestRunner
             _ => "none",
         };
         output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {word}  {outcome.FullName} ({outcome.Seconds * 1000.0:0} ms)"));
+        if (outcome.Output.Length > 0) output.WriteLine(Indent(outcome.Output));
         if (outcome.Status == TestStatus.Passed) return;
         if (outcome.Message.Length > 0) output.WriteLine(Indent(outcome.Message));
         if (outcome.Status == TestStatus.Failed && outcome.StackTrace.Length > 0) output.WriteLine(Indent(outcome.StackTrace));
