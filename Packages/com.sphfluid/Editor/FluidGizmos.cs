@@ -145,6 +145,7 @@ namespace SphFluid.Editor
             Gizmos.color = color;
             Gizmos.matrix = Matrix4x4.TRS(sensor.transform.position, sensor.transform.rotation, Vector3.one);
             Gizmos.DrawWireSphere(Vector3.zero, SensorSize);
+            if (sensor.Kind == FluidSensorKind.FillLevel) Gizmos.DrawWireCube(Vector3.zero, sensor.Size);
             if (sensor.Kind != FluidSensorKind.Level) return;
             Gizmos.DrawLine(Vector3.zero, new Vector3(0f, sensor.Length, 0f));
             Gizmos.DrawWireCube(new Vector3(0f, sensor.Threshold, 0f), new Vector3(2f * SensorSize, 0f, 2f * SensorSize));

@@ -19,11 +19,14 @@ namespace SphFluid
         }
 
         [SerializeField, Tooltip("What is read. Wetness: 1 within the liquid, 0.5 at its surface, 0 outside. Speed in m/s. Pressure in Pa. Level: height of the surface " +
-            "above this object along its up axis, in metres.")]
+            "above this object along its up axis, in metres. Fill Level: part of a box about this object that holds liquid, 0 to 1.")]
         FluidSensorKind kind = FluidSensorKind.Wetness;
 
         [SerializeField, Min(0f), Tooltip("How far above this object, along its up axis, the level is looked for, in metres. Level only.")]
         float length = 1f;
+
+        [SerializeField, Tooltip("Edge lengths of the box along this object's axes, in metres. Fill Level only.")]
+        Vector3 size = new Vector3(0.2f, 0.2f, 0.2f);
 
         [SerializeField, Min(0f), Tooltip("Time over which the reading is averaged, in simulated seconds. 0: not at all. Pressure needs about 0.1.")]
         float averagingTime;
@@ -43,6 +46,7 @@ namespace SphFluid
         [SerializeField, Tooltip("Raised with the reading when it has fallen below the threshold.")]
         ReadingEvent fellBelow = new ReadingEvent();
 
+        FluidQuery box;
         readonly List<FluidQuery> queries = new List<FluidQuery>();
         readonly List<float> densities = new List<float>();
         SensorSwitch state;
@@ -56,6 +60,9 @@ namespace SphFluid
 
         /// <summary>How far above this object, along its up axis, the level is looked for [m]; 0 or more.</summary>
         public float Length { get => length; set => length = value > 0f ? value : 0f; }
+
+        /// <summary>Edge lengths of the box along this object's axes [m], <see cref="FluidSensorKind.FillLevel"/> only; without three positive ones there is no reading.</summary>
+        public Vector3 Size { get => size; set => size = value; }
 
         /// <summary>Time constant of the mean [simulated s]; 0: none.</summary>
         public float AveragingTime { get => averagingTime; set => averagingTime = value > 0f ? value : 0f; }
@@ -96,6 +103,12 @@ namespace SphFluid
                 Forget();
                 return;
             }
+            if (kind == FluidSensorKind.FillLevel)
+            {
+                PlaceBox();
+                if (read.Queries.Answer != answer && read.Queries.TryGetBox(box, out FluidBoxResult held)) Take(held.Fill);
+                return;
+            }
             SensorLine line = Line();
             Place(line);
             if (read.Queries.Answer != answer) Take(line);
@@ -109,7 +122,8 @@ namespace SphFluid
             {
                 Vector3 place = transform.position + transform.up;
                 float sum = place.x + place.y + place.z;
-                return !float.IsNaN(sum) && !float.IsInfinity(sum);
+                bool holds = kind != FluidSensorKind.FillLevel || AffineMath.IsFinite(size) && size.x > 0f && size.y > 0f && size.z > 0f;
+                return holds && !float.IsNaN(sum) && !float.IsInfinity(sum);
             }
         }
 
@@ -117,7 +131,9 @@ namespace SphFluid
         {
             if (read is object)
                 foreach (FluidQuery query in queries) read.Queries.Remove(query);
+            if (read is object) read.Queries.Remove(box);
             queries.Clear();
+            box = default;
             read = owner;
             known = kind;
             Forget();
@@ -156,6 +172,13 @@ namespace SphFluid
             }
         }
 
+        void PlaceBox()
+        {
+            FluidQueries all = read.Queries;
+            if (box.Equals(default)) box = all.AddBox(transform.position, size, transform.rotation);
+            else all.Move(box, transform.position, size, transform.rotation);
+        }
+
         void Take(in SensorLine line)
         {
             FluidQueries all = read.Queries;
@@ -167,10 +190,15 @@ namespace SphFluid
                 densities.Add(point.Density);
             }
             float restDensity = read.Solver.Settings.RestDensity;
-            float now = kind == FluidSensorKind.Level ? line.Level(densities, restDensity)
+            Take(kind == FluidSensorKind.Level ? line.Level(densities, restDensity)
                 : kind == FluidSensorKind.Speed ? point.IsWet ? point.Velocity.magnitude : 0f
                 : kind == FluidSensorKind.Pressure ? point.Pressure
-                : point.Density / restDensity;
+                : point.Density / restDensity);
+        }
+
+        void Take(float now)
+        {
+            FluidQueries all = read.Queries;
             double passed = Math.Max(0.0, all.AnsweredTime - answeredTime);
             double share = HasValue && averagingTime > 0f ? 1.0 - Math.Exp(-passed / averagingTime) : 1.0;
             Value += (float)share * (now - Value);

@@ -13,26 +13,21 @@ namespace SphFluid
     /// </summary>
     public sealed class FluidQueries : IDisposable
     {
-        const int Readbacks = 4, MostUnderWay = 3, FirstCapacity = 1024;
+        const int Readbacks = 4, MostUnderWay = 3, FirstPoints = 1024, FirstOthers = 16;
 
-        struct PointQuery
-        {
-            public Vector3 Place;
-            public uint Generation; // 0: removed
-        }
 
         readonly Object owner;
         readonly Action<FluidMessage> report;
-        readonly Stack<int> free = new Stack<int>();
+        readonly QuerySlots points = new QuerySlots(QueryKind.Point, 1, FirstPoints);
+        readonly QuerySlots rays = new QuerySlots(QueryKind.Ray, AnswerRaysPass.Words, FirstOthers);
+        readonly QuerySlots boxes = new QuerySlots(QueryKind.Box, AnswerBoxesPass.Words, FirstOthers);
         readonly QueryReadback[] readbacks = new QueryReadback[Readbacks];
-        PointQuery[] points = new PointQuery[0];
-        int used;
         uint lastGeneration;
-        bool changed, disposed;
+        bool disposed;
         FluidSolver solver;
-        AnswerPointsPass pass;
+        QueryPasses passes;
         CommandBuffer commands;
-        GraphicsBuffer queries, results;
+        GraphicsBuffer results;
         QueryReadback current;
         long number;
         int run;
@@ -49,10 +44,10 @@ namespace SphFluid
         public event Action<FluidQueries> Received;
 
         /// <summary>Number of requests.</summary>
-        public int Count => used - free.Count;
+        public int Count => points.Count + rays.Count + boxes.Count;
 
         /// <summary>GPU memory [bytes].</summary>
-        public long GpuBytes => GpuBuffers.Size(queries, results);
+        public long GpuBytes => GpuBuffers.Size(results) + points.GpuBytes + rays.GpuBytes + boxes.GpuBytes + (passes?.GpuBytes ?? 0);
 
         /// <summary>Frames since the state that the present answers are of; -1 while there are none.</summary>
         public int AgeInFrames => current == null ? -1 : Time.frameCount - current.Frame;
@@ -66,8 +61,8 @@ namespace SphFluid
         /// <summary>Number of the request that the present answers are of; 0 while there are none.</summary>
         internal long Answer => current?.Number ?? 0;
 
-        /// <summary>All present answers, by <see cref="FluidQuery.Index"/>, for jobs that end within the frame; empty while there are none. Only <see cref="TryGet"/> knows whose they are.</summary>
-        public NativeArray<FluidPointResult>.ReadOnly Points => current == null ? default : current.Values.GetSubArray(0, current.Count).AsReadOnly();
+        /// <summary>All present answers of points, by <see cref="FluidQuery.Index"/>, for jobs that end within the frame; empty while there are none. Only <see cref="TryGet"/> knows whose they are.</summary>
+        public NativeArray<FluidPointResult>.ReadOnly Points => current == null ? default : current.Of<FluidPointResult>(QueryKind.Point).AsReadOnly();
 
         /// <summary>Asks what the liquid is at a point.</summary>
         /// <param name="world">World position [m].</param>
@@ -76,49 +71,103 @@ namespace SphFluid
         public FluidQuery AddPoint(Vector3 world)
         {
             Check(world, nameof(world));
-            if (free.Count == 0 && used == points.Length) Array.Resize(ref points, Math.Max(FirstCapacity, 2 * used));
-            int index = free.Count > 0 ? free.Pop() : used++;
-            lastGeneration = Math.Max(1, unchecked(lastGeneration + 1));
-            points[index] = new PointQuery { Place = world, Generation = lastGeneration };
-            changed = true;
-            return new FluidQuery(index, lastGeneration);
+            FluidQuery query = points.Add(NextGeneration());
+            points.Set(query, world);
+            return query;
+        }
+
+        /// <summary>Asks where a ray meets the liquid's surface; a ray downwards asks for the height of the water.</summary>
+        /// <param name="origin">World position at which it begins [m].</param>
+        /// <param name="direction">World direction, of any length but 0.</param>
+        /// <param name="length">How far it goes [m]; beyond the domain there is nothing to find.</param>
+        /// <returns>The request.</returns>
+        /// <exception cref="ArgumentException">A number is not finite, the direction is 0, or the length is not positive.</exception>
+        public FluidQuery AddRay(Vector3 origin, Vector3 direction, float length)
+        {
+            QueryWord second = Ray(origin, direction, length);
+            FluidQuery query = rays.Add(NextGeneration());
+            rays.Set(query, origin);
+            rays.Set(query, 1, second);
+            return query;
+        }
+
+        /// <summary>Asks how much liquid a box holds.</summary>
+        /// <param name="centre">World position of its centre [m].</param>
+        /// <param name="size">Edge lengths [m].</param>
+        /// <param name="rotation">World rotation.</param>
+        /// <returns>The request.</returns>
+        /// <exception cref="ArgumentException">A number is not finite, or an edge length is not positive.</exception>
+        public FluidQuery AddBox(Vector3 centre, Vector3 size, Quaternion rotation)
+        {
+            Check(centre, size, rotation);
+            FluidQuery query = boxes.Add(NextGeneration());
+            SetBox(query, centre, size, rotation);
+            return query;
         }
 
         /// <summary>Asks at another place from now on. Until the answer of that place arrives, that of the last one stays.</summary>
-        /// <param name="query">The request.</param>
+        /// <param name="query">The request of a point.</param>
         /// <param name="world">World position [m].</param>
-        /// <exception cref="ArgumentException">The position is not finite, or the request was removed.</exception>
+        /// <exception cref="ArgumentException">The position is not finite, or the request was removed or is of another kind.</exception>
         public void Move(FluidQuery query, Vector3 world)
         {
             Check(world, nameof(world));
-            if (!IsAlive(query)) throw new ArgumentException("The query was removed or is none. Add it first.", nameof(query));
-            changed |= !points[query.Index].Place.Equals(world);
-            points[query.Index].Place = world;
+            Require(points, query, "point");
+            points.Set(query, world);
+        }
+
+        /// <summary>Asks along another ray from now on. Until the answer of that one arrives, that of the last one stays.</summary>
+        /// <param name="query">The request of a ray.</param>
+        /// <param name="origin">World position at which it begins [m].</param>
+        /// <param name="direction">World direction, of any length but 0.</param>
+        /// <param name="length">How far it goes [m].</param>
+        /// <exception cref="ArgumentException">As <see cref="AddRay"/>, or the request was removed or is of another kind.</exception>
+        public void Move(FluidQuery query, Vector3 origin, Vector3 direction, float length)
+        {
+            QueryWord second = Ray(origin, direction, length);
+            Require(rays, query, "ray");
+            rays.Set(query, origin);
+            rays.Set(query, 1, second);
+        }
+
+        /// <summary>Asks about another box from now on. Until the answer of that one arrives, that of the last one stays.</summary>
+        /// <param name="query">The request of a box.</param>
+        /// <param name="centre">World position of its centre [m].</param>
+        /// <param name="size">Edge lengths [m].</param>
+        /// <param name="rotation">World rotation.</param>
+        /// <exception cref="ArgumentException">As <see cref="AddBox"/>, or the request was removed or is of another kind.</exception>
+        public void Move(FluidQuery query, Vector3 centre, Vector3 size, Quaternion rotation)
+        {
+            Check(centre, size, rotation);
+            Require(boxes, query, "box");
+            SetBox(query, centre, size, rotation);
         }
 
         /// <summary>Ends a request; one that is none or was removed before is left as it is.</summary>
         /// <param name="query">The request.</param>
         public void Remove(FluidQuery query)
         {
-            if (!IsAlive(query)) return;
-            points[query.Index] = default;
-            free.Push(query.Index);
-            changed = true;
+            QuerySlots slots = SlotsOf(query.Kind);
+            if (slots.Has(query)) slots.Remove(query);
         }
 
-        /// <summary>The latest answer to a request.</summary>
+        /// <summary>The latest answer to a request of a point.</summary>
         /// <param name="query">The request.</param>
         /// <param name="result">The answer, a copy.</param>
-        /// <returns>False until the first answer, for removed requests, and while the liquid does not run.</returns>
-        public bool TryGet(FluidQuery query, out FluidPointResult result)
-        {
-            result = default;
-            if (current == null || !IsAlive(query) || query.Index >= current.Count) return false;
-            FluidPointResult found = current.Values[query.Index];
-            if (found.Generation != query.Generation) return false;
-            result = found;
-            return true;
-        }
+        /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not run.</returns>
+        public bool TryGet(FluidQuery query, out FluidPointResult result) => TryFind(points, query, out result) && result.Generation == query.Generation;
+
+        /// <summary>The latest answer to a request of a ray.</summary>
+        /// <param name="query">The request.</param>
+        /// <param name="result">The answer, a copy.</param>
+        /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not run.</returns>
+        public bool TryGetRay(FluidQuery query, out FluidRayResult result) => TryFind(rays, query, out result) && result.Generation == query.Generation;
+
+        /// <summary>The latest answer to a request of a box.</summary>
+        /// <param name="query">The request.</param>
+        /// <param name="result">The answer, a copy.</param>
+        /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not run.</returns>
+        public bool TryGetBox(FluidQuery query, out FluidBoxResult result) => TryFind(boxes, query, out result) && result.Generation == query.Generation;
 
         /// <summary>Waits for the answers that are under way; for tools and tests.</summary>
         public void Complete()
@@ -144,17 +193,15 @@ namespace SphFluid
             now = time;
             if (Count == 0 || disposed) return;
             if (liquid != solver) Attach(liquid, shaders);
-            if (pass == null) return;
+            if (passes == null) return;
             QueryReadback readback = FreeReadback();
             if (readback == null) return;
             Reserve();
-            if (changed) queries.SetData(points, 0, 0, used);
-            changed = false;
             commands.Clear();
             liquid.RecordNeighbourSetup(commands);
-            pass.Record(commands, liquid, position, rotation, queries, results, used);
+            passes.Record(commands, new QueryTarget { Solver = liquid, Position = position, Rotation = rotation, Results = results }, points, rays, boxes);
             Graphics.ExecuteCommandBuffer(commands);
-            readback.Request(results, used, ++number, run, time);
+            readback.Request(results, points.Used, rays.Used, boxes.Used, ++number, run, time);
         }
 
         /// <summary>The liquid is gone: its answers too, and the GPU memory.</summary>
@@ -163,29 +210,72 @@ namespace SphFluid
             solver = null;
             current = null;
             run++;
-            GpuBuffers.Dispose(ref queries);
+            points.Free();
+            rays.Free();
+            boxes.Free();
+            passes?.Dispose();
+            passes = null;
             GpuBuffers.Dispose(ref results);
         }
 
         static void Check(Vector3 world, string name)
         {
-            float sum = world.x + world.y + world.z;
-            if (float.IsNaN(sum) || float.IsInfinity(sum))
+            if (!AffineMath.IsFinite(world))
                 throw new ArgumentException($"The position {world} of a fluid query is not finite. Give a position in metres.", name);
         }
 
-        bool IsAlive(FluidQuery query) => query.Generation != 0 && query.Index < used && points[query.Index].Generation == query.Generation;
+        static QueryWord Ray(Vector3 origin, Vector3 direction, float length)
+        {
+            Check(origin, nameof(origin));
+            float magnitude = direction.magnitude;
+            if (!AffineMath.IsFinite(magnitude) || magnitude == 0f)
+                throw new ArgumentException($"The direction {direction} of a ray has no finite length above 0. Give another.", nameof(direction));
+            if (!(length > 0f)) throw new ArgumentException($"A ray of {length} m finds nothing. Give it a positive length.", nameof(length));
+            return new QueryWord(direction / magnitude, Mathf.Min(length, float.MaxValue));
+        }
+
+        static void Check(Vector3 centre, Vector3 size, Quaternion rotation)
+        {
+            Check(centre, nameof(centre));
+            if (!AffineMath.IsFinite(size) || !(size.x > 0f && size.y > 0f && size.z > 0f))
+                throw new ArgumentException($"A box of {FluidMessage.Lengths(size)} m holds nothing. Give it three positive edge lengths.", nameof(size));
+            float norm = rotation.x * rotation.x + rotation.y * rotation.y + rotation.z * rotation.z + rotation.w * rotation.w;
+            if (!(Mathf.Abs(norm - 1f) < 1e-3f))
+                throw new ArgumentException($"The rotation {rotation} of a box is none. Give a quaternion of length 1.", nameof(rotation));
+        }
+
+        void SetBox(FluidQuery query, Vector3 centre, Vector3 size, Quaternion rotation)
+        {
+            boxes.Set(query, centre);
+            boxes.Set(query, 1, new QueryWord(rotation * Vector3.right, 0.5f * size.x));
+            boxes.Set(query, 2, new QueryWord(rotation * Vector3.up, 0.5f * size.y));
+            boxes.Set(query, 3, new QueryWord(rotation * Vector3.forward, 0.5f * size.z));
+        }
+
+        uint NextGeneration() => lastGeneration = Math.Max(1, unchecked(lastGeneration + 1));
+
+        QuerySlots SlotsOf(QueryKind kind) => kind == QueryKind.Point ? points : kind == QueryKind.Ray ? rays : boxes;
+
+        static void Require(QuerySlots slots, FluidQuery query, string kind)
+        {
+            if (!slots.Has(query)) throw new ArgumentException($"The query was removed, or is no {kind}'s. Add it first.", nameof(query));
+        }
+
+        bool TryFind<T>(QuerySlots slots, FluidQuery query, out T result) where T : struct
+        {
+            result = default;
+            return current != null && slots.Has(query) && current.TryGet(query.Kind, query.Index, out result);
+        }
 
         // A liquid whose device or shaders cannot answer is not asked again; the next start is.
         void Attach(FluidSolver liquid, FluidShaderSet shaders)
         {
             Detach();
             solver = liquid;
-            pass = null;
             try
             {
                 if (!SystemInfo.supportsAsyncGPUReadback) throw new FluidDeviceException($"{SystemInfo.graphicsDeviceName} has no asynchronous readback.");
-                pass = new AnswerPointsPass(shaders);
+                passes = new QueryPasses(shaders);
                 commands ??= new CommandBuffer { name = "Fluid Queries" };
             }
             catch (FluidDeviceException exception)
@@ -209,12 +299,14 @@ namespace SphFluid
 
         void Reserve()
         {
-            if (queries != null && queries.count >= points.Length) return;
-            if (queries != null) solver.State.Retired.Add(queries);
-            if (results != null) solver.State.Retired.Add(results);
-            queries = GpuBuffers.Create("PointQueries", points.Length, 16);
-            results = GpuBuffers.Create("PointResults", points.Length, FluidPointResult.Stride);
-            changed = true;
+            RetiredBuffers retired = solver.State.Retired;
+            points.Upload(retired);
+            rays.Upload(retired);
+            boxes.Upload(retired);
+            int capacity = points.Capacity + rays.Capacity + boxes.Capacity;
+            if (results != null && results.count >= capacity) return;
+            if (results != null) retired.Add(results);
+            results = GpuBuffers.Create("Fluid Query Results", capacity, QueryReadback.Stride);
         }
 
         void Take(QueryReadback arrived)

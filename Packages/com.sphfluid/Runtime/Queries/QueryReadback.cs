@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.InteropServices;
 using Unity.Collections;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -8,11 +9,19 @@ namespace SphFluid
     /// <summary>One of the read-backs of <see cref="FluidQueries"/>, used again and again.</summary>
     internal sealed class QueryReadback
     {
+        /// <summary>Bytes of an answer of any kind.</summary>
+        public const int Stride = 32;
+
+        [StructLayout(LayoutKind.Sequential, Size = Stride)]
+        struct Answer
+        {
+        }
+
         readonly Action<QueryReadback> arrived;
         readonly Action<AsyncGPUReadbackRequest> received;
         AsyncGPUReadbackRequest request;
-        NativeArray<FluidPointResult> values;
-        int late;
+        NativeArray<Answer> values;
+        int late, pointCount, rayCount, boxCount;
 
         public QueryReadback(Action<QueryReadback> arrived)
         {
@@ -26,20 +35,34 @@ namespace SphFluid
         public int Run { get; private set; }
         public int Frame { get; private set; }
         public double Time { get; private set; }
-        public int Count { get; private set; }
-        public NativeArray<FluidPointResult> Values => values;
 
-        public void Request(GraphicsBuffer results, int count, long number, int run, double time)
+        public void Request(GraphicsBuffer results, int points, int rays, int boxes, long number, int run, double time)
         {
             int capacity = results.count;
             if (!values.IsCreated || values.Length != capacity)
             {
                 Free();
-                values = new NativeArray<FluidPointResult>(capacity, Allocator.Persistent);
+                values = new NativeArray<Answer>(capacity, Allocator.Persistent);
             }
-            (Number, Run, Frame, Time, Count) = (number, run, UnityEngine.Time.frameCount, time, count);
+            (pointCount, rayCount, boxCount) = (points, rays, boxes);
+            (Number, Run, Frame, Time) = (number, run, UnityEngine.Time.frameCount, time);
             UnderWay = true;
-            request = AsyncGPUReadback.RequestIntoNativeArray(ref values, results, FluidPointResult.Stride * count, 0, received);
+            request = AsyncGPUReadback.RequestIntoNativeArray(ref values, results, Stride * (points + rays + boxes), 0, received);
+        }
+
+        /// <summary>The answers of a kind, without a copy.</summary>
+        public NativeArray<T> Of<T>(QueryKind kind) where T : struct
+        {
+            (int first, int count) = Range(kind);
+            return values.GetSubArray(first, count).Reinterpret<T>(Stride);
+        }
+
+        /// <summary>The answer to a request, if it was asked by then.</summary>
+        public bool TryGet<T>(QueryKind kind, int index, out T result) where T : struct
+        {
+            bool wasAsked = index < Range(kind).count;
+            result = wasAsked ? Of<T>(kind)[index] : default;
+            return wasAsked;
         }
 
         /// <summary>Waits for the GPU; a callback that comes after that is not taken for the next request's.</summary>
@@ -70,6 +93,9 @@ namespace SphFluid
             UnderWay = false;
             if (!failed) arrived(this);
         }
+
+        (int first, int count) Range(QueryKind kind) =>
+            kind == QueryKind.Point ? (0, pointCount) : kind == QueryKind.Ray ? (pointCount, rayCount) : (pointCount + rayCount, boxCount);
 
         void Free()
         {

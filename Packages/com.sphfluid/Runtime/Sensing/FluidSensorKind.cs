@@ -14,5 +14,8 @@ namespace SphFluid
 
         /// <summary>Height of the surface above the sensor along its up axis [m].</summary>
         Level,
+
+        /// <summary>Part of a box about the sensor that holds liquid, 0 to 1.</summary>
+        FillLevel,
     }
 }

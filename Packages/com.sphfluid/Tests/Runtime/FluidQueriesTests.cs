@@ -150,6 +150,88 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator RaysAndBoxesAreAnsweredBesidePoints()
+        {
+            FluidSimulation simulation = rig.Create(position: new Vector3(2f, 1f, 0f));
+            simulation.UseSceneGravity = false;
+            simulation.Gravity = Vector3.zero;
+            yield return null;
+            simulation.StartSimulation();
+            FluidQueries queries = simulation.Queries;
+            FluidQuery box = queries.AddBox(new Vector3(2f, 1f, 0f), new Vector3(0.4f, 0.4f, 0.4f), Quaternion.identity);
+            FluidQuery point = queries.AddPoint(new Vector3(2f, 1f, 0f));
+            FluidQuery ray = queries.AddRay(new Vector3(2.01f, 1.19f, 0.01f), 3f * Vector3.down, 1f), half = queries.AddBox(new Vector3(2f, 1.1f, 0f), 0.1f * Vector3.one, Quaternion.identity);
+            for (int i = 0; i < 3; i++) yield return null;
+            queries.Complete();
+            Assert.That(queries.Points.Length, Is.EqualTo(1));
+            Assert.That(queries.Count, Is.EqualTo(4));
+            Assert.That(queries.TryGetBox(box, out FluidBoxResult all));
+            Assert.That(all.Volume, Is.EqualTo(0.008f).Within(1e-6f));
+            Assert.That((all.Particles, all.Fill), Is.EqualTo((64, 0.125f)));
+            Assert.That(queries.TryGetBox(half, out FluidBoxResult upper));
+            Assert.That(upper.Fill, Is.EqualTo(0.5f).Within(0.01f));
+            Assert.That(queries.TryGetRay(ray, out FluidRayResult surface));
+            Assert.That(surface.IsHit);
+            Assert.That(surface.Place.y, Is.EqualTo(1.1f).Within(0.25f * SimulationRig.Spacing));
+            Assert.That(queries.TryGet(point, out FluidPointResult inside) && inside.IsWet);
+            Assert.That(queries.TryGet(box, out _) || queries.TryGet(ray, out _) || queries.TryGetBox(ray, out _) || queries.TryGetRay(point, out _), Is.False, "another kind");
+
+            queries.Move(box, new Vector3(2f, 1f, 0f), 0.1f * Vector3.one, Quaternion.Euler(0f, 90f, 0f));
+            queries.Move(ray, new Vector3(2f, 0.81f, 0f), Vector3.up, 1f);
+            queries.Remove(point);
+            for (int i = 0; i < 3; i++) yield return null;
+            queries.Complete();
+            Assert.That(queries.TryGetBox(box, out all) && all.Fill > 0.98f, $"{all.Fill}");
+            Assert.That(queries.TryGetRay(ray, out surface) && Mathf.Abs(surface.Place.y - 0.9f) < 0.25f * SimulationRig.Spacing, $"{surface.Place}");
+            Assert.That(queries.TryGet(point, out _), Is.False);
+        }
+
+        [UnityTest]
+        public IEnumerator RaysAndBoxesThatAreNoneAreRefused()
+        {
+            FluidSimulation simulation = rig.Create();
+            FluidQueries queries = simulation.Queries;
+            yield return null;
+            Assert.That(() => queries.AddRay(Vector3.zero, Vector3.zero, 1f), Throws.ArgumentException.With.Message.Contains("direction"));
+            Assert.That(() => queries.AddRay(Vector3.zero, Vector3.up, 0f), Throws.ArgumentException.With.Message.Contains("length"));
+            Assert.That(() => queries.AddRay(new Vector3(float.NaN, 0f, 0f), Vector3.up, 1f), Throws.ArgumentException);
+            Assert.That(() => queries.AddBox(Vector3.zero, new Vector3(1f, 0f, 1f), Quaternion.identity), Throws.ArgumentException.With.Message.Contains("edge lengths"));
+            Assert.That(() => queries.AddBox(Vector3.zero, Vector3.one, default), Throws.ArgumentException.With.Message.Contains("rotation"));
+            FluidQuery ray = queries.AddRay(Vector3.zero, Vector3.up, float.PositiveInfinity);
+            Assert.That(() => queries.Move(ray, Vector3.zero), Throws.ArgumentException.With.Message.Contains("no point's"));
+            Assert.That(() => queries.Move(ray, Vector3.zero, Vector3.one, Quaternion.identity), Throws.ArgumentException.With.Message.Contains("no box's"));
+            queries.Remove(ray);
+            Assert.That(() => queries.Move(ray, Vector3.zero, Vector3.up, 1f), Throws.ArgumentException.With.Message.Contains("removed"));
+            Assert.That(queries.Count, Is.Zero);
+        }
+
+        // What a command buffer and a read-back take belongs to the engine, and does not depend on the number of points.
+        [UnityTest]
+        public IEnumerator AskingTenThousandPointsAFrameMakesNoMoreGarbageThanAskingTen()
+        {
+            FluidSimulation simulation = rig.Create();
+            yield return null;
+            simulation.StartSimulation();
+            FluidQueries queries = simulation.Queries;
+            var made = new List<long>();
+            foreach (int count in new[] { 10, 10000 })
+            {
+                while (queries.Count < count) queries.AddPoint(new Vector3(0.00001f * queries.Count, 0f, 0f));
+                long least = long.MaxValue;
+                for (int turn = 0; turn < 8; turn++)
+                {
+                    yield return null;
+                    queries.Complete();
+                    long before = GC.GetAllocatedBytesForCurrentThread();
+                    queries.Ask(simulation.Solver, rig.Profile.Shaders, simulation.SimulatedTime, Vector3.zero, Quaternion.identity);
+                    least = Math.Min(least, GC.GetAllocatedBytesForCurrentThread() - before);
+                }
+                made.Add(least);
+            }
+            Assert.That(made[1], Is.EqualTo(made[0]));
+        }
+
+        [UnityTest]
         public IEnumerator ShadersThatCannotAnswerAreNamedAndOthersServeAfterANewStart()
         {
             FluidShaderSet whole = rig.Profile.Shaders, incomplete = TestShaders.Without(whole, "AnswerPoints");

@@ -76,6 +76,34 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator TheFillLevelIsThatOfABoxAboutTheSensor()
+        {
+            FluidSimulation simulation = rig.Create(liquid: false, position: new Vector3(3f, 1f, 0f));
+            FluidVolume volume = rig.AddVolume(simulation);
+            volume.Size = new Vector3(0.4f, 0.2f, 0.4f);
+            volume.transform.localPosition = new Vector3(0f, -0.1f, 0f); // up to the height 1
+            FluidSensor sensor = Sensor(FluidSensorKind.FillLevel, new Vector3(3f, 0.95f, 0f));
+            sensor.Size = new Vector3(0.3f, 0.2f, 0.3f);
+            sensor.Threshold = 0.5f;
+            yield return Play(simulation, 5);
+            Assert.That(sensor.Value, Is.EqualTo(0.75f).Within(0.02f));
+            Assert.That(sensor.IsAbove);
+            int fell = 0;
+            sensor.FellBelow.AddListener(_ => fell++);
+            sensor.transform.SetPositionAndRotation(new Vector3(3f, 1.05f, 0f), Quaternion.Euler(0f, 90f, 0f));
+            yield return Play(simulation, 5);
+            Assert.That(sensor.Value, Is.EqualTo(0.25f).Within(0.03f));
+            Assert.That(fell, Is.EqualTo(1));
+            sensor.Size = new Vector3(0.3f, 0f, 0.3f);
+            yield return Play(simulation, 2);
+            Assert.That(sensor.HasValue, Is.False);
+            sensor.Kind = FluidSensorKind.Wetness;
+            yield return Play(simulation, 5);
+            Assert.That(sensor.HasValue);
+            Assert.That(simulation.Queries.Count, Is.EqualTo(1));
+        }
+
+        [UnityTest]
         public IEnumerator SpeedIsThatOfTheFallAndIsAveraged()
         {
             FluidSimulation simulation = rig.Create();

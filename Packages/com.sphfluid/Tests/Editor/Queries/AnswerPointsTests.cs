@@ -47,7 +47,7 @@ namespace SphFluid.Tests
                 GpuTest.Run(cmd =>
                 {
                     solver.RecordNeighbourSetup(cmd);
-                    pass.Record(cmd, solver, Place, Turn, asked, answers, points);
+                    pass.Record(cmd, new QueryTarget { Solver = solver, Position = Place, Rotation = Turn, Results = answers }, asked, points, 0);
                 });
                 FluidPointResult[] found = ReadResults(answers, points);
                 int wet = 0;

@@ -17,19 +17,41 @@ namespace SphFluid.Tests
 
         static readonly Vector3 Crate = new Vector3(Width, Height, Width);
 
-        // Periods of potential flow in this tank, whose level rises as the crate sinks: heave of a box, free surface at constant pressure.
         [TestCase(0.25f)]
         [TestCase(0.5f)]
         [TestCase(0.75f)]
-        public void DraughtAndHeaveOfACrate(float ratio)
+        public void DraughtOfACrate(float ratio)
         {
-            using (var tank = new FloatingTank(Spacing, Across, Deep, Crate, ratio, Height * (0.6f - ratio), Quaternion.identity))
+            using (var tank = new FloatingTank(Spacing, Across, Deep, Crate, ratio, Height * (0.52f - ratio), Quaternion.identity))
             {
-                tank.Play(3.5);
-                List<double> crossings = Crossings(tank.States.Select(s => (double)s.Centre.y).ToList(), tank.Late(1.0, s => s.Centre.y));
-                double period = 2.0 * (crossings[2] - crossings[0]) / 2.0;
-                TestContext.WriteLine($"{tank.Figures(1.0)}, heave period {period:f3} s, crossings {string.Join(", ", crossings.Take(6).Select(t => t.ToString("f3")))}");
+                tank.Play(3.0);
+                TestContext.WriteLine(tank.Figures(1.0));
                 Assert.That(tank.Draught(1.0), Is.EqualTo(ratio).Within(Math.Max(0.05 * ratio, 0.3 * Spacing / Height)));
+            }
+        }
+
+        // Periods of potential flow about the box in this tank, whose surface has no pressure and rises by what the box displaces: the added mass is 34.0,
+        // 37.0 and 39.7 kg by finite differences of 2 cm. The crate is held until the water is calm and let go above its draught.
+        [TestCase(0.25f, 0.926)]
+        [TestCase(0.5f, 1.100)]
+        [TestCase(0.75f, 1.247)]
+        public void HeaveOfACrate(float ratio, double period)
+        {
+            using (var tank = new FloatingTank(Spacing, Across, Deep, Crate, ratio, Height * (0.62f - ratio), Quaternion.identity))
+            {
+                FloatingMass free = tank.Body.Mass;
+                tank.Hold();
+                tank.Play(1.0);
+                int held = tank.States.Count;
+                tank.Body.Mass = free;
+                tank.Play(1.6);
+                List<double> heights = Smooth(tank.States.Skip(held).Select(s => (double)s.Centre.y).ToList());
+                int lowest = Extreme(heights, 0, (int)(0.8 * period / FloatingTank.FrameTime), -1.0);
+                int highest = Extreme(heights, lowest, heights.Count - 1, 1.0);
+                double found = 2.0 * lowest * FloatingTank.FrameTime; // later the waves that it made have a part in it
+                TestContext.WriteLine($"{tank.Figures(0.5)}, lowest {lowest * FloatingTank.FrameTime:f3} s after the release at {heights[lowest]:f4} m, highest after {highest * FloatingTank.FrameTime:f3} s at {heights[highest]:f4} m: " +
+                    $"period {found:f3} s, of potential flow {period:f3} s");
+                Assert.That(found, Is.EqualTo(period).Within(0.1 * period));
             }
         }
 
@@ -67,8 +89,7 @@ namespace SphFluid.Tests
         {
             using (var tank = new FloatingTank(0.04f, 30, 24, new Vector3(0.4f, 0.32f, 0.4f), 1f, -0.5f, Quaternion.identity))
             {
-                FloatingMass mass = tank.Body.Mass;
-                tank.Body.Mass = new FloatingMass(float.PositiveInfinity, Vector3.positiveInfinity, Vector3.zero) { FreeX = mass.FreeX, FreeY = mass.FreeY, FreeZ = mass.FreeZ };
+                tank.Hold();
                 tank.Play(3.0);
                 double force = tank.Late(1.5, s => s.Impulse.y / s.Time) / tank.Buoyancy;
                 TestContext.WriteLine($"force over buoyancy {force:f4} over the last 1.5 s, {tank.Late(0.5, s => s.Impulse.y / s.Time) / tank.Buoyancy:f4} over the last 0.5 s, moved {tank.States.Last().Centre.y + 0.5f} m");
@@ -93,16 +114,11 @@ namespace SphFluid.Tests
             }
         }
 
-        // Times at which a series passes a value, by straight lines between frames [s].
-        static List<double> Crossings(IReadOnlyList<double> series, double value)
-        {
-            var times = new List<double>();
-            for (int i = 1; i < series.Count; i++)
-            {
-                double before = series[i - 1] - value, after = series[i] - value;
-                if (before * after < 0.0) times.Add((i + before / (before - after)) * FloatingTank.FrameTime);
-            }
-            return times;
-        }
+        // Means of five frames.
+        static List<double> Smooth(IReadOnlyList<double> series) =>
+            Enumerable.Range(0, series.Count).Select(i => Enumerable.Range(i - 2, 5).Where(k => k >= 0 && k < series.Count).Average(k => series[k])).ToList();
+
+        static int Extreme(IReadOnlyList<double> series, int from, int to, double sign) =>
+            Enumerable.Range(from, Math.Min(to, series.Count - 1) - from + 1).OrderByDescending(i => sign * series[i]).First();
     }
 }

@@ -54,13 +54,27 @@ namespace SphFluid.Tests
         {
             get
             {
-                double liquid = particles * (double)settings.ParticleMass / settings.RestDensity + Math.Min(Ratio, 1f) * volume;
+                double liquid = particles * Math.Pow(settings.Spacing, 3.0) + Math.Min(Ratio, 1f) * volume;
                 return liquid / (settings.DomainSize.x * settings.DomainSize.z) - 0.5 * settings.DomainSize.y;
+            }
+        }
+
+        /// <summary>Level of the water as it is seen [m]: half a spacing above the highest particles of columns two spacings wide, away from the box.</summary>
+        public double SeenLevel
+        {
+            get
+            {
+                double width = 2.0 * settings.Spacing, away = 0.75 * Size.x;
+                return rig.Particles().Where(p => Math.Max(Math.Abs(p.Position.x), Math.Abs(p.Position.z)) > away)
+                    .GroupBy(p => (Math.Floor(p.Position.x / width), Math.Floor(p.Position.z / width))).Average(c => c.Max(p => p.Position.y)) + 0.5 * settings.Spacing;
             }
         }
 
         /// <summary>Buoyancy of the box under water [N].</summary>
         public double Buoyancy => settings.RestDensity * settings.Gravity.magnitude * volume;
+
+        /// <summary>Nothing moves the box any more.</summary>
+        public void Hold() => Body.Mass = new FloatingMass(float.PositiveInfinity, Vector3.positiveInfinity, Vector3.zero);
 
         public void Play(double seconds)
         {
@@ -86,7 +100,7 @@ namespace SphFluid.Tests
         public string Figures(double seconds)
         {
             FluidCounters counters = rig.Solver.ReadCountersNow();
-            return $"{particles} particles, {steps} steps a frame of {settings.TimeStep:g3} s: draught {Draught(seconds):f4} of {Ratio}, tilt {Tilt:f2} deg, late v_rms {Speed(seconds):g3} m/s, " +
+            return $"{particles} particles, {steps} steps a frame of {settings.TimeStep:g3} s: draught {Draught(seconds):f4} of {Ratio}, {Draught(seconds) + (SeenLevel - Level) / Size.y:f4} below the level as it is seen, tilt {Tilt:f2} deg, late v_rms {Speed(seconds):g3} m/s, " +
                 $"contacts {counters.Contacts}, squeezed {counters.Squeezed}, limits {counters.ImpulseLimits}, at {States[States.Count - 1].Centre}";
         }
 

@@ -1,0 +1,62 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Answers how much liquid boxes in the world hold.</summary>
+    internal sealed class AnswerBoxesPass : ComputePass
+    {
+        public const int Words = 4;
+
+        /// <summary>Numbers of the sums a box.</summary>
+        public const int Sums = 2;
+
+        const int BoxesAtOnce = 16;
+
+        static readonly int BoxSums = Id("_BoxSums");
+        static readonly int ParticleCount = Id("_ParticleCount");
+        static readonly int FirstBox = Id("_FirstBox");
+        static readonly int ParticleSide = Id("_ParticleSide");
+
+        readonly ComputeKernel sum, answer;
+
+        public AnswerBoxesPass(FluidShaderSet shaders)
+            : base(shaders, "AnswerBoxes")
+        {
+            sum = Kernel("SumBoxes");
+            answer = Kernel();
+        }
+
+        /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
+        /// <param name="target">The liquid and the answers.</param>
+        /// <param name="queries">Four words a box: centre [m] and generation, and three axes of length 1 and half the length along each [m].</param>
+        /// <param name="sums">Numbers that are zero, <see cref="Sums"/> a box; they are again afterwards.</param>
+        /// <param name="count">Number of boxes.</param>
+        /// <param name="first">Of their answers.</param>
+        public void Record(CommandBuffer cmd, in QueryTarget target, GraphicsBuffer queries, GraphicsBuffer sums, int count, int first)
+        {
+            float side = target.Solver.Settings.Spacing;
+            using (Sample(cmd))
+            {
+                for (int box = 0; box < count; box += BoxesAtOnce)
+                {
+                    Set(cmd, sum, target, queries, sums, count, side);
+                    sum.SetInt(cmd, ParticleCount, target.Solver.ParticleCount);
+                    sum.SetInt(cmd, FirstBox, box);
+                    sum.DispatchThreads(cmd, target.Solver.ParticleCount);
+                }
+                Set(cmd, answer, target, queries, sums, count, side);
+                QueryBindings.SetResults(cmd, answer, target, first);
+                answer.DispatchThreads(cmd, count);
+            }
+        }
+
+        static void Set(CommandBuffer cmd, ComputeKernel kernel, in QueryTarget target, GraphicsBuffer queries, GraphicsBuffer sums, int count, float side)
+        {
+            QueryBindings.SetSpace(cmd, kernel, target);
+            QueryBindings.SetQueries(cmd, kernel, queries, count);
+            kernel.SetBuffer(cmd, BoxSums, sums);
+            kernel.SetFloat(cmd, ParticleSide, side);
+        }
+    }
+}
