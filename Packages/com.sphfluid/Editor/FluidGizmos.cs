@@ -80,6 +80,7 @@ namespace SphFluid.Editor
             Gizmos.DrawLine(Vector3.zero, new Vector3(0f, 0f, arrow));
             Gizmos.DrawLine(new Vector3(0f, 0f, arrow), new Vector3(0.15f * arrow, 0f, 0.75f * arrow));
             Gizmos.DrawLine(new Vector3(0f, 0f, arrow), new Vector3(-0.15f * arrow, 0f, 0.75f * arrow));
+            if (spec.UnderWater) DrawPipe(emitter, spec);
             if (spec.Shape == FluidEmitterShape.Disc) DrawEllipse(0.5f * spec.Size);
             else Gizmos.DrawWireCube(Vector3.zero, new Vector3(spec.Size.x, spec.Shape == FluidEmitterShape.Line ? 0f : spec.Size.y, 0f));
         }
@@ -135,6 +136,15 @@ namespace SphFluid.Editor
             Gizmos.matrix = Matrix4x4.TRS(spec.Position, spec.Rotation, Vector3.one);
             if (spec.Kind == FluidForceKind.Directional || spec.Kind == FluidForceKind.Wind) Gizmos.DrawLine(Vector3.zero, new Vector3(0f, 0f, arrow));
             if (spec.Kind == FluidForceKind.Vortex) Gizmos.DrawLine(new Vector3(0f, -arrow, 0f), new Vector3(0f, arrow, 0f));
+        }
+
+        // The wall that liquid collides with, for the simulation that the emitter belongs to.
+        static void DrawPipe(FluidEmitter emitter, in EmitterSpec spec)
+        {
+            FluidSimulation owner = FluidScene.Owner(emitter, emitter.Simulation, SceneObjects.Find<FluidSimulation>(emitter));
+            if (owner == null || EmitterChecks.Check(spec, owner.Spec, double.PositiveInfinity) != null) return;
+            Bounds wall = EmitterPipe.Of(spec, owner.Spacing, owner.Spec.SupportRadius).Mesh.Bounds;
+            Gizmos.DrawWireCube(wall.center, wall.size);
         }
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]

@@ -24,14 +24,15 @@ namespace SphFluid
                     "The terrain's object is turned or scaled, but Unity draws terrains upright and in their own size: liquid collides with what is drawn.",
                     "Set the rotation of the object and its parents to 0 and their scales to 1."));
             if (query.Periodic == FluidAxes.None) return;
+            Component source = solid.Source;
             Bounds bounds = solid.Mesh.Bounds;
             float reach = query.SupportRatio * query.Spacing;
             for (int axis = 0; axis < 3; axis++)
             {
                 var name = (FluidAxes)(1 << axis);
                 if ((query.Periodic & name) != 0 && EndsAtAFace(bounds, 0.5f * query.DomainSize[axis], reach, axis))
-                    messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.ColliderAtPeriodicFace, collider,
-                        $"The {collider.GetType().Name} ends at a periodic face of '{owner.name}' along {name}. Colliders are not repeated behind such faces: " +
+                    messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.ColliderAtPeriodicFace, source,
+                        $"The {(source == null ? "mesh" : source.GetType().Name)} ends at a periodic face of '{owner.name}' along {name}. Colliders are not repeated behind such faces: " +
                         "liquid that leaves through it does not touch this one from the other side.",
                         $"Keep it {reach:0.###} m or more inside the faces, or let it reach as far beyond both and look the same at both, or take {name} out of Boundaries.Periodic."));
             }

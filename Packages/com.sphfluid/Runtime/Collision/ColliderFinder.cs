@@ -37,6 +37,9 @@ namespace SphFluid
         /// <summary>Support radius over the spacing.</summary>
         public float SupportRatio;
 
+        /// <summary>Walls besides the scene's colliders, to be used at once; null for none.</summary>
+        public IReadOnlyList<ColliderState> Others;
+
         /// <summary>World space to simulation space.</summary>
         public Matrix4x4 WorldToSimulation => DomainSpace.FromWorld(Position, Rotation);
 
@@ -88,6 +91,7 @@ namespace SphFluid
                 bool floats = Owners != null && (own == null || own.MovedByLiquid);
                 states.Add(floats ? state.With(Owners.OwnerOf(collider)) : state);
             }
+            for (int i = 0; i < (query.Others?.Count ?? 0); i++) states.Add(query.Others[i]);
             return !SameStates();
         }
 

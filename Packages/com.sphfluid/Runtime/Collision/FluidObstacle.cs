@@ -9,7 +9,7 @@ namespace SphFluid
         {
             State = state;
             Spacing = spacing;
-            Name = state.Collider != null ? state.Collider.name : "mesh";
+            Name = state.Key is Component component && component != null ? component.name : "mesh";
             Mesh = mesh;
         }
 
@@ -24,6 +24,9 @@ namespace SphFluid
 
         /// <summary>Particle spacing that curved shapes were cut for [m].</summary>
         internal float Spacing { get; }
+
+        /// <summary>The component that it is found again by: the collider, or the emitter whose pipe it is; null for a mesh that a script gave.</summary>
+        internal Component Source => State.Key as Component;
 
         internal string Name { get; }
     }

@@ -35,6 +35,10 @@ namespace SphFluid
         [SerializeField, Min(0f), Tooltip("Seconds of the liquid's time after which what this emitter gives leaves the liquid again. 0: it stays.")]
         float lifetime;
 
+        [SerializeField, Tooltip("The nozzle stands in liquid: a pipe of a support radius keeps the liquid around out, and drives what leaves. " +
+            "The pipe is a wall to liquid, a particle spacing thick, and is not drawn. Off: liquid at the nozzle blocks it.")]
+        bool underWater;
+
         [SerializeField, Tooltip("Simulation that the liquid belongs to. Empty: the simulation among its parents, else the only one " +
             "in the scene, else the one whose domain holds this object.")]
         FluidSimulation simulation;
@@ -65,6 +69,12 @@ namespace SphFluid
         /// that are emitted from then on. What left is counted by <see cref="FluidSimulation.RemovedParticles"/>. A liquid with such particles does not sleep.
         /// </summary>
         public float Lifetime { get => lifetime; set => lifetime = value; }
+
+        /// <summary>
+        /// Whether the nozzle stands in liquid. It then has a pipe of its own, about 1.1 support radii long from the nozzle on, closed behind and a wall to liquid, in which
+        /// all moves at the nozzle's speed. Otherwise liquid at the nozzle blocks it.
+        /// </summary>
+        public bool UnderWater { get => underWater; set => underWater = value; }
 
         /// <summary>Simulation that the liquid belongs to; null: found as the tooltip says.</summary>
         public FluidSimulation Simulation { get => simulation; set => simulation = value; }
@@ -97,6 +107,7 @@ namespace SphFluid
                     Size = new Vector2(size.x * Mathf.Abs(scale.x), size.y * Mathf.Abs(scale.y)),
                     Flow = flow,
                     Lifetime = lifetime,
+                    UnderWater = underWater,
                     Amount = flow == FluidEmitterFlow.Speed ? speed : volumeRate,
                 };
             }

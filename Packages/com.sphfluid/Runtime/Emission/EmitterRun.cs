@@ -56,7 +56,7 @@ namespace SphFluid
                 Vector3 centre = Vector3.Lerp(position, newPosition, part);
                 Vector3 velocity = turn * new Vector3(0f, 0f, speed) + carried;
                 uint first = births.NextId;
-                foreach (Vector2 place in sites.Places) births.Add(centre + turn * (Vector3)place, velocity, next, Source);
+                foreach (Vector2 place in sites.Places) births.Add(centre + turn * (Vector3)place, velocity, next, Source, emitter.UnderWater);
                 if (emitter.Lifetime > 0f) lifetimes.Add(first, unchecked(births.NextId - first), next + emitter.Lifetime);
                 double period = sites.LayerDistance / speed;
                 next += period;
@@ -64,6 +64,7 @@ namespace SphFluid
                 state.TimeLeft -= period;
                 state.IsOn = state.VolumeLeft > 0.5 * layer && state.TimeLeft > 1e-3 * period;
             }
+            if (end > begin) state.Carried = carried;
             if (end > begin) (position, rotation) = (newPosition, newRotation); // else what it went belongs to the next steps
         }
 

@@ -30,6 +30,9 @@ namespace SphFluid
         /// <summary>Time that its liquid stays [s]; 0: for ever.</summary>
         public float Lifetime;
 
+        /// <summary>Whether it stands in liquid, and drives what it gives through a pipe.</summary>
+        public bool UnderWater;
+
         /// <summary>Area of the nozzle [m²] at a particle spacing [m].</summary>
         public readonly double Area(float spacing) => Shape switch
         {
@@ -57,6 +60,12 @@ namespace SphFluid
         /// <summary>Time after which it stops [s].</summary>
         public double TimeLeft = double.PositiveInfinity;
 
+        /// <summary>Its pipe, where it was needed last.</summary>
+        public EmitterPipe Pipe;
+
+        /// <summary>Velocity of the nozzle in the last frame with steps, simulation space [m/s].</summary>
+        public Vector3 Carried;
+
         /// <summary>The run that counts for it; another begins anew.</summary>
         public object Run;
 
@@ -70,6 +79,7 @@ namespace SphFluid
         public void Save(SaveWriter writer)
         {
             writer.Write(IsOn);
+            writer.Write(Carried);
             foreach (double value in new[] { VolumeLeft, TimeLeft, EmittedBefore, BlockedBefore, RefusedBefore }) writer.Write(value);
         }
 
@@ -77,6 +87,7 @@ namespace SphFluid
         public void Load(SaveReader reader)
         {
             IsOn = reader.Read<bool>();
+            Carried = reader.Read<Vector3>();
             (VolumeLeft, TimeLeft) = (reader.Read<double>(), reader.Read<double>());
             (EmittedBefore, BlockedBefore, RefusedBefore) = (reader.Read<double>(), reader.Read<double>(), reader.Read<double>());
         }

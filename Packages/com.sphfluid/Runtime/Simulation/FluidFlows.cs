@@ -273,7 +273,7 @@ namespace SphFluid
                 run.ReportedBlocked = true;
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterBlocked, emitter.Owner,
                     FormattableString.Invariant($"Of what the emitter gives {100.0 * emitter.State.Blocked / given:0} % finds no place: liquid stands before the nozzle, or the nozzle reaches out of the domain."),
-                    "Raise the nozzle out of the liquid, move it into the domain, or raise its speed."));
+                    emitter.UnderWater ? "Move the nozzle into the domain, away from colliders, or lower its speed." : "Raise the nozzle out of the liquid, or switch Under Water on, move it into the domain, or raise its speed."));
             }
         }
 

@@ -87,6 +87,14 @@ namespace SphFluid
             }
         }
 
+        /// <summary>Support radius [m].</summary>
+        public readonly float SupportRadius => SupportRatio * Spacing;
+
+        readonly float SupportRatio => HasProfile ? Profile.Rules.SupportRatio : FluidRuleInput.Water.SupportRatio;
+
+        // Used at once by whoever asks.
+        static readonly List<ColliderState> Pipes = new List<ColliderState>();
+
         /// <summary>Where to look for colliders; for an owner that is in a scene.</summary>
         public readonly CollisionQuery Query() => new CollisionQuery
         {
@@ -99,7 +107,8 @@ namespace SphFluid
             Spacing = Spacing,
             ColliderFriction = FluidMethods.Has(Method, FluidMethodFeatures.ColliderFriction),
             Periodic = Boundaries.Periodic,
-            SupportRatio = HasProfile ? Profile.Rules.SupportRatio : FluidRuleInput.Water.SupportRatio,
+            SupportRatio = SupportRatio,
+            Others = EmitterPipe.Walls(this, Pipes),
         };
     }
 }

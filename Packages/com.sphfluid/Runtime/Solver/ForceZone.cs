@@ -31,7 +31,7 @@ namespace SphFluid
         /// <summary>A velocity [m/s], and the rate of drag towards it [1/s].</summary>
         public Vector4 Wind;
 
-        /// <summary>Of eddies: the largest acceleration along an axis [m/s²], 2π over their size [1/m], and a phase that changes them.</summary>
+        /// <summary>Of eddies: the largest acceleration along an axis [m/s²], 2π over their size [1/m], a phase that changes them, and over how much this zone comes to its full strength [m]; 0: as all zones do.</summary>
         public Vector4 Eddies;
 
         /// <summary>Where the zone is.</summary>

@@ -74,7 +74,7 @@ namespace SphFluid
         /// <returns>Whether one changed.</returns>
         public bool Follow(in FluidSpec spec, double time)
         {
-            if (zones == null && pushes.Count == 0 && !(spec.Zones?.Count > 0)) return false;
+            if (zones == null && pushes.Count == 0 && !(spec.Zones?.Count > 0) && !HasPumps(spec)) return false;
             if (!FluidMethods.Has(spec.Method, FluidMethodFeatures.ForceZones)) return false; // a check has said so
             zones ??= new ForceZones();
             now.Clear();
@@ -89,6 +89,12 @@ namespace SphFluid
                     ReportFast(zone, spec);
                     Add(zone.Owner, spec, zone.Zone(worldToLocal, spec.Rotation, solver.SimulatedTime));
                 }
+            }
+            for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
+            {
+                EmitterSpec emitter = spec.Emitters[i];
+                if (IsPump(emitter) && EmitterChecks.Check(emitter, spec, solver.Settings.SoundSpeed) == null)
+                    Add(emitter.Owner, spec, EmitterPipe.Of(emitter, spec.Spacing, spec.SupportRadius).Drive(emitter, spec));
             }
             if (time > 0.0) AddBlows(spec, worldToLocal, (float)time);
             bool changed = zones.Take(now);
@@ -160,6 +166,15 @@ namespace SphFluid
             foreach (ZonePush push in pushes) Add(spec.Owner, spec, push.Weakened(Share(spec, blow++)).Zone(worldToLocal, time));
             foreach (ZoneState state in bursts) state.Burst = Vector3.zero;
             pushes.Clear();
+        }
+
+        static bool IsPump(in EmitterSpec emitter) => emitter.UnderWater && emitter.State.IsOn;
+
+        static bool HasPumps(in FluidSpec spec)
+        {
+            for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
+                if (IsPump(spec.Emitters[i])) return true;
+            return false;
         }
 
         static bool HasBurst(in ZoneSpec zone) => zone.State.Burst != Vector3.zero && zone.Shape != FluidZoneShape.Collider;

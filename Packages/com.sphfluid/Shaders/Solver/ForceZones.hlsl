@@ -13,7 +13,7 @@ struct ForceZone
     float4 Centre;           // and the acceleration towards it
     float4 Axis;             // unit vector, and the acceleration around it
     float4 Wind;             // velocity [m/s], and the rate of drag towards it [1/s]
-    float4 Eddies;           // largest acceleration along an axis, wavenumber [1/m], phase
+    float4 Eddies;           // largest acceleration along an axis, wavenumber [1/m], phase, and the edge of this zone [m]; 0: as all
 };
 
 StructuredBuffer<ForceZone> _Zones;
@@ -25,7 +25,7 @@ float ZoneWeight(ForceZone zone, float3 position)
     const float4 at = float4(position, 1.0);
     const float3 beyond = abs(float3(dot(zone.RowX, at), dot(zone.RowY, at), dot(zone.RowZ, at))) - zone.Core.xyz;
     const float distance = length(max(beyond, 0.0)) + min(max(beyond.x, max(beyond.y, beyond.z)), 0.0);
-    return smoothstep(0.0, _ZoneEdge, zone.Core.w - distance);
+    return smoothstep(0.0, zone.Eddies.w > 0.0 ? zone.Eddies.w : _ZoneEdge, zone.Core.w - distance);
 }
 
 // Eddies without a source, whose streamlines are chaotic: the ABC flow (V. I. Arnold 1965; Dombre et al., J. Fluid Mech. 167, 1986) with

@@ -72,6 +72,62 @@ namespace SphFluid.Tests
             Assert.That(simulation.Messages.Where(m => m.Severity != FluidSeverity.Info).Select(m => m.ToString()), Is.Empty);
         }
 
+        // Liquid that is set in motion at once is compressed by U/c, 7 % at 1 m/s and the 15 m/s of this tank.
+        [UnityTest]
+        public IEnumerator ADrownedNozzleWithAPipePumps([Values(FluidEmitterShape.Rectangle, FluidEmitterShape.Disc)] FluidEmitterShape shape)
+        {
+            float speed = shape == FluidEmitterShape.Disc ? 2f : 1f;
+            FluidSimulation simulation = Tank(true);
+            simulation.DomainSize = new Vector3(0.48f, 0.6f, 0.48f);
+            simulation.ExpectedSpeed = 3f;
+            simulation.Gravity = 9.81f * Vector3.down;
+            FluidVolume water = rig.AddVolume(simulation);
+            water.Size = new Vector3(0.48f, 0.4f, 0.48f);
+            water.transform.localPosition = new Vector3(0f, -0.1f, 0f);
+            FluidEmitter emitter = Nozzle(simulation, new Vector3(0f, -0.15f, -0.1f), Vector3.forward, 0.08f, speed);
+            emitter.Shape = shape;
+            emitter.UnderWater = true;
+            emitter.Stop();
+            for (int frame = 0; frame < 15; frame++) yield return null;
+            int before = SimulationRig.Read(simulation).Length;
+            double begin = simulation.SimulatedTime;
+            emitter.Play();
+            var dense = new List<float>();
+            var lateral = new List<float>();
+            float nearest = 1f;
+            for (int frame = 0; frame < 32; frame++)
+            {
+                yield return null;
+                FluidParticle[] all = GpuTest.Read<FluidParticle>(simulation.Solver.Particles, simulation.Solver.ParticleCount);
+                float[] density = GpuTest.Read<float>(simulation.Solver.Density, all.Length);
+                var jet = new List<FluidParticle>();
+                float most = 0f;
+                for (int i = 0; i < all.Length; i++)
+                {
+                    Vector3 local = emitter.transform.InverseTransformPoint(simulation.transform.TransformPoint(all[i].Position));
+                    if (all[i].IsRemoved || Mathf.Abs(local.x) > 0.08f || Mathf.Abs(local.y) > 0.08f || local.z < -0.05f || local.z > 0.14f) continue;
+                    most = Mathf.Max(most, density[i]);
+                    if (new Vector2(local.x, local.y).magnitude < 0.04f && local.z > 0f && local.z < 0.05f) jet.Add(all[i]);
+                }
+                if (frame < 15) continue;
+                dense.Add(most);
+                lateral.AddRange(jet.Select(p => Vector3.ProjectOnPlane(p.VelT0, emitter.transform.forward).sqrMagnitude));
+                nearest = Mathf.Min(nearest, Nearest(jet.ToArray()));
+            }
+            int sites = EmitterSites.For(emitter.Spec, Spacing).Places.Length;
+            double expected = emitter.Spec.Area(Spacing) * speed * (simulation.SimulatedTime - begin) / System.Math.Pow(Spacing, 3);
+            FluidCounters counters = simulation.Solver.ReadCountersNow();
+            float sideways = Mathf.Sqrt(lateral.Average()) / speed;
+            TestContext.WriteLine($"{SimulationRig.Read(simulation).Length - before} of {expected:f0} particles in layers of {sites}, {counters.Blocked} blocked; density near the nozzle {dense.Max():f0} at most, {dense.Average():f0} in the mean; " +
+                $"sideways {sideways:f3} U, nearest {nearest / Spacing:f2} dx, squeezed {counters.Squeezed}");
+            Assert.That(SimulationRig.Read(simulation).Length - before, Is.EqualTo(expected).Within(1.5 * sites), "the first layer finds liquid in its place");
+            Assert.That(dense.Max(), Is.LessThan(1150f));
+            Assert.That(dense.Average(), Is.LessThan(1100f));
+            Assert.That(sideways, Is.LessThan(0.3f));
+            Assert.That(nearest, Is.GreaterThan(0.5f * Spacing));
+            Assert.That(counters.Squeezed + counters.NonFinite, Is.Zero);
+        }
+
         static float Nearest(FluidParticle[] particles)
         {
             float nearest = float.PositiveInfinity;

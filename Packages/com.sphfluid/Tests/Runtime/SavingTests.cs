@@ -183,6 +183,17 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator WithAPumpThatMoves()
+        {
+            FluidEmitter pump = AddNozzle();
+            pump.UnderWater = true;
+            paddle = pump.transform; // Swing() moves it
+            Swing();
+            yield return CheckContinuation(null);
+            Assert.That(pump.EmittedVolume, Is.Positive);
+        }
+
+        [UnityTest]
         public IEnumerator WithABodyThatFloats()
         {
             AddPaddle();

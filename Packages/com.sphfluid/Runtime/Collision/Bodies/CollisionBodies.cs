@@ -156,12 +156,12 @@ namespace SphFluid
         /// <summary>Writes where the last steps left each collider, and which of them are bodies of their own.</summary>
         public void Save(SaveWriter writer)
         {
-            List<FluidObstacle> there = lastSolids.FindAll(s => s.Collider != null);
+            List<FluidObstacle> there = lastSolids.FindAll(s => s.Source != null);
             writer.Write(there.Count);
             foreach (FluidObstacle solid in there)
             {
                 bool moves = movers.TryGetValue(solid.State.Key, out BodyMotion motion);
-                writer.WriteKey(solid.Collider);
+                writer.WriteKey(solid.Source);
                 writer.Write(moves);
                 writer.Write(moves ? motion.Begun(solid.State) : solid.State.ToSimulation);
             }
@@ -174,7 +174,7 @@ namespace SphFluid
         {
             movers.Clear();
             lastSolids.Clear();
-            Dictionary<string, FluidObstacle> present = SaveReader.ByKey(scene.Solids, s => s.Collider);
+            Dictionary<string, FluidObstacle> present = SaveReader.ByKey(scene.Solids, s => s.Source);
             for (int left = reader.Read<int>(); left > 0; left--)
             {
                 bool isThere = reader.TryFind(present, out FluidObstacle now);

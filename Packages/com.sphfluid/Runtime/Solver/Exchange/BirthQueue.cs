@@ -42,14 +42,15 @@ namespace SphFluid
         /// <param name="velocity">Velocity at its time [m/s].</param>
         /// <param name="time">Time of its birth in the simulation [s].</param>
         /// <param name="source">Number of its source.</param>
-        public void Add(Vector3 position, Vector3 velocity, double time, int source)
+        /// <param name="pumps">Whether the source drives what it gives through a pipe.</param>
+        public void Add(Vector3 position, Vector3 velocity, double time, int source, bool pumps = false)
         {
             if (Waiting == waiting.Length)
             {
                 Array.Resize(ref waiting, Math.Max(64, 2 * Waiting));
                 Array.Resize(ref times, Math.Max(64, 2 * Waiting));
             }
-            waiting[Waiting] = new ParticleBirth { Position = position, Velocity = velocity, Id = NextId, Source = (uint)source };
+            waiting[Waiting] = new ParticleBirth { Position = position, Velocity = velocity, Id = NextId, Source = (uint)source | (pumps ? ParticleBirth.Pumps : 0u) };
             times[Waiting] = time;
             Waiting++;
             NextId = unchecked(NextId + 1u);
@@ -60,7 +61,7 @@ namespace SphFluid
         {
             int kept = 0;
             for (int i = 0; i < Waiting; i++)
-                if (waiting[i].Source != source) Keep(i, kept++);
+                if ((waiting[i].Source & ~ParticleBirth.Pumps) != source) Keep(i, kept++);
             Waiting = kept;
         }
 

@@ -18,8 +18,11 @@ namespace SphFluid
         /// <summary>Velocity [m/s], simulation space.</summary>
         public Vector3 Velocity;
 
-        /// <summary>Number of the source; sources do not overlap themselves.</summary>
+        /// <summary>Number of the source; sources do not overlap themselves. With <see cref="Pumps"/> of one that pumps.</summary>
         public uint Source;
+
+        /// <summary>Bit of <see cref="Source"/>: a source that is free to put particles nearer to others.</summary>
+        public const uint Pumps = 0x80000000u;
     }
 
     /// <summary>Births at the end of one step.</summary>

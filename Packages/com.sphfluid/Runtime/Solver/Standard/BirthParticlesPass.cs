@@ -9,12 +9,16 @@ namespace SphFluid
         // Over dx: nobody is born nearer to another.
         const float FreeDistance = 0.9f;
 
+        // What goes before in a pipe is pushed back by the liquid outside.
+        const float PumpFreeDistance = 0.6f;
+
         static readonly int Births = Id("_Births");
         static readonly int SourceCounts = Id("_SourceCounts");
         static readonly int BirthCount = Id("_BirthCount");
         static readonly int RivalCount = Id("_RivalCount");
         static readonly int SlotCount = Id("_SlotCount");
         static readonly int FreeSquared = Id("_FreeSquared");
+        static readonly int PumpFreeSquared = Id("_PumpFreeSquared");
 
         readonly ComputeKernel kernel;
 
@@ -29,7 +33,7 @@ namespace SphFluid
         /// <param name="births">What is to be born.</param>
         public void Record(CommandBuffer cmd, StandardState state, in BirthBatch births)
         {
-            float free = FreeDistance * state.Settings.Spacing;
+            float free = FreeDistance * state.Settings.Spacing, pumpFree = PumpFreeDistance * state.Settings.Spacing;
             using (Sample(cmd))
             {
                 StandardBindings.SetSearch(cmd, kernel, state);
@@ -40,6 +44,7 @@ namespace SphFluid
                 kernel.SetInt(cmd, RivalCount, births.HasRivals ? births.Count : 0);
                 kernel.SetInt(cmd, SlotCount, births.Slots);
                 kernel.SetFloat(cmd, FreeSquared, free * free);
+                kernel.SetFloat(cmd, PumpFreeSquared, pumpFree * pumpFree);
                 kernel.SetOut(cmd, state.Buffers.NewPositions);
                 kernel.SetOut(cmd, state.Buffers.NewVelocities);
                 kernel.SetOut(cmd, state.Buffers.Rank);
