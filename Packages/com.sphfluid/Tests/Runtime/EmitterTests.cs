@@ -72,6 +72,42 @@ namespace SphFluid.Tests
             Assert.That(simulation.Messages.Where(m => m.Severity != FluidSeverity.Info).Select(m => m.ToString()), Is.Empty);
         }
 
+        /// <summary>A fountain of constant number for a minute, twice.</summary>
+        [UnityTest, Explicit("Takes minutes.")]
+        public IEnumerator AFountainOfConstantNumberRunsForAMinute()
+        {
+            var runs = new List<(ulong hash, int living, long born, long removed, long blocked, long refused)>();
+            for (int run = 0; run < 2; run++)
+            {
+                Time.captureDeltaTime = 1f / 32f;
+                FluidSimulation simulation = Tank(true);
+                simulation.DomainSize = new Vector3(0.6f, 0.8f, 0.6f);
+                simulation.Spacing = 0.03f;
+                simulation.Gravity = 9.81f * Vector3.down;
+                simulation.CapacityPolicy = FluidCapacityPolicy.RecycleOldest;
+                simulation.Capacity = 1500;
+                FluidEmitter jet = Nozzle(simulation, new Vector3(0f, -0.2f, 0f), new Vector3(0.1f, 1f, 0f), 0.09f, 2.5f);
+                var counts = new List<int>();
+                while (!simulation.IsRunning) yield return null;
+                while (simulation.SimulatedTime < 60.0)
+                {
+                    yield return null;
+                    if (simulation.SimulatedTime > 10.0) counts.Add(simulation.ParticleCount);
+                }
+                FluidCounters counters = simulation.Solver.ReadCountersNow();
+                int living = SimulationRig.Read(simulation).Length;
+                runs.Add((simulation.ComputeStateHash(), living, counters.Born, counters.Removed, counters.Blocked, counters.Refused));
+                TestContext.WriteLine($"{living} live at the end, {counts.Min()} to {counts.Max()} from 10 s on; born {counters.Born}, left {counters.Removed}, blocked {counters.Blocked}, refused {counters.Refused}; " +
+                    $"emitted {1000.0 * jet.EmittedVolume:f2} l of {1000.0 * jet.Spec.Area(0.03f) * 2.5 * simulation.SimulatedTime:f2} l; hash {runs[run].hash:X16}");
+                Assert.That(counters.Born - counters.Removed, Is.EqualTo(living));
+                Assert.That(counts.Max(), Is.LessThanOrEqualTo(1500));
+                Assert.That(simulation.Messages.Where(m => m.Severity == FluidSeverity.Error), Is.Empty);
+                UnityEngine.Object.DestroyImmediate(jet.gameObject);
+                UnityEngine.Object.DestroyImmediate(simulation.gameObject);
+            }
+            Assert.That(runs[0], Is.EqualTo(runs[1]));
+        }
+
         // Liquid that is set in motion at once is compressed by U/c, 7 % at 1 m/s and the 15 m/s of this tank.
         [UnityTest]
         public IEnumerator ADrownedNozzleWithAPipePumps([Values(FluidEmitterShape.Rectangle, FluidEmitterShape.Disc)] FluidEmitterShape shape)
