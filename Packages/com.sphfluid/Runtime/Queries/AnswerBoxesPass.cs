@@ -17,6 +17,7 @@ namespace SphFluid
         static readonly int ParticleCount = Id("_ParticleCount");
         static readonly int FirstBox = Id("_FirstBox");
         static readonly int ParticleSide = Id("_ParticleSide");
+        static readonly int RestShare = Id("_RestShare");
 
         readonly ComputeKernel sum, answer;
 
@@ -47,6 +48,8 @@ namespace SphFluid
                 }
                 Set(cmd, answer, target, queries, sums, count, side);
                 QueryBindings.SetResults(cmd, answer, target, first);
+                FluidSolverSettings settings = target.Solver.Settings;
+                answer.SetFloat(cmd, RestShare, (float)(settings.ParticleMass / (settings.RestDensity * System.Math.Pow(settings.Spacing, 3.0))));
                 answer.DispatchThreads(cmd, count);
             }
         }

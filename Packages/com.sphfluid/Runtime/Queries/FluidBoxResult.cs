@@ -7,10 +7,13 @@ namespace SphFluid
     [StructLayout(LayoutKind.Sequential)]
     public struct FluidBoxResult
     {
-        /// <summary>Volume of the liquid [m³].</summary>
+        /// <summary>Volume of the liquid [m³]: that of its particles as emitters, drains and fills count them.</summary>
         public float Volume;
 
-        /// <summary>Volume over that of the box, at most 1: liquid at the bottom of a deep tank is compressed by about a hundredth.</summary>
+        /// <summary>
+        /// Part of the box that the liquid takes once it is at rest, at most 1. At rest it has its density by mass, m/ρ0 a particle: about a fiftieth less than
+        /// <see cref="Volume"/>, which is that of the lattice from which it came.
+        /// </summary>
         public float Fill;
 
         internal uint Count;

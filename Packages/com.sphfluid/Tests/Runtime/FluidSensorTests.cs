@@ -86,7 +86,7 @@ namespace SphFluid.Tests
             sensor.Size = new Vector3(0.3f, 0.2f, 0.3f);
             sensor.Threshold = 0.5f;
             yield return Play(simulation, 5);
-            Assert.That(sensor.Value, Is.EqualTo(0.75f).Within(0.02f));
+            Assert.That(sensor.Value, Is.EqualTo(0.75f).Within(0.03f));
             Assert.That(sensor.IsAbove);
             int fell = 0;
             sensor.FellBelow.AddListener(_ => fell++);

@@ -68,7 +68,7 @@ namespace SphFluid.Tests
                 Assert.That(found[i].Generation, Is.EqualTo(i + 1));
                 Assert.That(found[i].Volume / volume, Is.EqualTo(parts).Within(1e-4 + touched * 0.6 / 256.0), $"box {i}");
                 Assert.That(found[i].Particles, Is.EqualTo(inside).Within(1), $"box {i}"); // one may lie on a face
-                double fill = found[i].Volume / (boxes[i].Size.x * boxes[i].Size.y * boxes[i].Size.z);
+                double fill = settings.ParticleMass / (settings.RestDensity * volume) * found[i].Volume / (boxes[i].Size.x * boxes[i].Size.y * boxes[i].Size.z);
                 Assert.That(found[i].Fill, Is.EqualTo(Math.Min(1.0, fill)).Within(1e-5));
             }
             if (count > 10) Assert.That(found.Max(f => f.Particles), Is.GreaterThan(5));
@@ -104,7 +104,7 @@ namespace SphFluid.Tests
         [TestCase(0f, 0f, 0f)]
         [TestCase(30f, 0f, 0f)]
         [TestCase(20f, 40f, 65f)]
-        public void TheFillLevelOfABoxInAPoolIsThatOfItsGeometry(float x, float y, float z)
+        public void TheVolumeInABoxInAPoolIsThatOfItsGeometry(float x, float y, float z)
         {
             FluidSolverSettings settings = TestSettings.ByRule(new Vector3(24, 30, 20) * Spacing, Spacing);
             FluidParticle[] particles = ParticleSets.Lattice(new Vector3Int(24, 15, 20), Spacing, 0f, 1);
@@ -117,7 +117,48 @@ namespace SphFluid.Tests
             }).ToArray();
             FluidBoxResult[] found = Ask(settings, particles, boxes);
             for (int i = 0; i < boxes.Length; i++)
-                Assert.That(found[i].Fill, Is.EqualTo(Below(boxes[i])).Within(0.01), $"centre at {boxes[i].Centre.y}");
+            {
+                double part = Below(boxes[i]), box = (double)boxes[i].Size.x * boxes[i].Size.y * boxes[i].Size.z;
+                Assert.That(found[i].Volume / box, Is.EqualTo(part).Within(0.01), $"centre at {boxes[i].Centre.y}");
+            }
+        }
+
+        [Test]
+        public void OfWaterAtRestTheFillLevelIsThatOfItsSurface()
+        {
+            const float spacing = 0.03f;
+            var counts = new Vector3Int(16, 12, 16);
+            Vector3 domain = spacing * new Vector3(16, 24, 16);
+            FluidSolverSettings settings = BodyRig.Water(domain, spacing, 12 * spacing);
+            FluidParticle[] particles;
+            using (var rig = new FloatingRig(settings, FloatingRig.Block(counts, spacing, -0.5f * domain)))
+            {
+                for (int frame = 0; frame < 90; frame++) rig.Frame(Mathf.CeilToInt(1f / 60f / settings.TimeStep));
+                particles = rig.Particles();
+            }
+            float level = Level(settings, particles);
+            Box[] boxes = new[] { -0.24f, -0.05f, 0f, 0.03f }.Select(height => new Box { Centre = new Vector3(0f, level + height, 0f), Size = new Vector3(0.4f, 0.2f, 0.4f), Rotation = Quaternion.identity }).ToArray();
+            FluidBoxResult[] found = Ask(settings, particles, boxes);
+            TestContext.WriteLine($"level {level:f4} m: fill {string.Join(", ", found.Select(f => f.Fill.ToString("f4")))}, by volume {string.Join(", ", found.Select(f => (f.Volume / 0.032f).ToString("f4")))}");
+            float[] expected = { 1f, 0.75f, 0.5f, 0.35f };
+            for (int i = 0; i < boxes.Length; i++) Assert.That(found[i].Fill, Is.EqualTo(expected[i]).Within(0.015f), $"{i}");
+        }
+
+        // Where rays down meet the water, in the mean.
+        static float Level(in FluidSolverSettings settings, FluidParticle[] particles)
+        {
+            const int rays = 121;
+            var words = new QueryWord[AnswerRaysPass.Words * rays];
+            for (int i = 0; i < rays; i++)
+            {
+                words[2 * i] = new QueryWord { Vector = QueryRig.World(new Vector3(0.035f * (i % 11 - 5), 0.3f, 0.035f * (i / 11 - 5))), Number = 1u };
+                words[2 * i + 1] = new QueryWord(QueryRig.Turn * Vector3.down, 1f);
+            }
+            using (var rig = new QueryRig(settings, particles))
+            {
+                var pass = new AnswerRaysPass(rig.Shaders);
+                return 0.3f - rig.Ask<FluidRayResult>(words, rays, 0, (cmd, target, queries) => pass.Record(cmd, target, queries, rays, 0)).Average(r => r.Distance);
+            }
         }
 
         // Part of a box below the plane y = 0 and above the floor.

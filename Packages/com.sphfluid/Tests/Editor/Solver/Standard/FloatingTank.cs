@@ -49,12 +49,12 @@ namespace SphFluid.Tests
 
         public FluidSolver Solver => rig.Solver;
 
-        /// <summary>Level of the water with the box afloat in it, by volume [m]; the liquid itself stands a little lower, since it is compressed.</summary>
+        /// <summary>Level of the water with the box afloat in it, by its mass [m]: at rest particles are packed a fiftieth denser than on the lattice that they start from.</summary>
         public double Level
         {
             get
             {
-                double liquid = particles * Math.Pow(settings.Spacing, 3.0) + Math.Min(Ratio, 1f) * volume;
+                double liquid = particles * (double)settings.ParticleMass / settings.RestDensity + Math.Min(Ratio, 1f) * volume;
                 return liquid / (settings.DomainSize.x * settings.DomainSize.z) - 0.5 * settings.DomainSize.y;
             }
         }
