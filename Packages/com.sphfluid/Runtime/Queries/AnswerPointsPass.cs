@@ -25,10 +25,8 @@ namespace SphFluid
         {
             using (Sample(cmd))
             {
-                QueryBindings.SetSpace(cmd, kernel, target);
                 QueryBindings.SetDensity(cmd, kernel, target);
-                QueryBindings.SetQueries(cmd, kernel, queries, count);
-                QueryBindings.SetResults(cmd, kernel, target, first);
+                QueryBindings.Set(cmd, kernel, target, queries, count, first);
                 kernel.SetBuffer(cmd, Pressure, target.Solver.Pressure);
                 kernel.DispatchThreads(cmd, count);
             }

@@ -27,10 +27,8 @@ namespace SphFluid
         {
             using (Sample(cmd))
             {
-                QueryBindings.SetSpace(cmd, kernel, target);
                 QueryBindings.SetDensity(cmd, kernel, target);
-                QueryBindings.SetQueries(cmd, kernel, queries, count);
-                QueryBindings.SetResults(cmd, kernel, target, first);
+                QueryBindings.Set(cmd, kernel, target, queries, count, first);
                 kernel.SetFloat(cmd, StepLength, 0.5f * target.Solver.Settings.Spacing);
                 kernel.DispatchThreads(cmd, count);
             }

@@ -34,6 +34,14 @@ namespace SphFluid
         static readonly int KernelFactor = Shader.PropertyToID("_KernelFactor");
         static readonly int RestDensity = Shader.PropertyToID("_RestDensity");
 
+        /// <summary>The queries of a kind, the space that they are in, and where their answers go.</summary>
+        public static void Set(CommandBuffer cmd, ComputeKernel kernel, in QueryTarget target, GraphicsBuffer queries, int count, int first)
+        {
+            SetSpace(cmd, kernel, target);
+            SetQueries(cmd, kernel, queries, count);
+            SetResults(cmd, kernel, target, first);
+        }
+
         /// <summary>The queries of a kind.</summary>
         public static void SetQueries(CommandBuffer cmd, ComputeKernel kernel, GraphicsBuffer queries, int count)
         {
