@@ -98,6 +98,7 @@ namespace SphFluid
         readonly List<ZoneSpec> zones = new List<ZoneSpec>();
         FluidRun run;
         FluidQueries queries;
+        IFluidFrames frames;
         bool requested;
         int singleSteps;
         (FluidStartKey, FluidLiveKey)? failed;
@@ -301,6 +302,20 @@ namespace SphFluid
 
         /// <summary>Questions to the liquid that are answered without waiting for the GPU.</summary>
         public FluidQueries Queries => queries ??= new FluidQueries(this, Report);
+
+        /// <summary>Lets a recording or a replay see what the liquid is given in each frame.</summary>
+        /// <exception cref="InvalidOperationException">Another does already.</exception>
+        internal void Attach(IFluidFrames watcher)
+        {
+            if (frames != null) throw new InvalidOperationException($"'{name}' is recorded or replayed already. Dispose of that one first.");
+            frames = watcher;
+        }
+
+        /// <summary>Ends that.</summary>
+        internal void Detach(IFluidFrames watcher)
+        {
+            if (frames == watcher) frames = null;
+        }
 
         internal CollisionScene Collision => run?.Collision;
 
@@ -545,11 +560,13 @@ namespace SphFluid
 
         bool TryAdvance(in FluidSpec spec, out FluidMessage failure)
         {
-            int steps = paused ? singleSteps : 0;
+            var frame = new FluidFrame { SingleSteps = paused ? singleSteps : 0 };
+            if (frame.SingleSteps == 0 && !paused) frame.Time = Time.deltaTime * UsableTimeScale();
             singleSteps = 0;
-            if (steps == 0) return run.TryAdvance(spec, paused ? 0f : Time.deltaTime * UsableTimeScale(), out failure);
+            if (frames != null) frame = frames.Take(frame);
+            if (frame.SingleSteps == 0) return run.TryAdvance(spec, (float)frame.Time, out failure);
             failure = default;
-            for (; steps > 0; steps--)
+            for (int left = frame.SingleSteps; left > 0; left--)
                 if (!run.TryAdvance(spec, null, out failure)) return false;
             return true;
         }

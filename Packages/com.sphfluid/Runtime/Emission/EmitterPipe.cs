@@ -51,33 +51,16 @@ namespace SphFluid
             return serves ? known : emitter.State.Pipe = new EmitterPipe(emitter, spacing, reach);
         }
 
-        /// <summary>The walls of a simulation's pipes as colliders have them; null where there is none.</summary>
-        /// <param name="spec">The simulation.</param>
-        /// <param name="walls">Filled anew.</param>
-        public static List<ColliderState> Walls(in FluidSpec spec, List<ColliderState> walls)
+        /// <summary>The zone that drives the liquid in the pipe.</summary>
+        /// <param name="position">Of the nozzle, simulation space [m].</param>
+        /// <param name="rotation">Of the emitter, simulation space.</param>
+        /// <param name="velocity">Of the liquid, simulation space [m/s].</param>
+        public ForceZone Drive(Vector3 position, Quaternion rotation, Vector3 velocity)
         {
-            walls.Clear();
-            for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
-            {
-                EmitterSpec emitter = spec.Emitters[i];
-                if (!emitter.UnderWater || EmitterChecks.Check(emitter, spec, double.PositiveInfinity) != null) continue;
-                Matrix4x4 toSimulation = spec.WorldToLocal * Matrix4x4.TRS(emitter.Position, emitter.Rotation, Vector3.one);
-                walls.Add(new ColliderState(emitter.Owner, Of(emitter, spec.Spacing, spec.SupportRadius).Mesh, ColliderSettings.DomainFriction, toSimulation));
-            }
-            return walls.Count > 0 ? walls : null;
-        }
-
-        /// <summary>The zone that drives the liquid in the pipe, in simulation space.</summary>
-        /// <param name="emitter">The emitter.</param>
-        /// <param name="spec">The simulation.</param>
-        public ForceZone Drive(in EmitterSpec emitter, in FluidSpec spec)
-        {
-            Quaternion rotation = Quaternion.Inverse(spec.Rotation) * emitter.Rotation;
-            Vector3 forward = rotation * Vector3.forward, velocity = (float)emitter.Speed(spacing) * forward + emitter.State.Carried;
             var zone = new ForceZone { Core = new Vector4(half.x + Beyond * spacing, half.y + Beyond * spacing, 0.5f * reach + Ahead * spacing, 0f) };
             zone.Wind = new Vector4(velocity.x, velocity.y, velocity.z, DriveRate);
             zone.Eddies.w = Edge * spacing;
-            zone.Place(spec.WorldToLocal.MultiplyPoint3x4(emitter.Position) + 0.5f * reach * forward, rotation);
+            zone.Place(position + rotation * new Vector3(0f, 0f, 0.5f * reach), rotation);
             return zone;
         }
 

@@ -63,7 +63,8 @@ namespace SphFluid
         public static Dictionary<string, T> ByKey<T>(IReadOnlyList<T> items, Func<T, Component> component)
         {
             var found = new Dictionary<string, T>();
-            for (int i = 0; i < (items?.Count ?? 0); i++) found.TryAdd(ScenePath.Of(component(items[i])), items[i]);
+            for (int i = 0; i < (items?.Count ?? 0); i++)
+                if (component(items[i]) != null) found.TryAdd(ScenePath.Of(component(items[i])), items[i]);
             return found;
         }
 

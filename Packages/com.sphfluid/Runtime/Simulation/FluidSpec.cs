@@ -108,7 +108,7 @@ namespace SphFluid
             ColliderFriction = FluidMethods.Has(Method, FluidMethodFeatures.ColliderFriction),
             Periodic = Boundaries.Periodic,
             SupportRatio = SupportRatio,
-            Others = EmitterPipe.Walls(this, Pipes),
+            Others = EmitterPipes.Walls(this, Pipes),
         };
     }
 }

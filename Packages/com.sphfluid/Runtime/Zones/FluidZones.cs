@@ -93,8 +93,7 @@ namespace SphFluid
             for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
             {
                 EmitterSpec emitter = spec.Emitters[i];
-                if (IsPump(emitter) && EmitterChecks.Check(emitter, spec, solver.Settings.SoundSpeed) == null)
-                    Add(emitter.Owner, spec, EmitterPipe.Of(emitter, spec.Spacing, spec.SupportRadius).Drive(emitter, spec));
+                if (EmitterPipes.TryDrive(emitter, spec, solver.Settings.SoundSpeed, out ForceZone drive)) Add(emitter.Owner, spec, drive);
             }
             if (time > 0.0) AddBlows(spec, worldToLocal, (float)time);
             bool changed = zones.Take(now);
@@ -168,12 +167,10 @@ namespace SphFluid
             pushes.Clear();
         }
 
-        static bool IsPump(in EmitterSpec emitter) => emitter.UnderWater && emitter.State.IsOn;
-
         static bool HasPumps(in FluidSpec spec)
         {
             for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
-                if (IsPump(spec.Emitters[i])) return true;
+                if (spec.Emitters[i].UnderWater) return true;
             return false;
         }
 
