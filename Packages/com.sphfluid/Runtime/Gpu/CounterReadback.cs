@@ -23,6 +23,7 @@ namespace SphFluid
         const int ImpulseLimit = 12;
         internal const int MaxSpeed = 13;
         const int MaxDensity = 14;
+        const int Squeezers = 15;
         const int FirstMaximum = 13;
 
         static readonly uint[] Zeros = new uint[Slots];
@@ -92,6 +93,7 @@ namespace SphFluid
             counters.Blocked += Added(values, Blocked);
             counters.Refused += Added(values, Refused);
             counters.ImpulseLimits += Added(values, ImpulseLimit);
+            if (values[Squeezers] != 0u) counters.Squeezers = values[Squeezers];
             counters.MaxSpeed = ToFloat(values[MaxSpeed]);
             counters.MaxCompression = Mathf.Max(0f, ToFloat(values[MaxDensity]) / RestDensity - 1f);
         }

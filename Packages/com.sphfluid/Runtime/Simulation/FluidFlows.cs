@@ -131,14 +131,14 @@ namespace SphFluid
                 EmitterState state = isThere ? emitter.State : new EmitterState();
                 state.Load(reader);
                 state.Run = this;
-                emitters.Add(state, run); // of one that is gone the next frame closes the source
+                emitters[state] = run; // of one that is gone the next frame closes the source
             }
             drainSources.Clear();
             Dictionary<string, DrainSpec> sinks = SaveReader.ByKey(spec.Drains, d => d.Owner);
             for (int left = reader.Read<int>(); left > 0; left--)
             {
                 DrainState state = reader.TryFind(sinks, out DrainSpec drain) ? drain.State : new DrainState();
-                drainSources.Add(state, reader.Read<int>());
+                drainSources[state] = reader.Read<int>();
                 (state.Run, state.Before) = (this, reader.Read<double>());
             }
             Count(spec);

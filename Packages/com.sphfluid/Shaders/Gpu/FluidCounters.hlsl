@@ -17,6 +17,7 @@
 #define COUNTER_IMPULSE_LIMIT 12
 #define COUNTER_MAX_SPEED 13
 #define COUNTER_MAX_DENSITY 14
+#define COUNTER_SQUEEZERS 15 // numbers of two bodies in 16 bits each, 0: none
 
 RWStructuredBuffer<uint> _Counters;
 

@@ -41,6 +41,36 @@ namespace SphFluid.Tests
             }
         }
 
+        [UnityTest]
+        public IEnumerator CollidersThatCloseOnLiquidAreNamed([Values] bool bothMove)
+        {
+            using (var rig = new SimulationRig(0.016f))
+            {
+                FluidSimulation simulation = rig.Create();
+                Transform left = Plate(rig, "Left press", -0.12f), right = Plate(rig, "Right press", 0.12f);
+                string found = null;
+                simulation.Reported += message => found = message.Issue == FluidIssue.GuardActed ? message.Text : found;
+                LogAssert.ignoreFailingMessages = true;
+                for (int frame = 0; frame < 40 && found == null; frame++)
+                {
+                    if (simulation.IsRunning) left.position += 0.012f * Vector3.right;
+                    if (simulation.IsRunning && bothMove) right.position -= 0.012f * Vector3.right;
+                    yield return null;
+                }
+                LogAssert.ignoreFailingMessages = false;
+                Assert.That(found, Does.Contain("had no place between").And.Contain("'Left press'").And.Contain(bothMove ? "'Right press'" : "a collider at rest"));
+            }
+        }
+
+        // As wide as the domain, so that liquid cannot get past.
+        static Transform Plate(SimulationRig rig, string name, float x)
+        {
+            Transform plate = rig.NewObject(name).transform;
+            plate.gameObject.AddComponent<BoxCollider>().size = new Vector3(0.04f, 0.5f, 0.5f);
+            plate.position = new Vector3(x, 0f, 0f);
+            return plate;
+        }
+
         // 0.3 m wide at its smallest; liquid of 0.2 m.
         [UnityTest]
         public IEnumerator ABoxWhoseScaleSwingsKeepsItsLiquid([Values("even", "uneven", "turned below a parent")] string motion)

@@ -27,6 +27,7 @@ namespace SphFluid
         {
             reference = solid.State;
             Mesh = solid.Mesh;
+            Name = solid.Name;
             Friction = solid.State.Friction;
             floats = solid.State.Body;
             toShape = ColliderFrame.Of(reference).Inverse;
@@ -35,6 +36,9 @@ namespace SphFluid
 
         /// <summary>The collider.</summary>
         public Collider Collider => reference.Collider;
+
+        /// <summary>Name of its object.</summary>
+        public string Name { get; }
 
         /// <summary>The triangles in the frame in which they rest.</summary>
         public TriangleMesh Mesh { get; private set; }

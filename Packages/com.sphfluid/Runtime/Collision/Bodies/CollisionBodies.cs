@@ -129,6 +129,15 @@ namespace SphFluid
             Floating.Arrive();
         }
 
+        /// <summary>A body in a message.</summary>
+        /// <param name="number">Its number from 1 on; 0: none.</param>
+        public string NameOf(uint number)
+        {
+            if (number == 0u) return "itself or a face of the domain";
+            BodyMotion motion = number <= motions.Count ? motions[(int)number - 1] : null;
+            return motion == null ? "a collider at rest" : $"'{motion.Name}'";
+        }
+
         /// <summary>Records the bodies for a kernel that moves them.</summary>
         public void SetOut(CommandBuffer cmd, ComputeKernel kernel) => kernel.SetBuffer(cmd, BodiesOutId, bodyBuffer);
 
