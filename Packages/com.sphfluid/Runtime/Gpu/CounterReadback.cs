@@ -23,7 +23,7 @@ namespace SphFluid
         const int ImpulseLimit = 12;
         internal const int MaxSpeed = 13;
         const int MaxDensity = 14;
-        const int Squeezers = 15;
+        const int SqueezersSlot = 15;
         const int FirstMaximum = 13;
 
         static readonly uint[] Zeros = new uint[Slots];
@@ -41,6 +41,9 @@ namespace SphFluid
         }
 
         public FluidCounters Counters => counters;
+
+        /// <summary>Numbers of two bodies that left a particle no place last, from 1 on, in 16 bits each, the larger first; 0: none.</summary>
+        public uint Squeezers { get; private set; }
 
         public float RestDensity { get; set; }
 
@@ -71,6 +74,7 @@ namespace SphFluid
         {
             ReadNow();
             counters = from;
+            Squeezers = 0u;
         }
 
         public void Dispose()
@@ -93,7 +97,7 @@ namespace SphFluid
             counters.Blocked += Added(values, Blocked);
             counters.Refused += Added(values, Refused);
             counters.ImpulseLimits += Added(values, ImpulseLimit);
-            if (values[Squeezers] != 0u) counters.Squeezers = values[Squeezers];
+            if (values[SqueezersSlot] != 0u) Squeezers = values[SqueezersSlot];
             counters.MaxSpeed = ToFloat(values[MaxSpeed]);
             counters.MaxCompression = Mathf.Max(0f, ToFloat(values[MaxDensity]) / RestDensity - 1f);
         }

@@ -21,9 +21,6 @@ namespace SphFluid
         /// <summary>Times a particle had no free place left, between colliders that close or a collider and a wall, since the start; it may now be on the wrong side.</summary>
         public long Squeezed;
 
-        // Numbers of two bodies that did so last, from 1 on, in 16 bits each; 0: a face of the domain.
-        internal uint Squeezers;
-
         /// <summary>Times a step began on a triangle, since the start: a collider appeared or jumped onto the particle.</summary>
         public long Overlaps;
 

@@ -113,7 +113,7 @@ namespace SphFluid
             if (substeps.Note(pace.Clock, steps, deltaTime) is string text)
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.SubstepCap, spec.Owner, text,
                     "Raise Max Substeps Per Frame, use a larger Particle Spacing, or lower the profile's Sound Speed Ratio."));
-            if (guards.Note(Solver.Counters, obstacles.Bodies) is string guard)
+            if (guards.Note(Solver.Counters, Solver.Squeezers, obstacles.Bodies) is string guard)
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.GuardActed, spec.Owner, guard,
                     "Lower the profile's Time Step Fraction, or raise Expected Speed or set Time Step Mode to Adaptive when colliders or forces move the liquid faster than its fall."));
         }

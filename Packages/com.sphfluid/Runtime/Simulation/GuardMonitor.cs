@@ -9,15 +9,16 @@ namespace SphFluid
 
         /// <summary>Takes note of the counters.</summary>
         /// <param name="counters">What the GPU counted.</param>
+        /// <param name="squeezers">Numbers of the bodies that squeezed particles last.</param>
         /// <param name="bodies">The scene's bodies; null for none.</param>
         /// <returns>What to report to the user; null when nothing new.</returns>
-        public string Note(in FluidCounters counters, CollisionBodies bodies)
+        public string Note(in FluidCounters counters, uint squeezers = 0u, CollisionBodies bodies = null)
         {
             List<string> news = null;
             if (IsNew(counters.NonFinite, ref nonFinite)) Add(ref news, $"{counters.NonFinite} positions or velocities were not finite and were stopped");
             if (IsNew(counters.DomainClamps, ref clamped)) Add(ref news, $"{counters.DomainClamps} particles were put back onto the domain's faces");
             if (IsNew(counters.AccelerationLimitHits, ref limited)) Add(ref news, $"{counters.AccelerationLimitHits} accelerations were limited");
-            if (IsNew(counters.Squeezed, ref squeezed)) Add(ref news, $"{counters.Squeezed} times a particle had no place between {Closing(counters.Squeezers, bodies)} and was left where it was");
+            if (IsNew(counters.Squeezed, ref squeezed)) Add(ref news, $"{counters.Squeezed} times a particle had no place between {Closing(squeezers, bodies)} and was left where it was");
             if (IsNew(counters.Overlaps, ref overlapped)) Add(ref news, $"{counters.Overlaps} times a collider was already on a particle and the side was chosen for it");
             if (IsNew(counters.ShortenedSteps, ref shortened)) Add(ref news, $"{counters.ShortenedSteps} steps were longer than colliders can stop and were shortened");
             if (IsNew(counters.ImpulseLimits, ref cut)) Add(ref news, $"{counters.ImpulseLimits} impulses on bodies were larger than their sums hold and were cut");

@@ -126,6 +126,9 @@ namespace SphFluid
         /// <summary>Events counted on the GPU, as of the last finished read-back.</summary>
         public FluidCounters Counters => counters.Counters;
 
+        /// <summary>The bodies that left a particle no place last, as <see cref="CounterReadback.Squeezers"/>.</summary>
+        internal uint Squeezers => counters.Squeezers;
+
         /// <summary>Bytes of GPU memory that the solver holds.</summary>
         public long GpuBytes => state.Bytes + (exchange?.GpuBytes ?? 0) + (state.Zones?.GpuBytes ?? 0);
 

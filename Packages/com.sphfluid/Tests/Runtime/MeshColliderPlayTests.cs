@@ -50,14 +50,13 @@ namespace SphFluid.Tests
                 Transform left = Plate(rig, "Left press", -0.12f), right = Plate(rig, "Right press", 0.12f);
                 string found = null;
                 simulation.Reported += message => found = message.Issue == FluidIssue.GuardActed ? message.Text : found;
-                LogAssert.ignoreFailingMessages = true;
+                LogAssert.Expect(LogType.Warning, new Regex("had no place between"));
                 for (int frame = 0; frame < 40 && found == null; frame++)
                 {
                     if (simulation.IsRunning) left.position += 0.012f * Vector3.right;
                     if (simulation.IsRunning && bothMove) right.position -= 0.012f * Vector3.right;
                     yield return null;
                 }
-                LogAssert.ignoreFailingMessages = false;
                 Assert.That(found, Does.Contain("had no place between").And.Contain("'Left press'").And.Contain(bothMove ? "'Right press'" : "a collider at rest"));
             }
         }

@@ -8,7 +8,7 @@ namespace SphFluid.Tests
         [Test]
         public void NothingActedSaysNothing()
         {
-            Assert.That(new GuardMonitor().Note(default, null), Is.Null);
+            Assert.That(new GuardMonitor().Note(default), Is.Null);
         }
 
         [Test]
@@ -16,9 +16,9 @@ namespace SphFluid.Tests
         {
             var monitor = new GuardMonitor();
             var counters = new FluidCounters { Squeezed = 2 };
-            Assert.That(monitor.Note(counters, null), Does.Contain("2 times a particle had no place between colliders"));
+            Assert.That(monitor.Note(counters), Does.Contain("2 times a particle had no place between colliders"));
             counters.Squeezed = 3;
-            Assert.That(monitor.Note(counters, null), Is.Null);
+            Assert.That(monitor.Note(counters), Is.Null);
         }
     }
 }
