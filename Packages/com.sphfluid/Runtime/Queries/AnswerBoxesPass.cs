@@ -9,7 +9,7 @@ namespace SphFluid
         public const int Words = 4;
 
         /// <summary>Numbers of the sums a box.</summary>
-        public const int Sums = 2;
+        public const int Sums = 3;
 
         const int BoxesAtOnce = 16;
 

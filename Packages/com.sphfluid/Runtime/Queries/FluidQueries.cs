@@ -15,7 +15,6 @@ namespace SphFluid
     {
         const int Readbacks = 4, MostUnderWay = 3, FirstPoints = 1024, FirstOthers = 16;
 
-
         readonly Object owner;
         readonly Action<FluidMessage> report;
         readonly QuerySlots points = new QuerySlots(QueryKind.Point, 1, FirstPoints);

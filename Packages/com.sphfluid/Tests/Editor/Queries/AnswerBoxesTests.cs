@@ -18,7 +18,7 @@ namespace SphFluid.Tests
             public Quaternion Rotation;
         }
 
-        static FluidBoxResult[] Ask(in FluidSolverSettings settings, FluidParticle[] particles, Box[] boxes, int times = 1)
+        static FluidBoxResult[] Ask(in FluidSolverSettings settings, FluidParticle[] particles, Box[] boxes, int times = 1, uint start = 0u)
         {
             var words = new QueryWord[AnswerBoxesPass.Words * boxes.Length];
             for (int i = 0; i < boxes.Length; i++)
@@ -32,7 +32,9 @@ namespace SphFluid.Tests
             using (var rig = new QueryRig(settings, particles))
             using (GraphicsBuffer sums = GpuBuffers.Create("Sums", Math.Max(1, AnswerBoxesPass.Sums * boxes.Length), sizeof(uint)))
             {
-                sums.SetData(new uint[sums.count]);
+                var zeros = new uint[sums.count];
+                zeros[0] = start;
+                sums.SetData(zeros);
                 var pass = new AnswerBoxesPass(rig.Shaders);
                 FluidBoxResult[] found = null;
                 for (int i = 0; i < times; i++)
@@ -98,6 +100,18 @@ namespace SphFluid.Tests
                 touched += part > 0.0 ? 1 : 0;
             }
             return (sum, inside, touched);
+        }
+
+        // As if 16,777,215 particles had been counted before.
+        [Test]
+        public void TheSumGoesOnBeyondAWord()
+        {
+            FluidSolverSettings settings = TestSettings.ByRule(Domain, 0.04f);
+            FluidParticle[] particles = ParticleSets.Random(300, Domain, 1f, 3);
+            var all = new Box { Centre = Vector3.zero, Size = 2f * Domain, Rotation = Quaternion.identity };
+            FluidBoxResult found = Ask(settings, particles, new[] { all }, 1, 0xffffff00u)[0];
+            Assert.That(found.Volume / Math.Pow(settings.Spacing, 3.0), Is.EqualTo(16777215.0 + 300.0).Within(4.0)); // a float's rounding
+            Assert.That(found.Particles, Is.EqualTo(300));
         }
 
         // Water of 24 x 15 x 20 particles at the floor of a tank.
