@@ -1,6 +1,5 @@
 using System;
 using System.IO;
-using System.Runtime.InteropServices;
 
 namespace SphFluid
 {
@@ -69,7 +68,7 @@ namespace SphFluid
             taken = false;
             now.Hash = liquid.ComputeStateHash();
             now.Check = now.Expected;
-            stream.Write(MemoryMarshal.AsBytes(new ReadOnlySpan<FluidFrame>(new[] { now })));
+            stream.Write(now.Bytes);
             FrameCount++;
         }
     }

@@ -48,13 +48,13 @@ namespace SphFluid
         {
             var header = new Header { Magic = Magic, Version = Version, Sections = sections.Count };
             foreach ((string _, SaveWriter contents) in sections) header.Length += SectionHeaderSize + contents.Bytes.Length;
-            header.Check = Crc32.Of(BytesOf(header).Slice(0, HeaderSize - sizeof(uint)));
-            stream.Write(BytesOf(header));
+            header.Check = Crc32.Of(SaveWriter.BytesOf(header).Slice(0, HeaderSize - sizeof(uint)));
+            stream.Write(SaveWriter.BytesOf(header));
             foreach ((string name, SaveWriter contents) in sections)
             {
                 var section = new SectionHeader { Name = NumberOf(name), Length = contents.Bytes.Length };
                 section.Check = CheckOf(section, contents.Bytes);
-                stream.Write(BytesOf(section));
+                stream.Write(SaveWriter.BytesOf(section));
                 stream.Write(contents.Bytes);
             }
         }
@@ -100,9 +100,7 @@ namespace SphFluid
         }
 
         static uint CheckOf(in SectionHeader section, ReadOnlySpan<byte> contents) =>
-            Crc32.Of(contents, Crc32.Of(BytesOf(section).Slice(0, SectionHeaderSize - sizeof(uint))));
-
-        static ReadOnlySpan<byte> BytesOf<T>(T value) where T : unmanaged => MemoryMarshal.AsBytes(new ReadOnlySpan<T>(new[] { value }));
+            Crc32.Of(contents, Crc32.Of(SaveWriter.BytesOf(section).Slice(0, SectionHeaderSize - sizeof(uint))));
 
         static ulong NumberOf(string name)
         {
@@ -111,6 +109,6 @@ namespace SphFluid
             return MemoryMarshal.Read<ulong>(bytes);
         }
 
-        static string NameOf(ulong number) => Encoding.ASCII.GetString(BytesOf(number)).TrimEnd('\0');
+        static string NameOf(ulong number) => Encoding.ASCII.GetString(SaveWriter.BytesOf(number)).TrimEnd('\0');
     }
 }

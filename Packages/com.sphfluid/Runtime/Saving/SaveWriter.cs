@@ -41,6 +41,9 @@ namespace SphFluid
             WriteItems(part.Bytes);
         }
 
+        /// <summary>A value as it lies in memory.</summary>
+        public static ReadOnlySpan<byte> BytesOf<T>(T value) where T : unmanaged => MemoryMarshal.AsBytes(new ReadOnlySpan<T>(new[] { value }));
+
         void Write(ReadOnlySpan<byte> bytes) => stream.Write(bytes);
     }
 }

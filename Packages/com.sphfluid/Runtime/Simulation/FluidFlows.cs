@@ -209,7 +209,7 @@ namespace SphFluid
             }
             goneDrains.Clear();
             foreach (DrainState state in drainSources.Keys)
-                if (!IsThere(spec.Drains, state)) goneDrains.Add(state);
+                if (OwnerOf(spec, state) is null) goneDrains.Add(state);
             foreach (DrainState state in goneDrains)
             {
                 solver.Exchange.Counts.Close(drainSources[state]);
@@ -221,13 +221,6 @@ namespace SphFluid
                 else ReportTooMany(spec, spec.Owner);
             }
             solver.Exchange.SetDrains(zones);
-        }
-
-        static bool IsThere(IReadOnlyList<DrainSpec> drains, DrainState state)
-        {
-            for (int i = 0; i < (drains?.Count ?? 0); i++)
-                if (drains[i].State == state) return true;
-            return false;
         }
 
         void Count(in FluidSpec spec)

@@ -7,6 +7,7 @@ using System.Linq;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.TestTools;
+using Object = UnityEngine.Object;
 
 namespace SphFluid.Tests
 {
@@ -198,6 +199,17 @@ namespace SphFluid.Tests
         {
             AddPaddle();
             yield return CheckContinuation(AddCrate());
+        }
+
+        [UnityTest]
+        public IEnumerator InTheFrameInWhichABodyGoes()
+        {
+            Rigidbody crate = AddCrate();
+            yield return Play(5);
+            Object.DestroyImmediate(crate.gameObject);
+            Assert.That(Save(), Is.Not.Empty);
+            yield return Play(3);
+            Assert.That(simulation.IsRunning, simulation.StatusMessage);
         }
 
         [UnityTest]

@@ -124,14 +124,15 @@ namespace SphFluid
 
         /// <summary>Goes on from a save.</summary>
         /// <param name="reader">The save.</param>
-        /// <param name="present">The bodies of the scene by key.</param>
-        public void Load(SaveReader reader, IReadOnlyDictionary<string, FloatingBody> present)
+        /// <param name="present">What the scene has, by key.</param>
+        /// <param name="bodyOf">The body of one of these.</param>
+        public void Load<T>(SaveReader reader, IReadOnlyDictionary<string, T> present, Func<T, FloatingBody> bodyOf)
         {
             epoch = reader.Read<uint>();
             Frame = reader.Read<long>();
             slots.Clear();
             rests.Clear();
-            for (int left = reader.Read<int>(); left > 0; left--) slots.Add(reader.TryFind(present, out FloatingBody body) ? body : null);
+            for (int left = reader.Read<int>(); left > 0; left--) slots.Add(reader.TryFind(present, out T owner) ? bodyOf(owner) : null);
             FloatingState[] states = reader.ReadItems<FloatingState>();
             uint[] sums = reader.ReadItems<uint>();
             Readback.Load(reader);

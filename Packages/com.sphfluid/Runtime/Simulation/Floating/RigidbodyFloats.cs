@@ -87,10 +87,9 @@ namespace SphFluid
         /// <summary>Goes on from a save, after a look.</summary>
         public void Load(SaveReader reader, FloatingBodies bodies)
         {
-            var present = new Dictionary<string, FloatingBody>();
-            foreach (RigidbodyFloat known in ordered) present.TryAdd(ScenePath.Of(known.Rigidbody), known.Body);
-            bodies.Load(reader, present);
+            Leave();
             Dictionary<string, RigidbodyFloat> byKey = SaveReader.ByKey(ordered, f => f.Rigidbody);
+            bodies.Load(reader, byKey, f => f.Body);
             for (int left = reader.Read<int>(); left > 0; left--)
             {
                 bool isThere = reader.TryFind(byKey, out RigidbodyFloat known);

@@ -21,8 +21,11 @@ namespace SphFluid
         /// <summary>CRC-32 of the other numbers.</summary>
         public uint Check;
 
+        /// <summary>The frame as a recording has it.</summary>
+        public readonly ReadOnlySpan<byte> Bytes => SaveWriter.BytesOf(this);
+
         /// <summary>The check that the numbers ask for.</summary>
-        public readonly uint Expected => Crc32.Of(MemoryMarshal.AsBytes(new ReadOnlySpan<FluidFrame>(new[] { this })).Slice(0, Size - sizeof(uint)));
+        public readonly uint Expected => Crc32.Of(Bytes.Slice(0, Size - sizeof(uint)));
     }
 
     /// <summary>Sees, or settles, what a liquid is given in each frame.</summary>
