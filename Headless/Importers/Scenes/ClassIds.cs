@@ -20,6 +20,7 @@ public static class ClassIds
     public const int MonoBehaviour = 114;
     public const int SphereCollider = 135;
     public const int CapsuleCollider = 136;
+    public const int SkinnedMeshRenderer = 137;
     public const int LightmapSettings = 157;
     public const int NavMeshSettings = 196;
     public const int ReflectionProbe = 215;

@@ -12,6 +12,7 @@ internal static class ComponentReaders
     {
         [ClassIds.MeshFilter] = Of<MeshFilter>((c, f) => c.sharedMesh = f.Reference<Mesh>("m_Mesh")),
         [ClassIds.MeshRenderer] = Of<MeshRenderer>(FillRenderer),
+        [ClassIds.SkinnedMeshRenderer] = Of<SkinnedMeshRenderer>(FillSkin),
         [ClassIds.Camera] = Of<Camera>(FillCamera),
         [ClassIds.Light] = Of<Light>(FillLight),
         [ClassIds.ReflectionProbe] = Of<ReflectionProbe>(FillProbe),
@@ -60,7 +61,17 @@ internal static class ComponentReaders
         body.constraints = (RigidbodyConstraints)f.Int("m_Constraints");
     }
 
-    private static void FillRenderer(MeshRenderer renderer, NativeFields f)
+    private static void FillSkin(SkinnedMeshRenderer renderer, NativeFields f)
+    {
+        FillRenderer(renderer, f);
+        renderer.sharedMesh = f.Reference<Mesh>("m_Mesh");
+        renderer.bones = [.. f.ReferenceList<Transform>("m_Bones")!];
+        renderer.rootBone = f.Reference<Transform>("m_RootBone");
+        renderer.quality = (SkinQuality)f.Int("m_Quality");
+        renderer.updateWhenOffscreen = f.Bool("m_UpdateWhenOffscreen");
+    }
+
+    private static void FillRenderer(Renderer renderer, NativeFields f)
     {
         renderer.shadowCastingMode = (ShadowCastingMode)f.Int("m_CastShadows", 1);
         renderer.receiveShadows = f.Bool("m_ReceiveShadows", true);

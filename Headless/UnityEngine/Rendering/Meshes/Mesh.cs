@@ -24,8 +24,6 @@ public sealed partial class Mesh : Object
     public int vertexAttributeCount => store.Attributes.Count;
     public GraphicsBuffer.Target vertexBufferTarget { get; set; } = GraphicsBuffer.Target.Vertex;
     public GraphicsBuffer.Target indexBufferTarget { get; set; } = GraphicsBuffer.Target.Index;
-    public int bindposeCount => 0;
-    public int blendShapeCount => 0;
 
     public Bounds bounds
     {
@@ -84,6 +82,7 @@ public sealed partial class Mesh : Object
         subMeshes.Add(new SubMeshDescriptor(0, 0));
         indices = [];
         meshBounds = default;
+        ClearSkin();
         Changed();
     }
 
@@ -132,6 +131,7 @@ public sealed partial class Mesh : Object
         var copy = new Mesh(store.Clone()) { name = name, format = format, indices = [.. indices], meshBounds = meshBounds, readable = readable };
         copy.subMeshes.Clear();
         copy.subMeshes.AddRange(subMeshes);
+        copy.CopySkin(this);
         return copy;
     }
 

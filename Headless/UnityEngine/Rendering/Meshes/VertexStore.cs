@@ -50,6 +50,12 @@ internal sealed class VertexStore
         return index < 0 ? -1 : offset;
     }
 
+    public void CopyFrom(VertexStore other)
+    {
+        (attributes, strides, Count) = (other.attributes, other.strides, other.Count);
+        streams = [.. other.streams.Select(s => (byte[])s.Clone())];
+    }
+
     public void Clear()
     {
         (attributes, streams, strides, Count) = ([], [], [], 0);

@@ -44,13 +44,13 @@ public partial class Renderer : Component
 
     public Bounds bounds
     {
-        get => boundsOverride ?? BoundsTransform.ToWorld(localBounds, localToWorldMatrix);
+        get => boundsOverride ?? BoundsTransform.ToWorld(localBounds, BoundsToWorld);
         set => boundsOverride = value;
     }
 
     public Bounds localBounds
     {
-        get => localBoundsOverride ?? (MeshToDraw is { } mesh ? mesh.bounds : default);
+        get => localBoundsOverride ?? (MeshOfBounds is { } mesh ? mesh.bounds : default);
         set => localBoundsOverride = value;
     }
 
@@ -58,6 +58,10 @@ public partial class Renderer : Component
 
     /// <summary>The mesh that is drawn; null draws nothing.</summary>
     internal virtual Mesh? MeshToDraw => null;
+
+    internal virtual Mesh? MeshOfBounds => MeshToDraw;
+
+    internal virtual Matrix4x4 BoundsToWorld => localToWorldMatrix;
 
     internal Material?[] Materials => sharedList;
 
