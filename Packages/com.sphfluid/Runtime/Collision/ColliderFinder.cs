@@ -40,6 +40,9 @@ namespace SphFluid
         /// <summary>Walls besides the scene's colliders, to be used at once; null for none.</summary>
         public IReadOnlyList<ColliderState> Others;
 
+        /// <summary>Whose skinned meshes are walls; null for none.</summary>
+        public IReadOnlyList<SkinSpec> Skins;
+
         /// <summary>World space to simulation space.</summary>
         public Matrix4x4 WorldToSimulation => DomainSpace.FromWorld(Position, Rotation);
 
@@ -51,6 +54,7 @@ namespace SphFluid
     internal sealed class ColliderFinder
     {
         readonly TerrainPatches terrains;
+        readonly SkinnedWalls skins;
         Collider[] hits = new Collider[32];
         Collider[] lastHits = Array.Empty<Collider>();
         readonly List<Collider> ordered = new List<Collider>();
@@ -58,9 +62,11 @@ namespace SphFluid
         List<ColliderState> previous = new List<ColliderState>();
 
         /// <param name="terrains">What is read of terrains.</param>
-        public ColliderFinder(TerrainPatches terrains)
+        /// <param name="skins">What is read of skins.</param>
+        public ColliderFinder(TerrainPatches terrains, SkinnedWalls skins)
         {
             this.terrains = terrains;
+            this.skins = skins;
         }
 
         /// <summary>Whose rigid bodies the liquid moves; null: nobody's.</summary>
@@ -91,6 +97,7 @@ namespace SphFluid
                 bool floats = Owners != null && (own == null || own.MovedByLiquid);
                 states.Add(floats ? state.With(Owners.OwnerOf(collider)) : state);
             }
+            skins.AddStates(query, states);
             for (int i = 0; i < (query.Others?.Count ?? 0); i++) states.Add(query.Others[i]);
             return !SameStates();
         }

@@ -22,6 +22,12 @@ namespace SphFluid
             return Math.Abs(first - second) <= AspectTolerance * Math.Max(1.0, first);
         }
 
+        /// <summary>
+        /// Whether the same triangles with other corners are the same wall deformed: of a mesh; of a Character Controller, which stands upright. A terrain's
+        /// patch goes with the domain, and a capsule's corners turn about its axis as it turns.
+        /// </summary>
+        public static bool MayDeform(in ColliderState state) => state.Collider is MeshCollider || state.Collider is CharacterController || state.Collider == null;
+
         /// <summary>The own shape's space to simulation space.</summary>
         public static AffineMap Of(in ColliderState state)
         {

@@ -26,6 +26,11 @@ namespace SphFluid
                     "Give the object and its parents a scale without zeros."));
                 return null;
             }
+            if (state.Key is SkinnedMeshRenderer skin && SkinnedWalls.Problem(skin) is FluidMessage problem)
+            {
+                messages.Add(problem);
+                return null;
+            }
             if (state.Triangles != null) return state.Triangles.Transformed(state.ToSimulation);
             switch (state.Collider)
             {
@@ -114,9 +119,9 @@ namespace SphFluid
 
         static Vector3 AxisOf(in Matrix4x4 m, int column) => m.GetColumn(column);
 
-        static string Kind(in ColliderState state) => state.Collider != null ? state.Collider.GetType().Name : "mesh";
+        static string Kind(in ColliderState state) => state.Key is Component component && component != null ? component.GetType().Name : "mesh";
 
         static FluidMessage Warn(in ColliderState state, FluidIssue issue, string text, string cure) =>
-            new FluidMessage(FluidSeverity.Warning, issue, state.Collider, text, cure);
+            new FluidMessage(FluidSeverity.Warning, issue, state.Key as Component, text, cure);
     }
 }

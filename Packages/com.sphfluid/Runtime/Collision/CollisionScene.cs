@@ -11,6 +11,7 @@ namespace SphFluid
     internal sealed class CollisionScene : IDisposable
     {
         readonly ColliderFinder finder;
+        readonly SkinnedWalls skins = new SkinnedWalls();
         readonly ColliderTriangles maker = new ColliderTriangles();
         readonly List<FluidMessage> messages = new List<FluidMessage>();
         readonly List<FluidObstacle> solids = new List<FluidObstacle>();
@@ -22,7 +23,7 @@ namespace SphFluid
         /// <summary>Nothing found yet.</summary>
         public CollisionScene()
         {
-            finder = new ColliderFinder(Terrains);
+            finder = new ColliderFinder(Terrains, skins);
         }
 
         /// <summary>Whose rigid bodies the liquid moves; null: nobody's.</summary>
@@ -111,7 +112,11 @@ namespace SphFluid
         }
 
         /// <inheritdoc/>
-        public void Dispose() => buffers.Dispose();
+        public void Dispose()
+        {
+            skins.Dispose();
+            buffers.Dispose();
+        }
 
         void Add(in ColliderState state, in CollisionQuery query, long limit)
         {

@@ -82,9 +82,7 @@ namespace SphFluid
         /// <exception cref="ArgumentOutOfRangeException">The friction is not between 0 and 1.</exception>
         public int Add(TriangleMesh mesh, in Matrix4x4 pose, float? friction = null)
         {
-            if (mesh == null || mesh.TriangleCount == 0)
-                throw new ArgumentException("An obstacle needs a mesh of one triangle or more.", nameof(mesh));
-            entries.Add(new Entry { Mesh = mesh, Pose = pose, Friction = FrictionOf(friction) });
+            entries.Add(new Entry { Mesh = Checked(mesh, nameof(mesh)), Pose = pose, Friction = FrictionOf(friction) });
             return entries.Count - 1;
         }
 
@@ -94,10 +92,15 @@ namespace SphFluid
         /// <exception cref="ArgumentOutOfRangeException">There is no such mesh.</exception>
         public void MoveTo(int mesh, in Matrix4x4 pose)
         {
-            if (mesh < 0 || mesh >= entries.Count || entries[mesh].Mesh == null)
-                throw new ArgumentOutOfRangeException(nameof(mesh), mesh, "There is no mesh of that number. Use the one that Add returned.");
-            entries[mesh].Pose = pose;
+            EntryOf(mesh).Pose = pose;
         }
+
+        /// <summary>Gives a mesh other corners; <see cref="Update"/> takes them over, and the next steps take them there on straight lines.</summary>
+        /// <param name="mesh">The number that <see cref="Add(TriangleMesh, in Matrix4x4, float?)"/> returned.</param>
+        /// <param name="shape">The mesh now, from <see cref="TriangleMesh.Deformed"/>. One of other triangles is put in place at once.</param>
+        /// <exception cref="ArgumentOutOfRangeException">There is no such mesh.</exception>
+        /// <exception cref="ArgumentException">The shape is missing or has no triangles.</exception>
+        public void Reshape(int mesh, TriangleMesh shape) => EntryOf(mesh).Mesh = Checked(shape, nameof(shape));
 
         /// <summary>Lets the liquid move a mesh with a rigid body; several meshes may have the same.</summary>
         /// <param name="mesh">The number that <see cref="Add(TriangleMesh, in Matrix4x4, float?)"/> returned.</param>
@@ -173,6 +176,17 @@ namespace SphFluid
                 if (!states[i].Equals(previous[i])) return false;
             return true;
         }
+
+        Entry EntryOf(int mesh)
+        {
+            if (mesh < 0 || mesh >= entries.Count || entries[mesh].Mesh == null)
+                throw new ArgumentOutOfRangeException(nameof(mesh), mesh, "There is no mesh of that number. Use the one that Add returned.");
+            return entries[mesh];
+        }
+
+        static TriangleMesh Checked(TriangleMesh mesh, string name) => mesh == null || mesh.TriangleCount == 0
+            ? throw new ArgumentException("An obstacle needs a mesh of one triangle or more.", name)
+            : mesh;
 
         static float FrictionOf(float? friction)
         {

@@ -25,8 +25,8 @@ namespace SphFluid
         /// <summary>Stands for the friction of the domain's faces.</summary>
         public const float DomainFriction = -1f;
 
-        /// <summary>The nearest settings upwards; null where there are none or they are switched off.</summary>
-        public static IColliderSettings Of(Collider collider)
+        /// <summary>The nearest settings upwards of a collider or a renderer; null where there are none or they are switched off.</summary>
+        public static IColliderSettings Of(Component collider)
         {
             var nearest = collider.GetComponentInParent<IColliderSettings>();
             return nearest != null && nearest.IsActive ? nearest : null;

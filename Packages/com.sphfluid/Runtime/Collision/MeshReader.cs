@@ -16,6 +16,7 @@ namespace SphFluid
             MeshStamp stamp = MeshStamp.Of(mesh);
             if (cache.TryGetValue(mesh, out var entry) && entry.stamp.Equals(stamp)) return entry.triangles;
             TriangleMesh triangles = ReadAll(mesh);
+            if (entry.triangles != null && triangles.HasTrianglesOf(entry.triangles)) triangles = entry.triangles.Deformed(triangles.Vertices);
             cache[mesh] = (stamp, triangles);
             return triangles;
         }

@@ -99,9 +99,9 @@ namespace SphFluid
         {
             var vertices = new Vector3[Vertices.Length];
             for (int i = 0; i < vertices.Length; i++) vertices[i] = transform.MultiplyPoint3x4(Vertices[i]);
+            if (!(AffineMath.Determinant(transform) < 0.0)) return new TriangleMesh(vertices, Indices, closed);
             var indices = (int[])Indices.Clone();
-            if (AffineMath.Determinant(transform) < 0.0)
-                for (int i = 0; i < indices.Length; i += 3) (indices[i + 1], indices[i + 2]) = (indices[i + 2], indices[i + 1]);
+            for (int i = 0; i < indices.Length; i += 3) (indices[i + 1], indices[i + 2]) = (indices[i + 2], indices[i + 1]);
             return new TriangleMesh(vertices, indices, closed);
         }
 
@@ -111,6 +111,25 @@ namespace SphFluid
             var vertices = new Vector3[Vertices.Length];
             for (int i = 0; i < vertices.Length; i++) vertices[i] = map.Apply(Vertices[i]);
             return new TriangleMesh(vertices, Indices, closed);
+        }
+
+        /// <summary>The same triangles with other corners, as of a mesh that deforms. What is closed stays closed: corners at one place must stay together.</summary>
+        /// <param name="vertices">As many as there are now [m]; the array is kept.</param>
+        /// <returns>A new mesh.</returns>
+        /// <exception cref="ArgumentException">It is another number of them.</exception>
+        public TriangleMesh Deformed(Vector3[] vertices)
+        {
+            if (vertices == null) throw new ArgumentNullException(nameof(vertices));
+            if (vertices.Length != Vertices.Length)
+                throw new ArgumentException($"The mesh has {Vertices.Length} corners, but {vertices.Length} were given.", nameof(vertices));
+            return new TriangleMesh(vertices, Indices, closed);
+        }
+
+        /// <summary>Whether another mesh has the same triangles, its corners apart.</summary>
+        internal bool HasTrianglesOf(TriangleMesh other)
+        {
+            if (Vertices.Length != other.Vertices.Length) return false;
+            return ReferenceEquals(Indices, other.Indices) || Indices.AsSpan().SequenceEqual(other.Indices);
         }
 
         /// <summary>A triangle's corners [m].</summary>

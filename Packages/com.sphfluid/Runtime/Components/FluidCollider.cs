@@ -5,12 +5,12 @@ namespace SphFluid
 {
     /// <summary>
     /// How a liquid interacts with the colliders of this object and of those below it, where that differs from the simulation's settings.
-    /// Colliders need no such component to act. The nearest one upwards counts; a disabled one
+    /// Colliders need no such component to act; Skinned Mesh Renderers do. The nearest one upwards counts; a disabled one
     /// leaves them to the simulation's settings.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Collider")]
     [DisallowMultipleComponent]
-    public sealed class FluidCollider : MonoBehaviour, IColliderSettings
+    public sealed class FluidCollider : MonoBehaviour, IColliderSettings, IFluidPart<SkinSpec>
     {
         [SerializeField, Tooltip("Use the friction given here. Off: the friction of the simulation's faces.")]
         bool ownFriction = true;
@@ -23,6 +23,10 @@ namespace SphFluid
             "The thesis's method moves none.")]
         bool movedByLiquid = true;
 
+        [SerializeField, Tooltip("The liquid collides with the Skinned Mesh Renderers of this object and of those below it as they are drawn. Each is skinned on the " +
+            "CPU every frame; take characters of few vertices.")]
+        bool skinnedMeshes;
+
         [SerializeField, Tooltip("Simulations that collide with these colliders. Empty: all that find them.")]
         List<FluidSimulation> simulations = new List<FluidSimulation>();
 
@@ -34,6 +38,9 @@ namespace SphFluid
 
         /// <summary>Whether the liquid moves the Rigidbody of these colliders, unless it is kinematic.</summary>
         public bool MovedByLiquid { get => movedByLiquid; set => movedByLiquid = value; }
+
+        /// <summary>Whether the Skinned Mesh Renderers of this object and of those below it are walls, up to 20,000 vertices each.</summary>
+        public bool SkinnedMeshes { get => skinnedMeshes; set => skinnedMeshes = value; }
 
         /// <summary>Simulations that collide; empty: all that find the colliders.</summary>
         public List<FluidSimulation> Simulations => simulations;
@@ -49,9 +56,16 @@ namespace SphFluid
         bool IColliderSettings.AppliesTo(Component owner) =>
             owner == null || simulations.Count == 0 || simulations.Contains(owner as FluidSimulation);
 
-        void OnEnable()
-        {
-            // Shows the component's check box in the inspector.
-        }
+        SkinSpec IFluidPart<SkinSpec>.Spec => new SkinSpec { Owner = this, Settings = skinnedMeshes ? this : null };
+
+        Component IFluidPart<SkinSpec>.Named => null;
+
+        void OnEnable() => FluidParts<SkinSpec>.Add(this);
+
+        void OnDisable() => FluidParts<SkinSpec>.Remove(this);
+
+        // Without a domain reload statics outlive play mode.
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        internal static void ResetStatics() => FluidParts<SkinSpec>.Clear();
     }
 }

@@ -96,6 +96,7 @@ namespace SphFluid
         readonly List<EmitterSpec> emitters = new List<EmitterSpec>();
         readonly List<DrainSpec> drains = new List<DrainSpec>();
         readonly List<ZoneSpec> zones = new List<ZoneSpec>();
+        readonly List<SkinSpec> skins = new List<SkinSpec>();
         FluidRun run;
         FluidQueries queries;
         IFluidFrames frames;
@@ -260,6 +261,7 @@ namespace SphFluid
                 FluidScene.Own(this, emitters);
                 FluidScene.Own(this, drains);
                 FluidScene.Shared(this, zones);
+                FluidScene.Shared(this, skins);
                 return OwnSpec;
             }
         }
@@ -271,6 +273,7 @@ namespace SphFluid
             Emitters = emitters,
             Drains = drains,
             Zones = zones,
+            Skins = skins,
             Owner = this,
             Position = transform.position,
             Rotation = transform.rotation,

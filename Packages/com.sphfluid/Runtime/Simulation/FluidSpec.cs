@@ -49,6 +49,9 @@ namespace SphFluid
         /// <summary>Emitters of this liquid; null for none.</summary>
         public IReadOnlyList<EmitterSpec> Emitters;
 
+        /// <summary>Whose skinned meshes are walls; null for none.</summary>
+        public IReadOnlyList<SkinSpec> Skins;
+
         /// <summary>Drains of this liquid; null for none.</summary>
         public IReadOnlyList<DrainSpec> Drains;
 
@@ -109,6 +112,7 @@ namespace SphFluid
             Periodic = Boundaries.Periodic,
             SupportRatio = SupportRatio,
             Others = EmitterPipes.Walls(this, Pipes),
+            Skins = Skins,
         };
     }
 }

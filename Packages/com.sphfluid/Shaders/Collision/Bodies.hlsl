@@ -10,8 +10,9 @@
 #define BODY_NUMBER_SHIFT 8u // above it the number of the rigid body that the liquid moves; 0: none does
 
 // A collider whose scale or shear changes is a rigid pose and a stretch: in the rigid frame each corner moves linearly, from S0 v to
-// S1 v, where S0 and S1 are symmetric and positive definite. Kernels that include this file declare
-// "#pragma multi_compile_local _ FLUID_STRETCHED_BODIES", so that scenes without stretch do not pay for it.
+// S1 v, where S0 and S1 are symmetric and positive definite. One that deforms has corners for the start of the frame and corners for its
+// end, between which they move linearly in the rigid frame. Kernels that include this file declare
+// "#pragma multi_compile_local _ FLUID_STRETCHED_BODIES", so that scenes without either do not pay for them.
 
 // Parts of a displacement that are looked up one by one: 64 R in a frame at most, and what a particle goes itself. Mirrored by
 // CollisionBodies.cs.
@@ -21,7 +22,7 @@
 #define BODY_MOST_PARTS 64
 #endif
 
-// Mirrored by CollisionBody.cs; 176 bytes.
+// Mirrored by CollisionBody.cs; 192 bytes.
 struct CollisionBody
 {
     float4 Rotation0; // body frame to simulation space at the start of the frame, a quaternion; of a body that the liquid moves: of the step
@@ -42,7 +43,11 @@ struct CollisionBody
     float3 StretchShear0;    // yz, zx, xy
     float3 StretchDiagonal1; // at its end
     float3 StretchShear1;
+    uint EndTriangles; // how far behind a triangle that of the end of the frame is, of a body that deforms; 0: it does not
+    float3 Unused;
 };
+
+#define NEEDLE_AREA 1e-3 // twice the area over the longest edge's square; mirrored by CollisionBody.cs
 
 // Mirrored by BodyTriangle.cs; 48 bytes. Normal: unit, zero for a needle, whose plane float cannot resolve.
 struct BodyTriangle
@@ -82,6 +87,8 @@ struct BodyPose
 #if defined(FLUID_STRETCHED_BODIES)
     Stretch Stretched; // the triangles' frame to the rigid one
     Stretch Relaxed;   // its inverse
+    float Fraction;    // of the frame
+    uint EndTriangles;
 #endif
 };
 
@@ -125,6 +132,8 @@ BodyPose PoseAt(CollisionBody body, float fraction)
     stretch1.Shear = body.StretchShear1;
     pose.Stretched = Between(stretch0, stretch1, fraction);
     pose.Relaxed = Inverse(pose.Stretched);
+    pose.Fraction = fraction;
+    pose.EndTriangles = body.EndTriangles;
 #endif
     return pose;
 }
@@ -224,14 +233,32 @@ uint2 SpanRange(CollisionBody body, BodySpan span, uint part)
     return BodyCellRange(body, position);
 }
 
-// A triangle of the rigid frame at a pose.
-BodyTriangle TriangleAt(BodyPose pose, BodyTriangle tri)
+// A triangle in the rigid frame at a pose.
+BodyTriangle TriangleAt(BodyPose pose, uint index)
 {
+    BodyTriangle tri = _BodyTriangles[index];
 #if defined(FLUID_STRETCHED_BODIES)
-    tri.A = Apply(pose.Stretched, tri.A);
-    tri.B = Apply(pose.Stretched, tri.B);
-    tri.C = Apply(pose.Stretched, tri.C);
-    const float3 n = Apply(pose.Relaxed, float3(tri.NormalX, tri.NormalY, tri.NormalZ));
+    float3 n;
+    [branch]
+    if (pose.EndTriangles != 0u)
+    {
+        const BodyTriangle end = _BodyTriangles[index + pose.EndTriangles];
+        tri.A = tri.A * (1.0 - pose.Fraction) + end.A * pose.Fraction;
+        tri.B = tri.B * (1.0 - pose.Fraction) + end.B * pose.Fraction;
+        tri.C = tri.C * (1.0 - pose.Fraction) + end.C * pose.Fraction;
+        const float3 ab = tri.B - tri.A;
+        const float3 ac = tri.C - tri.A;
+        const float longest = max(dot(ab, ab), max(dot(ac, ac), dot(tri.C - tri.B, tri.C - tri.B)));
+        n = cross(ab, ac);
+        n = dot(n, n) > NEEDLE_AREA * NEEDLE_AREA * longest * longest ? n : float3(0.0, 0.0, 0.0);
+    }
+    else
+    {
+        tri.A = Apply(pose.Stretched, tri.A);
+        tri.B = Apply(pose.Stretched, tri.B);
+        tri.C = Apply(pose.Stretched, tri.C);
+        n = Apply(pose.Relaxed, float3(tri.NormalX, tri.NormalY, tri.NormalZ));
+    }
     const float squared = dot(n, n);
     const float scale = squared > 0.0 ? rsqrt(squared) : 0.0;
     tri.NormalX = n.x * scale;
@@ -240,6 +267,28 @@ BodyTriangle TriangleAt(BodyPose pose, BodyTriangle tri)
 #endif
     return tri;
 }
+
+#if defined(FLUID_STRETCHED_BODIES)
+
+// Of a triangle's corners at a place on it; they add up to 1.
+float3 CornerWeights(BodyTriangle tri, float3 place)
+{
+    const float3 ab = tri.B - tri.A;
+    const float3 ac = tri.C - tri.A;
+    const float3 ap = place - tri.A;
+    const float3 n = cross(ab, ac);
+    const float squared = dot(n, n);
+    const float b = squared > 0.0 ? saturate(dot(cross(ap, ac), n) / squared) : 0.0;
+    const float c = squared > 0.0 ? min(saturate(dot(cross(ab, ap), n) / squared), 1.0 - b) : 0.0;
+    return float3(1.0 - b - c, b, c);
+}
+
+float3 AtWeights(BodyTriangle tri, float3 weights)
+{
+    return weights.x * tri.A + weights.y * tri.B + weights.z * tri.C;
+}
+
+#endif
 
 float3 NormalOf(BodyTriangle tri)
 {

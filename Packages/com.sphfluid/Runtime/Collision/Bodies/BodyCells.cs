@@ -35,31 +35,37 @@ namespace SphFluid
         }
     }
 
-    /// <summary>Goes through the cells that list a triangle: those whose cube is within the reach of its box and of its plane.</summary>
+    /// <summary>
+    /// Goes through the cells that list a triangle whose corners go straight from a start to an end: those whose cube is within the reach of
+    /// the box of all six and of the slab along the first normal that holds them.
+    /// </summary>
     internal struct BodyCellWalk
     {
         readonly BodyCells cells;
         readonly BodyTriangle triangle;
-        readonly double reachSquared, farthest; // of a cell's cube from the box, and of its middle from the plane
+        readonly double reachSquared, lowest, highest; // of a cell's cube from the box, and of its middle along the normal
         readonly Vector3 min, max;
         readonly int x0, x1, y0, y1, z1;
         int x, y, z;
 
-        public BodyCellWalk(in BodyCells cells, in BodyTriangle triangle)
+        public BodyCellWalk(in BodyCells cells, in BodyTriangle triangle, in BodyTriangle end)
         {
             this.cells = cells;
             this.triangle = triangle;
             double reach = cells.Reach * (1.0 + BodyCells.Slack), slack = BodyCells.Slack * cells.Side;
             reachSquared = (reach + slack) * (reach + slack);
-            min = Vector3.Min(triangle.A, Vector3.Min(triangle.B, triangle.C));
-            max = Vector3.Max(triangle.A, Vector3.Max(triangle.B, triangle.C));
+            min = Vector3.Min(triangle.Low, end.Low);
+            max = Vector3.Max(triangle.High, end.High);
             x0 = Cell((min.x - reach - cells.Origin.x) / cells.Side, cells.CountX);
             x1 = Cell((max.x + reach - cells.Origin.x) / cells.Side, cells.CountX);
             y0 = Cell((min.y - reach - cells.Origin.y) / cells.Side, cells.CountY);
             y1 = Cell((max.y + reach - cells.Origin.y) / cells.Side, cells.CountY);
             int z0 = Cell((min.z - reach - cells.Origin.z) / cells.Side, cells.CountZ);
             z1 = Cell((max.z + reach - cells.Origin.z) / cells.Side, cells.CountZ);
-            farthest = 0.5 * cells.Side * (Math.Abs(triangle.NormalX) + Math.Abs(triangle.NormalY) + Math.Abs(triangle.NormalZ)) + reach + slack;
+            double farthest = 0.5 * cells.Side * (Math.Abs(triangle.NormalX) + Math.Abs(triangle.NormalY) + Math.Abs(triangle.NormalZ)) + reach + slack;
+            double a = triangle.Height(end.A), b = triangle.Height(end.B), c = triangle.Height(end.C);
+            lowest = Math.Min(0.0, Math.Min(a, Math.Min(b, c))) - farthest;
+            highest = Math.Max(0.0, Math.Max(a, Math.Max(b, c))) + farthest;
             x = x0 - 1;
             y = y0;
             z = z0;
@@ -84,7 +90,7 @@ namespace SphFluid
                     }
                 }
             }
-            while (!IsNearBox() || !IsNearPlane());
+            while (!IsNearBox() || !IsInSlab());
             return true;
         }
 
@@ -102,12 +108,13 @@ namespace SphFluid
         }
 
         // A needle's normal is zero: its box decides.
-        bool IsNearPlane()
+        bool IsInSlab()
         {
             double dx = cells.Origin.x + (x + 0.5) * cells.Side - triangle.A.x;
             double dy = cells.Origin.y + (y + 0.5) * cells.Side - triangle.A.y;
             double dz = cells.Origin.z + (z + 0.5) * cells.Side - triangle.A.z;
-            return Math.Abs(dx * triangle.NormalX + dy * triangle.NormalY + dz * triangle.NormalZ) <= farthest;
+            double height = dx * triangle.NormalX + dy * triangle.NormalY + dz * triangle.NormalZ;
+            return height >= lowest && height <= highest;
         }
 
         static int Cell(double coordinate, int count) => (int)Math.Min(Math.Max(Math.Floor(coordinate), 0.0), count - 1);

@@ -15,9 +15,11 @@ namespace SphFluid
 
         readonly float reach;
         readonly List<BodyTriangle> triangles = new List<BodyTriangle>();
+        readonly List<BodyTriangle> ends = new List<BodyTriangle>(); // of the body that is being added, where it deforms
         readonly List<BodyGrid> grids = new List<BodyGrid>();
         int first; // triangle of the body that is being added
         uint cellCount, referenceCount;
+        Lengths steady; // before the bodies that are made anew every frame
         GraphicsBuffer triangleBuffer, cellBuffer, referenceBuffer;
 
         /// <param name="reach">How far a cell looks [m].</param>
@@ -42,6 +44,39 @@ namespace SphFluid
             DisposeGrids();
             first = LeftOut = 0;
             cellCount = referenceCount = 0u;
+            steady = default;
+        }
+
+        /// <summary>What is added from here on is made anew every frame.</summary>
+        public void BeginDeforming() => steady = new Lengths { IsSet = true, Triangles = triangles.Count, Cells = cellCount, References = referenceCount, LeftOut = LeftOut };
+
+        /// <summary>Forgets what was added since <see cref="BeginDeforming"/>.</summary>
+        public void RestartDeforming()
+        {
+            triangles.RemoveRange(steady.Triangles, triangles.Count - steady.Triangles);
+            DisposeGrids();
+            first = steady.Triangles;
+            LeftOut = steady.LeftOut;
+            (cellCount, referenceCount) = (steady.Cells, steady.References);
+        }
+
+        /// <summary>Adds triangles that deform to the body that <see cref="TryEndBody"/> ends.</summary>
+        /// <param name="start">The triangles at the start of the frame.</param>
+        /// <param name="end">The same at its end.</param>
+        public void AddDeforming(TriangleMesh start, TriangleMesh end)
+        {
+            for (int t = 0; t < start.TriangleCount; t++)
+            {
+                start.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
+                end.GetTriangle(t, out Vector3 d, out Vector3 e, out Vector3 f);
+                if (!AffineMath.IsFinite(a + d) || !AffineMath.IsFinite(b + e) || !AffineMath.IsFinite(c + f))
+                {
+                    LeftOut++;
+                    continue;
+                }
+                triangles.Add(BodyTriangle.Of(a, b, c));
+                ends.Add(BodyTriangle.Of(d, e, f));
+            }
         }
 
         /// <summary>Adds triangles to the body that <see cref="TryEndBody"/> ends.</summary>
@@ -69,7 +104,8 @@ namespace SphFluid
             int count = triangles.Count - first;
             if (count == 0) return false;
             float looks = reach / leastStretch;
-            var grid = new BodyGrid(triangles.GetRange(first, count).ToArray(), looks, within, (uint)first, referenceCount);
+            bool deforms = ends.Count > 0;
+            var grid = new BodyGrid(triangles.GetRange(first, count).ToArray(), deforms ? ends.ToArray() : null, looks, within, (uint)first, referenceCount);
             grids.Add(grid);
             body = new CollisionBody
             {
@@ -84,21 +120,38 @@ namespace SphFluid
                 PartsPerMetre = 1f / (1.7f * looks),
                 StretchDiagonal0 = Vector3.one,
                 StretchDiagonal1 = Vector3.one,
+                EndTriangles = (uint)ends.Count,
             };
+            triangles.AddRange(ends);
+            ends.Clear();
             first = triangles.Count;
             cellCount += (uint)grid.Starts.Length;
             referenceCount += (uint)grid.References.Length;
             return true;
         }
 
-        /// <summary>Copies all to the GPU; buffers are replaced only when they grow.</summary>
+        /// <summary>Copies all to the GPU; buffers are replaced only when they grow, and leave room for what is made anew to grow by half.</summary>
         public void Upload()
         {
-            GpuBuffers.Reserve(ref triangleBuffer, "BodyTriangles", triangles.Count, BodyTriangle.Stride);
-            GpuBuffers.Reserve(ref cellBuffer, "BodyCells", cellCount, sizeof(uint));
-            GpuBuffers.Reserve(ref referenceBuffer, "CellTriangles", referenceCount, sizeof(uint));
-            triangleBuffer.SetData(triangles);
-            int cell = 0, reference = 0;
+            GpuBuffers.Reserve(ref triangleBuffer, "BodyTriangles", WithSlack(triangles.Count, steady.Triangles), BodyTriangle.Stride);
+            GpuBuffers.Reserve(ref cellBuffer, "BodyCells", WithSlack(cellCount, steady.Cells), sizeof(uint));
+            GpuBuffers.Reserve(ref referenceBuffer, "CellTriangles", WithSlack(referenceCount, steady.References), sizeof(uint));
+            Upload(default);
+        }
+
+        /// <summary>Copies what was added since <see cref="BeginDeforming"/>.</summary>
+        /// <returns>False where the buffers are too small: all has to be made and copied anew.</returns>
+        public bool TryUploadDeforming()
+        {
+            if (triangles.Count > triangleBuffer.count || cellCount > cellBuffer.count || referenceCount > referenceBuffer.count) return false;
+            Upload(steady);
+            return true;
+        }
+
+        void Upload(Lengths from)
+        {
+            triangleBuffer.SetData(triangles, from.Triangles, from.Triangles, triangles.Count - from.Triangles);
+            int cell = (int)from.Cells, reference = (int)from.References;
             foreach (BodyGrid grid in grids)
             {
                 Append(cellBuffer, grid.Starts, ref cell);
@@ -127,6 +180,16 @@ namespace SphFluid
         {
             foreach (BodyGrid grid in grids) grid.Dispose();
             grids.Clear();
+        }
+
+        long WithSlack(long count, long before) => steady.IsSet ? count + (count - before) / 2 : count;
+
+        // Of the lists.
+        struct Lengths
+        {
+            public bool IsSet;
+            public int Triangles, LeftOut;
+            public uint Cells, References;
         }
 
         static void Append(GraphicsBuffer buffer, NativeArray<uint> data, ref int at)

@@ -20,17 +20,19 @@ namespace SphFluid
 
         /// <summary>Cells over the triangles' bounds, the reach added.</summary>
         /// <param name="triangles">The body's.</param>
+        /// <param name="ends">Where their corners go, straight; null where they rest. The cells are larger then: these lists are made every frame.</param>
         /// <param name="reach">How far a cell looks [m].</param>
         /// <param name="within">Bounds beyond which no particle is; null for none.</param>
         /// <param name="firstTriangle">Number that the first triangle has in the lists.</param>
         /// <param name="firstReference">Number that the first entry of the lists has in the ranges.</param>
-        public BodyGrid(BodyTriangle[] triangles, float reach, Bounds? within, uint firstTriangle = 0u, uint firstReference = 0u)
+        public BodyGrid(BodyTriangle[] triangles, BodyTriangle[] ends, float reach, Bounds? within, uint firstTriangle = 0u, uint firstReference = 0u)
         {
             Vector3 min = Vector3.positiveInfinity, max = Vector3.negativeInfinity;
-            foreach (BodyTriangle tri in triangles)
+            for (int i = 0; i < triangles.Length; i++)
             {
-                min = Vector3.Min(min, Vector3.Min(tri.A, Vector3.Min(tri.B, tri.C)));
-                max = Vector3.Max(max, Vector3.Max(tri.A, Vector3.Max(tri.B, tri.C)));
+                BodyTriangle end = ends == null ? triangles[i] : ends[i];
+                min = Vector3.Min(min, Vector3.Min(triangles[i].Low, end.Low));
+                max = Vector3.Max(max, Vector3.Max(triangles[i].High, end.High));
             }
             BoundsMin = min;
             BoundsMax = max;
@@ -41,10 +43,12 @@ namespace SphFluid
                 low = Vector3.Max(low, within.Value.min - margin);
                 high = Vector3.Min(high, within.Value.max + margin);
             }
+            float side = ends == null ? 0.5f * reach : reach;
             using (var given = new NativeArray<BodyTriangle>(triangles, Allocator.TempJob))
+            using (var goals = new NativeArray<BodyTriangle>(ends ?? triangles, Allocator.TempJob))
             {
-                Count(given, BodyCells.Over(low, high, reach, 0.5f * reach, MostCells), firstReference);
-                if (starts[Cells.Count] - (long)firstReference > MostReferences) Count(given, BodyCells.Over(low, high, reach, reach, MostCells), firstReference);
+                Count(given, goals, BodyCells.Over(low, high, reach, side, MostCells), firstReference);
+                if (starts[Cells.Count] - (long)firstReference > MostReferences) Count(given, goals, BodyCells.Over(low, high, reach, 2f * side, MostCells), firstReference);
                 references = new NativeArray<uint>((int)(starts[Cells.Count] - firstReference), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
                 new BodyListJob
                 {
@@ -52,6 +56,7 @@ namespace SphFluid
                     FirstReference = firstReference,
                     FirstTriangle = firstTriangle,
                     Triangles = given,
+                    Ends = goals,
                     Starts = starts,
                     References = references,
                 }.Run();
@@ -68,12 +73,12 @@ namespace SphFluid
         /// <summary>Numbers of triangles, cell by cell.</summary>
         public NativeArray<uint> References => references;
 
-        void Count(NativeArray<BodyTriangle> triangles, in BodyCells cells, uint firstReference)
+        void Count(NativeArray<BodyTriangle> triangles, NativeArray<BodyTriangle> ends, in BodyCells cells, uint firstReference)
         {
             Dispose();
             Cells = cells;
             starts = new NativeArray<uint>(cells.Count + 1, Allocator.Persistent);
-            new BodyCountJob { Cells = cells, FirstReference = firstReference, Triangles = triangles, Starts = starts }.Run();
+            new BodyCountJob { Cells = cells, FirstReference = firstReference, Triangles = triangles, Ends = ends, Starts = starts }.Run();
         }
 
         public void Dispose()

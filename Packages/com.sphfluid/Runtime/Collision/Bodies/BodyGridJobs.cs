@@ -13,6 +13,9 @@ namespace SphFluid
 
         [ReadOnly] public NativeArray<BodyTriangle> Triangles;
 
+        /// <summary>Where they go; the same where they rest.</summary>
+        [ReadOnly] public NativeArray<BodyTriangle> Ends;
+
         /// <summary>One entry more than cells.</summary>
         public NativeArray<uint> Starts;
 
@@ -21,7 +24,7 @@ namespace SphFluid
             Starts[0] = FirstReference;
             for (int t = 0; t < Triangles.Length; t++)
             {
-                var walk = new BodyCellWalk(Cells, Triangles[t]);
+                var walk = new BodyCellWalk(Cells, Triangles[t], Ends[t]);
                 while (walk.Next()) Starts[walk.Number + 1] += 1u;
             }
 
@@ -39,6 +42,9 @@ namespace SphFluid
 
         [ReadOnly] public NativeArray<BodyTriangle> Triangles;
 
+        /// <summary>Where they go; the same where they rest.</summary>
+        [ReadOnly] public NativeArray<BodyTriangle> Ends;
+
         /// <summary>As <see cref="BodyCountJob"/> left them; unchanged in the end.</summary>
         public NativeArray<uint> Starts;
 
@@ -48,7 +54,7 @@ namespace SphFluid
         {
             for (int t = 0; t < Triangles.Length; t++)
             {
-                var walk = new BodyCellWalk(Cells, Triangles[t]);
+                var walk = new BodyCellWalk(Cells, Triangles[t], Ends[t]);
                 while (walk.Next())
                 {
                     References[(int)(Starts[walk.Number] - FirstReference)] = FirstTriangle + (uint)t;

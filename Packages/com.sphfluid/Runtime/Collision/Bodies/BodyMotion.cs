@@ -5,7 +5,8 @@ namespace SphFluid
 {
     /// <summary>
     /// A collider that moves: its triangles rest in a frame that was simulation space when it was first seen, and its motion since is
-    /// a stretch in that frame and a rigid pose after it. The stretch is one of scale and shear; that of a rigid collider is none.
+    /// a stretch in that frame and a rigid pose after it. The stretch is one of scale and shear; that of a rigid collider is none. Where corners
+    /// have moved among themselves the triangles deform in the rigid frame instead.
     /// </summary>
     internal sealed class BodyMotion
     {
@@ -15,39 +16,46 @@ namespace SphFluid
         // In a frame: less than this or more than its inverse is no motion that liquid can follow.
         const double LeastInFrame = 0.1;
 
-        // Frames without a change of the stretch after which a stretched body becomes a rigid one: 5 s at 60 Hz.
+        // Frames without a change of the stretch or of corners after which a body becomes a rigid one: 5 s at 60 Hz.
         const int SteadyFrames = 300;
 
-        readonly ColliderState reference;
+        ColliderState reference;
+        TriangleMesh mesh;
         AffineMap toShape; // the frame of the triangles to the collider's own shape
         FloatingBody floats;
         int steady;
 
-        public BodyMotion(FluidObstacle solid)
+        /// <param name="solid">The collider.</param>
+        /// <param name="deforms">Its corners are not those of its state, so that it deforms from where they are.</param>
+        public BodyMotion(FluidObstacle solid, bool deforms = false)
         {
             reference = solid.State;
-            Mesh = solid.Mesh;
+            mesh = solid.Mesh;
             Name = solid.Name;
             Friction = solid.State.Friction;
             floats = solid.State.Body;
             toShape = ColliderFrame.Of(reference).Inverse;
             Begin();
+            if (deforms) Deformation = new BodyDeformation(mesh, reference);
         }
 
-        /// <summary>The collider.</summary>
-        public Collider Collider => reference.Collider;
+        /// <summary>The component that it is found again by; null of a mesh that a script gave.</summary>
+        public Component Source => reference.Key as Component;
 
         /// <summary>Name of its object.</summary>
         public string Name { get; }
 
-        /// <summary>The triangles in the frame in which they rest.</summary>
-        public TriangleMesh Mesh { get; private set; }
+        /// <summary>The triangles in the frame in which they rest; of a body that deforms, in the rigid frame at the start of the frame.</summary>
+        public TriangleMesh Mesh => Deformation?.Start ?? mesh;
+
+        /// <summary>The triangles of a body that deforms; null of others.</summary>
+        public BodyDeformation Deformation { get; private set; }
 
         /// <summary>0 free slip to 1 no slip; negative: as the domain's faces.</summary>
         public float Friction { get; private set; }
 
-        /// <summary>The rigid body that the liquid moves this with; null: it goes where its collider goes. While a collider is scaled it is so as well.</summary>
-        public FloatingBody Floats => IsStretched ? null : floats;
+        /// <summary>The rigid body that the liquid moves this with; null: it goes where its collider goes. While a collider is scaled or deforms it is so as well.</summary>
+        public FloatingBody Floats => IsStretched || Deformation != null ? null : floats;
 
         public Quaternion Rotation0 { get; private set; }
         public Vector3 Position0 { get; private set; }
@@ -63,7 +71,7 @@ namespace SphFluid
         public bool IsStretched => !Stretch0.IsNone || !Stretch1.IsNone;
 
         /// <summary>Whether the frame's motion is none.</summary>
-        public bool IsAtRest => Position0 == Position1 && Rotation0.Equals(Rotation1) && Stretch0.Equals(Stretch1);
+        public bool IsAtRest => !(Deformation != null && Deformation.IsUnderWay) && Position0 == Position1 && Rotation0.Equals(Rotation1) && Stretch0.Equals(Stretch1);
 
         /// <summary>
         /// How far a particle may go in the frame of the triangles over how far it is from its first to its last place there: 1 of a
@@ -93,24 +101,33 @@ namespace SphFluid
             return (start * toShape.Inverse * ColliderFrame.Of(reference).Inverse * AffineMap.Of(reference.ToSimulation)).Matrix;
         }
 
+        /// <summary>Corners of a body that deforms, in simulation space, where the last steps left them [m]; null of others.</summary>
+        public Vector3[] BegunCorners => Deformation?.Start.Transformed(AffineMap.Of(Matrix4x4.TRS(Position0, Rotation0, Vector3.one))).Vertices;
+
         /// <summary>Ends the motion: it begins where it ended.</summary>
         public void Arrive()
         {
             Rotation0 = Rotation1;
             Position0 = Position1;
             Stretch0 = Stretch1;
+            Deformation?.Arrive();
         }
 
         /// <summary>Sets the end of the motion, and the friction.</summary>
-        /// <param name="state">The collider now.</param>
+        /// <param name="solid">The collider now.</param>
         /// <returns>How it is followed.</returns>
-        public BodyFollowing MoveTo(in ColliderState state)
+        public BodyFollowing MoveTo(FluidObstacle solid)
         {
-            if (!ColliderFrame.HasSameShape(reference, state)) return BodyFollowing.Reshaped;
+            ColliderState state = solid.State;
+            bool deforms = Deformation != null, begins = !deforms && !ColliderFrame.HasSameShape(reference, state);
+            AffineMap frame = ColliderFrame.Of(state);
+            if ((begins || deforms) && !(ColliderFrame.MayDeform(state) && Mesh.HasTrianglesOf(solid.Mesh)))
+                return (frame * toShape).Determinant < 0.0 ? BodyFollowing.Mirrored : BodyFollowing.Reshaped;
             Friction = state.Friction;
             floats = state.Body;
-            AffineMap frame = ColliderFrame.Of(state);
-            BodyFollowing following = MoveTo(frame * toShape);
+            if (begins) BeginDeforming();
+            BodyFollowing following = MoveTo(frame * toShape, solid);
+            if (Deformation != null && following == BodyFollowing.Followed) return begins ? BodyFollowing.CellsOutgrown : following;
             if (following != BodyFollowing.Followed || !IsStretched) return following;
             (double least, double most) = Stretch1.Range();
             bool rigid = CellStretch == 1.0; // its cells look as far as liquid does, no farther
@@ -121,23 +138,30 @@ namespace SphFluid
                 return rigid ? BodyFollowing.CellsOutgrown : BodyFollowing.Followed;
             }
             TakeOver();
-            following = MoveTo(frame * toShape);
+            following = MoveTo(frame * toShape, solid);
             (least, most) = Stretch1.Range();
             if (following != BodyFollowing.Followed || least < LeastInFrame || most > 1.0 / LeastInFrame) return BodyFollowing.Scaled;
             CellStretch = Math.Min(LeastStretch, 0.9 * least);
             return BodyFollowing.CellsOutgrown;
         }
 
-        /// <summary>Counts a frame. A body whose stretch has not changed for long is taken over as a rigid one.</summary>
+        /// <summary>Counts a frame. A body whose stretch or corners have not changed for long is taken over as a rigid one.</summary>
         /// <returns>Whether it was, so that its cells have to be made anew.</returns>
         public bool Settle()
         {
-            if (!IsStretched) return false;
-            steady = Stretch0.Equals(Stretch1) ? steady + 1 : 0;
+            if (!IsStretched && Deformation == null) return false;
+            bool same = Stretch0.Equals(Stretch1) && !(Deformation != null && Deformation.IsUnderWay);
+            steady = same ? steady + 1 : 0;
             if (steady < SteadyFrames) return false;
             Quaternion turn = Rotation1 * Quaternion.Inverse(Rotation0);
             Vector3 displacement = Position1 - turn * Position0;
+            BodyDeformation settled = Deformation;
             TakeOver();
+            if (settled != null)
+            {
+                reference = settled.Last;
+                toShape = ColliderFrame.Of(reference).Inverse * AffineMap.Of(Matrix4x4.TRS(displacement, turn, Vector3.one));
+            }
             Rotation1 = turn;
             Position1 = displacement;
             return true;
@@ -154,7 +178,7 @@ namespace SphFluid
                 Vector3 from = Rotation0 * stretch0.Apply(p) + Position0, to = Rotation1 * stretch1.Apply(p) + Position1;
                 longest = Mathf.Max(longest, (to - from).magnitude);
             }
-            return longest;
+            return longest + (Deformation?.Longest ?? 0f);
         }
 
         /// <summary>Smallest and largest stretch from the start of the frame to its end.</summary>
@@ -165,13 +189,14 @@ namespace SphFluid
             return (Math.Min(least0, least1), Math.Max(most0, most1));
         }
 
-        BodyFollowing MoveTo(in AffineMap motion)
+        BodyFollowing MoveTo(in AffineMap motion, FluidObstacle solid)
         {
             if (motion.Determinant <= 0.0) return BodyFollowing.Mirrored;
             if (!PolarDecomposition.TryFind(motion, out PolarDecomposition parts)) return BodyFollowing.Scaled;
             Rotation1 = parts.Quaternion;
             Position1 = new Vector3((float)motion.X, (float)motion.Y, (float)motion.Z);
-            Stretch1 = BodyStretch.Of(parts.Stretch, Stretch1);
+            if (Deformation != null) Deformation.MoveTo(solid, Rotation1, Position1, parts.Stretch);
+            else Stretch1 = BodyStretch.Of(parts.Stretch, Stretch1);
             return BodyFollowing.Followed;
         }
 
@@ -179,9 +204,17 @@ namespace SphFluid
         void TakeOver()
         {
             AffineMap start = AffineMap.Of(Matrix4x4.TRS(Position0, Rotation0, Vector3.one)) * Stretch0.Map;
-            Mesh = Mesh.Transformed(start);
+            mesh = Mesh.Transformed(start);
+            Deformation = null;
             toShape = toShape * start.Inverse;
             Begin();
+        }
+
+        // Scale and shear are in the corners from now on.
+        void BeginDeforming()
+        {
+            TakeOver();
+            Deformation = new BodyDeformation(mesh, reference);
         }
 
         void Begin()
@@ -203,7 +236,7 @@ namespace SphFluid
         /// <summary>From where it was, with cells that have to be made anew.</summary>
         CellsOutgrown,
 
-        /// <summary>Not: the collider has another shape.</summary>
+        /// <summary>Not: the collider has other triangles.</summary>
         Reshaped,
 
         /// <summary>Not: a scale has changed its sign.</summary>

@@ -8,7 +8,8 @@ namespace SphFluid
 {
     /// <summary>
     /// The scene's triangles for methods that prove every motion free: what rests and has the same friction is one body, each collider that
-    /// has moved is one of its own. Lists are made anew only when the set of bodies changes; motion changes poses.
+    /// has moved is one of its own. Lists are made anew only when the set of bodies changes; motion changes poses. Only those of bodies that deform
+    /// are made anew in each frame in which they do.
     /// </summary>
     internal sealed class CollisionBodies : IDisposable
     {
@@ -35,6 +36,7 @@ namespace SphFluid
         readonly HashSet<ColliderState> resting = new HashSet<ColliderState>();
         readonly List<FluidObstacle> lastSolids = new List<FluidObstacle>();
         readonly List<BodyJump> newJumps = new List<BodyJump>();
+        int firstDeforming; // of bodies: from it on they deform
         bool stale;
         GraphicsBuffer bodyBuffer;
 
@@ -82,7 +84,7 @@ namespace SphFluid
         /// <summary>Those of the last update.</summary>
         public IReadOnlyList<BodyJump> NewJumps => newJumps;
 
-        /// <summary>Whether a body's scale or shear differs from that of its triangles.</summary>
+        /// <summary>Whether the triangles of a body change in its rigid frame: it is scaled or sheared, or it deforms.</summary>
         public bool HasStretch { get; private set; }
 
         /// <summary>
@@ -96,6 +98,7 @@ namespace SphFluid
             bool outgrown = Follow(solids);
             foreach (BodyMotion motion in movers.Values) outgrown |= motion.Settle();
             if (outgrown) Rebuild(solids);
+            else if (motions.Exists(m => m?.Deformation != null && m.Deformation.IsChanged)) Deform(solids);
             bool wasUnderWay = IsUnderWay;
             IsUnderWay = HasStretch = false;
             LongestMotion = 0f;
@@ -104,7 +107,7 @@ namespace SphFluid
                 if (motions[i] == null) continue;
                 if (IsTooFar(motions[i], bodies[i]))
                 {
-                    Jumped(motions[i].Collider, BodyFollowing.TooFar);
+                    Jumped(motions[i].Source, BodyFollowing.TooFar);
                     motions[i].Arrive();
                     motions[i].Floats?.Seed();
                     stale = true;
@@ -112,7 +115,7 @@ namespace SphFluid
                 }
                 IsUnderWay |= !motions[i].IsAtRest;
                 if (!motions[i].IsAtRest) LongestMotion = Mathf.Max(LongestMotion, motions[i].LongestDisplacement(bodies[i].BoundsMin, bodies[i].BoundsMax));
-                HasStretch |= motions[i].IsStretched;
+                HasStretch |= motions[i].IsStretched || motions[i].Deformation != null;
             }
             Floating.Update(motions);
             IsUnderWay |= Floating.Count > 0; // where they go only the GPU knows
@@ -162,7 +165,7 @@ namespace SphFluid
             Floating.Dispose();
         }
 
-        /// <summary>Writes where the last steps left each collider, and which of them are bodies of their own.</summary>
+        /// <summary>Writes where the last steps left each collider, which of them are bodies of their own, and the corners of those that deform.</summary>
         public void Save(SaveWriter writer)
         {
             List<FluidObstacle> there = lastSolids.FindAll(s => s.Source != null);
@@ -173,6 +176,7 @@ namespace SphFluid
                 writer.WriteKey(solid.Source);
                 writer.Write(moves);
                 writer.Write(moves ? motion.Begun(solid.State) : solid.State.ToSimulation);
+                writer.WriteItems<Vector3>(moves ? motion.BegunCorners : null);
             }
         }
 
@@ -189,10 +193,13 @@ namespace SphFluid
                 bool isThere = reader.TryFind(present, out FluidObstacle now);
                 bool moves = reader.Read<bool>();
                 Matrix4x4 place = reader.Read<Matrix4x4>();
+                Vector3[] corners = reader.ReadItems<Vector3>();
                 if (!isThere) continue;
                 FluidObstacle then = scene.At(now, place);
+                bool deforms = corners.Length > 0 && corners.Length == then.Mesh.Vertices.Length;
+                if (deforms) then = new FluidObstacle(then.State, then.Spacing, then.Mesh.Deformed(corners));
                 lastSolids.Add(then);
-                if (moves || then.State.Body != null) movers[then.State.Key] = new BodyMotion(then);
+                if (moves || then.State.Body != null) movers[then.State.Key] = new BodyMotion(then, deforms);
             }
             Rebuild(lastSolids);
         }
@@ -240,20 +247,20 @@ namespace SphFluid
         // Whether the set of bodies or their cells changed.
         bool Move(BodyMotion motion, FluidObstacle solid)
         {
-            BodyFollowing following = motion.MoveTo(solid.State);
+            BodyFollowing following = motion.MoveTo(solid);
             if (following == BodyFollowing.Followed) return false;
             if (following != BodyFollowing.CellsOutgrown)
             {
-                Jumped(solid.State.Collider, following);
+                Jumped(solid.Source, following);
                 movers[solid.State.Key] = new BodyMotion(solid);
             }
             return true;
         }
 
-        void Jumped(Collider collider, BodyFollowing reason)
+        void Jumped(Component source, BodyFollowing reason)
         {
             Jumps++;
-            newJumps.Add(new BodyJump(collider, reason));
+            newJumps.Add(new BodyJump(source, reason));
         }
 
         // Also where a particle's line in the frame of the triangles bends more than the parts follow that it is looked up in.
@@ -288,15 +295,44 @@ namespace SphFluid
                 }
                 AddBody(null, alike.Key);
             }
-            foreach (FluidObstacle solid in solids)
+            foreach (BodyMotion motion in Movers(solids, false))
             {
-                if (!movers.TryGetValue(solid.State.Key, out BodyMotion motion)) continue;
                 geometry.Add(motion.Mesh, null);
                 AddBody(motion, motion.Friction);
             }
+            firstDeforming = bodies.Count;
+            if (Movers(solids, true).Any()) geometry.BeginDeforming();
+            AddDeforming(solids);
             stale = true;
             Version++;
             if (bodies.Count > 0) geometry.Upload();
+        }
+
+        // Triangles and lists of what deforms, where there is room for them in the buffers.
+        void Deform(IReadOnlyList<FluidObstacle> solids)
+        {
+            bodies.RemoveRange(firstDeforming, bodies.Count - firstDeforming);
+            motions.RemoveRange(firstDeforming, motions.Count - firstDeforming);
+            geometry.RestartDeforming();
+            AddDeforming(solids);
+            stale = true;
+            if (!geometry.TryUploadDeforming()) Rebuild(solids);
+        }
+
+        void AddDeforming(IReadOnlyList<FluidObstacle> solids)
+        {
+            foreach (BodyMotion motion in Movers(solids, true))
+            {
+                geometry.AddDeforming(motion.Deformation.Start, motion.Deformation.End);
+                motion.Deformation.IsChanged = false;
+                AddBody(motion, motion.Friction);
+            }
+        }
+
+        IEnumerable<BodyMotion> Movers(IReadOnlyList<FluidObstacle> solids, bool deform)
+        {
+            foreach (FluidObstacle solid in solids)
+                if (movers.TryGetValue(solid.State.Key, out BodyMotion motion) && motion.Deformation != null == deform) yield return motion;
         }
 
         void AddBody(BodyMotion motion, float friction)

@@ -3,11 +3,11 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>A part of the scene in a frame of its own, in which its triangles rest or stretch; mirrored by CollisionBody in Shaders/Collision/Bodies.hlsl. SI.</summary>
+    /// <summary>A part of the scene in a frame of its own, in which its triangles rest, stretch or deform; mirrored by CollisionBody in Shaders/Collision/Bodies.hlsl. SI.</summary>
     [StructLayout(LayoutKind.Sequential)]
     internal struct CollisionBody
     {
-        public const int Stride = 176;
+        public const int Stride = 192;
 
         /// <summary>Bit of <see cref="Flags"/>: the poses differ, or will.</summary>
         public const uint Moves = 1u;
@@ -36,6 +36,8 @@ namespace SphFluid
         public Vector3 StretchShear0;
         public Vector3 StretchDiagonal1;
         public Vector3 StretchShear1;
+        public uint EndTriangles;
+        public Vector3 Unused;
     }
 
     /// <summary>A triangle of a body's frame [m]; mirrored by BodyTriangle in Shaders/Collision/Bodies.hlsl.</summary>
@@ -53,6 +55,16 @@ namespace SphFluid
         public float NormalY;
         public Vector3 C;
         public float NormalZ;
+
+        /// <summary>Lowest corner of its box [m].</summary>
+        public Vector3 Low => Vector3.Min(A, Vector3.Min(B, C));
+
+        /// <summary>Highest corner of its box [m].</summary>
+        public Vector3 High => Vector3.Max(A, Vector3.Max(B, C));
+
+        /// <summary>Height of a point over its plane along the normal [m]; 0 of a needle.</summary>
+        public double Height(Vector3 point) =>
+            ((double)point.x - A.x) * NormalX + ((double)point.y - A.y) * NormalY + ((double)point.z - A.z) * NormalZ;
 
         /// <summary>A triangle with its unit normal; zero for a needle.</summary>
         public static BodyTriangle Of(Vector3 a, Vector3 b, Vector3 c)

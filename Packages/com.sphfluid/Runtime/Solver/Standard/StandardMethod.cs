@@ -6,7 +6,7 @@ namespace SphFluid
     internal sealed class StandardMethod : FluidMethod
     {
         static readonly ShaderGroup Group = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
-            groupThreads: 256, buffers: 15, writableBuffers: 7, groupMemory: 8960, vertexBuffers: 0,
+            groupThreads: 256, buffers: 15, writableBuffers: 7, groupMemory: 11520, vertexBuffers: 0,
             "LoadParticles", "ScanCells", "ScatterParticles", "StandardDensity", "MoveParticles", "GatherWalls", "MoveBodies", "FindContacts",
             "ResolveContacts", "DampVelocities", "PublishParticles", "DrainParticles", "BirthParticles", "GrowParticles");
 

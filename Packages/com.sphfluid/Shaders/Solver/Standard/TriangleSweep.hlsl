@@ -156,12 +156,12 @@ struct SweptTriangle
 #endif
 };
 
-SweptTriangle SweepOf(BodyTriangle tri, BodyPose start, BodyPose end)
+SweptTriangle SweepOf(uint index, BodyPose start, BodyPose end)
 {
     SweptTriangle swept;
-    swept.Start = TriangleAt(start, tri);
+    swept.Start = TriangleAt(start, index);
 #if defined(FLUID_STRETCHED_BODIES)
-    swept.End = TriangleAt(end, tri);
+    swept.End = TriangleAt(end, index);
 #endif
     return swept;
 }

@@ -66,7 +66,7 @@ namespace SphFluid.Tests
         {
             BodyTriangle[] triangles = Soup(count, 11).ToArray();
             Bounds? bounds = within ? new Bounds(Vector3.zero, new Vector3(0.6f, 0.8f, 1f)) : (Bounds?)null;
-            using (var grid = new BodyGrid(triangles, 4f * Reach, bounds, 1000u, 77u))
+            using (var grid = new BodyGrid(triangles, null, 4f * Reach, bounds, 1000u, 77u))
             {
                 BodyCells cells = grid.Cells;
                 Assert.That(grid.Starts.Length, Is.EqualTo(cells.Count + 1));
@@ -96,8 +96,8 @@ namespace SphFluid.Tests
         {
             BodyTriangle[] Large(int count) => Enumerable.Range(0, count)
                 .Select(i => BodyTriangle.Of(new Vector3(-1f, -1f, 1e-3f * i), new Vector3(1f, 1f, 1e-3f * i), new Vector3(-1f, -1f, 1e-3f * i + 1f))).ToArray();
-            using (var few = new BodyGrid(Large(3), 1f, null))
-            using (var many = new BodyGrid(Large(400000), 1f, null))
+            using (var few = new BodyGrid(Large(3), null, 1f, null))
+            using (var many = new BodyGrid(Large(400000), null, 1f, null))
             {
                 Assert.That(few.Cells.Side, Is.EqualTo(0.5f));
                 Assert.That(many.Cells.Side, Is.EqualTo(1f));
@@ -110,7 +110,7 @@ namespace SphFluid.Tests
         {
             List<BodyTriangle> triangles = Soup(211, 5);
             var domain = new Bounds(Vector3.zero, new Vector3(0.6f, 0.8f, 1f));
-            using var grid = new BodyGrid(triangles.ToArray(), Reach, within ? domain : (Bounds?)null);
+            using var grid = new BodyGrid(triangles.ToArray(), null, Reach, within ? domain : (Bounds?)null);
             var random = new System.Random(6);
             int near = 0;
             for (int i = 0; i < 10000; i++)
@@ -132,10 +132,38 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void ACellListsWhatComesWithinReachAsItDeforms()
+        {
+            List<BodyTriangle> triangles = Soup(101, 5);
+            var random = new System.Random(7);
+            Vector3 Near(Vector3 corner) => corner + 2f * Reach * ParticleSets.RandomVector(random);
+            BodyTriangle[] ends = triangles.Select(t => BodyTriangle.Of(Near(t.A), Near(t.B), Near(t.C))).ToArray();
+            using var grid = new BodyGrid(triangles.ToArray(), ends, Reach, null);
+            int near = 0, listedInAll = 0;
+            for (int i = 0; i < 3000; i++)
+            {
+                Vector3 p = 1.4f * ParticleSets.RandomVector(random);
+                HashSet<int> listed = Listed(grid, p);
+                listedInAll += listed.Count;
+                for (int t = 0; t < triangles.Count; t++)
+                    for (int k = 0; k <= 10; k++)
+                    {
+                        Vector3 At(Vector3 a, Vector3 b) => Vector3.LerpUnclamped(a, b, 0.1f * k);
+                        BodyTriangle s = triangles[t], e = ends[t];
+                        if ((TriangleMath.ClosestPoint(p, At(s.A, e.A), At(s.B, e.B), At(s.C, e.C)) - p).magnitude > Reach) continue;
+                        near++;
+                        Assert.That(listed.Contains(t), Is.True, $"triangle {t} near {p}");
+                    }
+            }
+            Assert.That(near, Is.GreaterThan(1000));
+            Assert.That(listedInAll, Is.LessThan(0.5 * 3000 * triangles.Count), "most are not listed");
+        }
+
+        [Test]
         public void TheMiddlesOfAPathsPartsListAllThatItIntersects()
         {
             List<BodyTriangle> triangles = Soup(97, 8);
-            using var grid = new BodyGrid(triangles.ToArray(), Reach, null);
+            using var grid = new BodyGrid(triangles.ToArray(), null, Reach, null);
             var random = new System.Random(9);
             for (int i = 0; i < 3000; i++)
             {

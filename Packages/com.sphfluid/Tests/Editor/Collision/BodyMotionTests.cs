@@ -39,7 +39,7 @@ namespace SphFluid.Tests
             AffineMap pose = end
                 ? AffineMap.Of(Matrix4x4.TRS(motion.Position1, motion.Rotation1, Vector3.one)) * motion.Stretch1.Map
                 : AffineMap.Of(Matrix4x4.TRS(motion.Position0, motion.Rotation0, Vector3.one)) * motion.Stretch0.Map;
-            return motion.Mesh.Vertices.Select(v => pose.Apply(v)).ToList();
+            return (end && motion.Deformation != null ? motion.Deformation.End : motion.Mesh).Vertices.Select(v => pose.Apply(v)).ToList();
         }
 
         static float Farthest(IReadOnlyList<Vector3> a, IReadOnlyList<Vector3> b) =>
@@ -88,7 +88,7 @@ namespace SphFluid.Tests
                 List<Vector3> before = Corners(motion, true);
                 motion.Arrive();
                 FluidObstacle solid = Gather();
-                BodyFollowing following = motion.MoveTo(solid.State);
+                BodyFollowing following = motion.MoveTo(solid);
                 outgrown += following == BodyFollowing.CellsOutgrown ? 1 : 0;
                 Assert.That(following, Is.EqualTo(BodyFollowing.Followed).Or.EqualTo(BodyFollowing.CellsOutgrown));
                 Assert.That(Farthest(Corners(motion, false), before), Is.LessThan(2e-6f), $"frame {frame} begins where the last ended");
@@ -112,7 +112,7 @@ namespace SphFluid.Tests
                 collider.transform.localRotation = Quaternion.Euler(20f * frame, 10f * frame, 0f);
                 motion.Arrive();
                 FluidObstacle solid = Gather();
-                Assert.That(motion.MoveTo(solid.State), Is.EqualTo(BodyFollowing.Followed).Or.EqualTo(BodyFollowing.CellsOutgrown));
+                Assert.That(motion.MoveTo(solid), Is.EqualTo(BodyFollowing.Followed).Or.EqualTo(BodyFollowing.CellsOutgrown));
                 Bounds bounds = new TriangleMesh(Corners(motion, true).ToArray(), motion.Mesh.Indices).Bounds;
                 float radius = RoundShape.Of(solid.State).Radius;
                 Assert.That((bounds.center - solid.Mesh.Bounds.center).magnitude, Is.LessThan(0.05f * radius));
@@ -130,7 +130,7 @@ namespace SphFluid.Tests
             {
                 collider.transform.localRotation = Quaternion.Euler(1.7f * frame, 3.1f * frame, 0.3f * frame);
                 FluidObstacle solid = Gather();
-                Assert.That(motion.MoveTo(solid.State), Is.EqualTo(BodyFollowing.Followed));
+                Assert.That(motion.MoveTo(solid), Is.EqualTo(BodyFollowing.Followed));
                 Assert.That(motion.IsStretched, Is.False);
                 Assert.That(Farthest(Corners(motion, true), solid.Mesh.Vertices), Is.LessThan(2e-5f));
             }
@@ -148,7 +148,7 @@ namespace SphFluid.Tests
                 List<Vector3> before = Corners(motion, true);
                 motion.Arrive();
                 FluidObstacle solid = Gather();
-                motion.MoveTo(solid.State);
+                motion.MoveTo(solid);
                 Assert.That(Farthest(Corners(motion, false), before), Is.LessThan(3e-6f));
                 Assert.That(Farthest(Corners(motion, true), solid.Mesh.Vertices), Is.LessThan(2e-4f), "a hundred-thousandth of its size");
             }
@@ -160,7 +160,7 @@ namespace SphFluid.Tests
             BoxCollider box = rig.Add<BoxCollider>();
             var motion = new BodyMotion(Gather());
             box.transform.localScale = new Vector3(1.3f, 1f, 1f);
-            Assert.That(motion.MoveTo(Gather().State), Is.EqualTo(BodyFollowing.CellsOutgrown), "cells of a stretched body look farther");
+            Assert.That(motion.MoveTo(Gather()), Is.EqualTo(BodyFollowing.CellsOutgrown), "cells of a stretched body look farther");
             Assert.That(motion.IsStretched, Is.True);
             int settled = 0;
             for (int frame = 0; frame < 400; frame++)
@@ -168,7 +168,7 @@ namespace SphFluid.Tests
                 motion.Arrive();
                 box.transform.position = 0.001f * frame * Vector3.right;
                 box.transform.rotation = Quaternion.Euler(0f, 0.2f * frame, 0f);
-                motion.MoveTo(Gather().State);
+                motion.MoveTo(Gather());
                 List<Vector3> start = Corners(motion, false), end = Corners(motion, true);
                 if (!motion.Settle()) continue;
                 settled++;
@@ -189,7 +189,7 @@ namespace SphFluid.Tests
             {
                 var motion = new BodyMotion(start);
                 box.transform.localScale = scale;
-                return motion.MoveTo(Gather().State);
+                return motion.MoveTo(Gather());
             }
             Assert.That(After(new Vector3(-1f, 1f, 1f)), Is.EqualTo(BodyFollowing.Mirrored));
             Assert.That(After(0.05f * Vector3.one), Is.EqualTo(BodyFollowing.Scaled));
@@ -208,21 +208,79 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void ChangedVerticesAndAnUnevenCapsuleAreAnotherShape()
+        public void CornersOfAMeshThatDeformsFollowItAsItMovesAndIsScaled()
+        {
+            Mesh mesh = TestMeshes.Cube();
+            Vector3[] rest = mesh.vertices;
+            MeshCollider collider = rig.AddMesh(mesh);
+            var motion = new BodyMotion(Gather());
+            var random = new System.Random(3);
+            for (int frame = 0; frame < 40; frame++)
+            {
+                collider.transform.localRotation = Quaternion.Euler(9f * frame, 5f * frame, 3f);
+                collider.transform.localPosition = 0.3f * ParticleSets.RandomVector(random);
+                collider.transform.localScale = new Vector3(1f + 0.02f * frame, 1f, 1f - 0.01f * frame);
+                if (frame >= 10 && frame % 3 != 0)
+                {
+                    mesh.vertices = rest.Select(v => (1f + 0.3f * Mathf.Sin(v.x + 0.4f * frame)) * v).ToArray();
+                    mesh.RecalculateBounds();
+                }
+                List<Vector3> before = Corners(motion, true);
+                motion.Arrive();
+                FluidObstacle solid = Gather();
+                BodyFollowing following = motion.MoveTo(solid);
+                if (frame == 10) Assert.That(following, Is.EqualTo(BodyFollowing.CellsOutgrown), "it begins to deform");
+                if (frame > 10) Assert.That(following, Is.EqualTo(BodyFollowing.Followed));
+                Assert.That(motion.Deformation != null, Is.EqualTo(frame >= 10));
+                Assert.That(Farthest(Corners(motion, false), before), Is.LessThan(2e-6f), $"frame {frame} begins where the last ended");
+                Assert.That(Farthest(Corners(motion, true), solid.Mesh.Vertices), Is.LessThan(1e-5f), $"frame {frame} ends at the collider");
+                if (frame >= 10) Assert.That(motion.IsStretched, Is.False, "corners have the scale");
+            }
+        }
+
+        [Test]
+        public void AMeshThatDeformsNoMoreBecomesARigidBody()
         {
             Mesh mesh = TestMeshes.Cube();
             MeshCollider collider = rig.AddMesh(mesh);
             var motion = new BodyMotion(Gather());
-            mesh.vertices = mesh.vertices.Select(v => v.y > 0f ? 1.1f * v : v).ToArray();
+            mesh.vertices = mesh.vertices.Select(v => v.y > 0f ? 1.3f * v : v).ToArray();
             mesh.RecalculateBounds();
-            Assert.That(motion.MoveTo(Gather().State), Is.EqualTo(BodyFollowing.Reshaped));
+            int settled = 0;
+            for (int frame = 0; frame < 400; frame++)
+            {
+                motion.Arrive();
+                collider.transform.position = 0.001f * frame * Vector3.right;
+                collider.transform.rotation = Quaternion.Euler(0f, 0.2f * frame, 0f);
+                motion.MoveTo(Gather());
+                List<Vector3> start = Corners(motion, false), end = Corners(motion, true);
+                if (!motion.Settle()) continue;
+                settled++;
+                Assert.That(Farthest(Corners(motion, false), start), Is.LessThan(2e-6f));
+                Assert.That(Farthest(Corners(motion, true), end), Is.LessThan(2e-6f));
+            }
+            Assert.That(settled, Is.EqualTo(1));
+            Assert.That(motion.Deformation, Is.Null);
+            Assert.That(Farthest(Corners(motion, true), Gather().Mesh.Vertices), Is.LessThan(1e-5f));
+        }
+
+        [Test]
+        public void OtherTrianglesAndAnUnevenCapsuleAreAnotherShape()
+        {
+            Mesh mesh = TestMeshes.Cube();
+            MeshCollider collider = rig.AddMesh(mesh);
+            var motion = new BodyMotion(Gather());
+            mesh.triangles = mesh.triangles.Skip(3).ToArray();
+            Assert.That(motion.MoveTo(Gather()), Is.EqualTo(BodyFollowing.Reshaped));
+            collider.transform.localScale = new Vector3(-1f, 1f, 1f);
+            Assert.That(motion.MoveTo(Gather()), Is.EqualTo(BodyFollowing.Mirrored));
             collider.enabled = false;
 
             CapsuleCollider capsule = rig.Add<CapsuleCollider>();
             capsule.height = 3f;
             motion = new BodyMotion(Gather());
             capsule.transform.localScale = new Vector3(1f, 1.2f, 1f);
-            Assert.That(motion.MoveTo(Gather().State), Is.EqualTo(BodyFollowing.Reshaped), "its caps stay round");
+            Assert.That(motion.MoveTo(Gather()), Is.EqualTo(BodyFollowing.Reshaped), "its caps stay round");
         }
 
         [Test]

@@ -67,10 +67,13 @@ namespace SphFluid.Tests
                         obstacles.Update(Matrix4x4.identity);
                     }
                     Assert.That((obstacles.Jumps, obstacles.Messages.Count), Is.EqualTo((0, 0)));
-                    character.height = 0.4f;
+                    character.height = 0.4f; // it crouches
                     obstacles.Update(Matrix4x4.identity);
-                    Assert.That(obstacles.Jumps, Is.EqualTo(1));
-                    Assert.That(obstacles.Messages.Single().Text, Does.Contain("CharacterController").And.Contain("length over its radius"));
+                    Assert.That((obstacles.Jumps, obstacles.Messages.Count), Is.EqualTo((0, 0)));
+                    character.radius = 0.2f;
+                    obstacles.Update(Matrix4x4.identity);
+                    Assert.That(obstacles.Jumps, Is.EqualTo(1), "a ball of other triangles");
+                    Assert.That(obstacles.Messages.Last().Text, Does.Contain("CharacterController").And.Contain("length over its radius"));
                 }
             }
             finally

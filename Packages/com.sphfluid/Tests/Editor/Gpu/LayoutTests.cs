@@ -104,11 +104,12 @@ namespace SphFluid.Tests
                 StretchShear0 = new Vector3(8, 16, 32),
                 StretchDiagonal1 = new Vector3(64, 128, 256),
                 StretchShear1 = new Vector3(512, 1024, 2048),
+                EndTriangles = 37,
             };
             var triangle = new BodyTriangle { A = new Vector3(1, 2, 4), NormalX = 8, B = new Vector3(16, 32, 64), NormalY = 128, C = new Vector3(1, 2, 4), NormalZ = 16 };
             using (GraphicsBuffer bodies = GpuBuffers.Create("Bodies", 2, CollisionBody.Stride))
             using (GraphicsBuffer triangles = GpuBuffers.Create("BodyTriangles", 2, BodyTriangle.Stride))
-            using (GraphicsBuffer values = GpuBuffers.Create("Values", 20, sizeof(float)))
+            using (GraphicsBuffer values = GpuBuffers.Create("Values", 21, sizeof(float)))
             {
                 bodies.SetData(new[] { default, body });
                 triangles.SetData(new[] { default, triangle });
@@ -119,8 +120,8 @@ namespace SphFluid.Tests
                     kernel.SetBuffer(cmd, Values, values);
                     kernel.DispatchThreads(cmd, 1);
                 });
-                float[] expected = { 15, 240, 7, 17, 56, 19, 448, 23, 7, 29, 56, 448, 15, 240, 23, 31, 7, 56, 448, 3584 };
-                Assert.That(GpuTest.Read<float>(values, 20), Is.EqualTo(expected));
+                float[] expected = { 15, 240, 7, 17, 56, 19, 448, 23, 7, 29, 56, 448, 15, 240, 23, 31, 7, 56, 448, 3584, 37 };
+                Assert.That(GpuTest.Read<float>(values, 21), Is.EqualTo(expected));
             }
         }
     }

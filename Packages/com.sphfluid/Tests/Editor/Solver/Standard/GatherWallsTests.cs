@@ -246,6 +246,58 @@ namespace SphFluid.Tests
             }
         }
 
+        // Between corners that go different ways the wall has the mean of their velocities by the place's weights; at half of the frame it is halfway.
+        [Test]
+        public void ASheetThatDeformsHasThePlacesAndVelocitiesOfItsCorners()
+        {
+            FluidSolverSettings settings = BodyRig.Water(Vector3.one, Spacing, 0.3f);
+            var corners = new List<Vector3>();
+            Sheet(corners, p => new Vector3(0.8f * p.x - 0.4f, 0.02f * Mathf.Sin(9f * p.x + 4f * p.y), 0.8f * p.y - 0.4f), 5, false);
+            Vector3 Moved(Vector3 p) => p + 0.03f * new Vector3(Mathf.Sin(7f * p.z), Mathf.Cos(5f * p.x + 3f * p.z), Mathf.Sin(6f * p.x));
+            using (var rig = new BodyRig(settings))
+            {
+                Transform sheet = rig.Add(corners);
+                Vector3[] points = Points(257, new Vector3(0.7f, 0.1f, 0.7f), 8);
+                rig.Start(points.Select((p, i) => new FluidParticle(p, Vector3.zero, (uint)i)).ToArray());
+                rig.Setup();
+                Mesh mesh = sheet.GetComponent<MeshCollider>().sharedMesh;
+                mesh.vertices = corners.Select(Moved).ToArray();
+                mesh.RecalculateBounds();
+                rig.UpdateBodies();
+                Assert.That(rig.Bodies.Jumps, Is.Zero);
+                rig.Solver.State.BeginBodyStep(1, 2, settings.TimeStep);
+                FluidShaderSet set = TestShaders.CreateSet();
+                GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, rig.State, rig.State.Buffers.Positions));
+                UnityEngine.Object.DestroyImmediate(set);
+                Vector4[] at = GpuTest.Read<Vector4>(rig.State.Buffers.Positions, points.Length);
+                StoredWall[] walls = StoredWall.Read(rig.State);
+                int felt = 0;
+                for (int i = 0; i < points.Length; i++)
+                {
+                    Vector3 best = Vector3.zero, velocity = Vector3.zero;
+                    float nearest = settings.SupportRadius;
+                    for (int t = 0; t < corners.Count; t += 3)
+                    {
+                        Vector3[] half = { 0.5f * (corners[t] + Moved(corners[t])), 0.5f * (corners[t + 1] + Moved(corners[t + 1])), 0.5f * (corners[t + 2] + Moved(corners[t + 2])) };
+                        Vector3 foot = TriangleMath.ClosestPoint(at[i], half[0], half[1], half[2]);
+                        if (((Vector3)at[i] - foot).magnitude >= nearest) continue;
+                        nearest = ((Vector3)at[i] - foot).magnitude;
+                        best = foot;
+                        Vector3 n = Vector3.Cross(half[1] - half[0], half[2] - half[0]);
+                        float b = Vector3.Dot(Vector3.Cross(foot - half[0], half[2] - half[0]), n) / n.sqrMagnitude;
+                        float c = Vector3.Dot(Vector3.Cross(half[1] - half[0], foot - half[0]), n) / n.sqrMagnitude;
+                        Vector3 Half(int k) => 0.5f * (Moved(corners[t + k]) - corners[t + k]) / settings.TimeStep;
+                        velocity = (1f - b - c) * Half(0) + b * Half(1) + c * Half(2);
+                    }
+                    if (nearest > 0.9f * settings.SupportRadius || nearest < 1e-3f) continue;
+                    felt++;
+                    Assert.That(walls[i].Distance, Is.EqualTo(nearest).Within(1e-5), $"at {at[i]}");
+                    Assert.That((walls[i].Velocity - velocity).magnitude, Is.LessThan(2e-3f * velocity.magnitude), $"at {at[i]}, {best}");
+                }
+                Assert.That(felt, Is.GreaterThan(150));
+            }
+        }
+
         // What is square to a face of the domain but for rounding lies before it, not behind it: by 5e-7 x 0.01 m here.
         [Test]
         public void ATouchedFaceOfTheDomainHidesNoWallSquareToIt([Values(-1f, 1f)] float side, [NUnit.Framework.Range(0, 2)] int axis)

@@ -7,19 +7,14 @@ using Object = UnityEngine.Object;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Shots at triangles that move, turn, scale and shear in the step: no path that the contact kernels let pass crosses one.</summary>
+    /// <summary>Shots at triangles that move, turn, scale, shear and deform in the step: no path that the contact kernels let pass crosses one.</summary>
     public sealed class StretchShotTests
     {
         const float Spacing = 0.01f;
         const int Shots = 4096;
 
-        [TestCase(0f, 0)]
-        [TestCase(0f, 1)]
-        [TestCase(0f, 2)]
-        [TestCase(2f, 0)]
-        [TestCase(2f, 1)]
-        [TestCase(2f, 2)]
-        public void NoShotCrosses(float offset, int kind)
+        [Test]
+        public void NoShotCrosses([Values(0f, 2f)] float offset, [Values(0, 1, 2)] int kind, [Values] bool deforms)
         {
             FluidSolverSettings settings = BodyRig.Water(new Vector3(2f * offset + 1.2f, 1.2f, 1.2f), Spacing, 0.3f);
             settings.TimeStep = 1e-3f;
@@ -55,10 +50,11 @@ namespace SphFluid.Tests
                     parent.transform.localScale = Vector3.Scale(parent.transform.localScale, Scale(random, reach));
                     body.localRotation *= Quaternion.AngleAxis(40f * (float)random.NextDouble(), ParticleSets.RandomVector(random));
                     parent.transform.localPosition += 5f * Spacing * (float)random.NextDouble() * ParticleSets.RandomVector(random);
+                    if (deforms) Deform(body.GetComponent<MeshCollider>().sharedMesh, reach, random);
                     rig.UpdateBodies();
                     Assert.That(rig.Bodies.HasStretch, Is.True);
                     var motion = new BodyMotion(before);
-                    motion.MoveTo(rig.Solids.Single().State);
+                    motion.MoveTo(rig.Solids.Single());
 
                     state.Buffers.Positions.SetData(from);
                     StandardStateRig.EmptyContacts(state);
@@ -75,7 +71,9 @@ namespace SphFluid.Tests
                     state.EndBodySteps();
                     Vector4[] end = GpuTest.Read<Vector4>(state.Buffers.NewPositions, Shots);
                     shots += Shots;
-                    crossings += Crossings(motion, from, end);
+                    Vector4[] velocities = GpuTest.Read<Vector4>(state.Buffers.NewVelocities, Shots);
+                    bool[] isSqueezed = end.Select((p, i) => p == from[i] && (Vector3)velocities[i] == Vector3.zero).ToArray();
+                    crossings += Crossings(motion, from, end, isSqueezed);
                     FluidCounters counters = rig.Solver.ReadCountersNow();
                     squeezed += counters.Squeezed;
                     Assert.That(counters.Contacts, Is.GreaterThan(Shots / 20));
@@ -83,7 +81,9 @@ namespace SphFluid.Tests
                 }
             }
             Object.DestroyImmediate(set);
-            Assert.That(squeezed, Is.Zero, "what is carried keeps its place among the triangles");
+            if (deforms) Assert.That(squeezed, Is.LessThan(shots / 100), "between corners that go anywhere");
+            else Assert.That(squeezed, Is.Zero, "what is carried keeps its place among the triangles");
+            TestContext.WriteLine($"{crossings} crossings, {squeezed} squeezed of {shots} shots");
             Assert.That(crossings, Is.Zero, $"of {shots} shots");
         }
 
@@ -93,8 +93,22 @@ namespace SphFluid.Tests
             return new Vector3(Mathf.Exp(reach * v.x), Mathf.Exp(reach * v.y), Mathf.Exp(reach * v.z));
         }
 
+        // Corners at one place stay together.
+        static void Deform(Mesh mesh, float reach, System.Random random)
+        {
+            var moved = new Dictionary<Vector3, Vector3>();
+            Vector3[] corners = mesh.vertices;
+            for (int i = 0; i < corners.Length; i++)
+            {
+                if (!moved.TryGetValue(corners[i], out Vector3 to)) moved.Add(corners[i], to = corners[i] + 6f * Spacing * reach * ParticleSets.RandomVector(random));
+                corners[i] = to;
+            }
+            mesh.vertices = corners;
+            mesh.RecalculateBounds();
+        }
+
         // In the rigid frame, in double: there particle and corners go straight.
-        static long Crossings(BodyMotion motion, Vector4[] from, Vector4[] end)
+        static long Crossings(BodyMotion motion, Vector4[] from, Vector4[] end, bool[] isSqueezed)
         {
             AffineMap toFrame0 = Frame(motion.Rotation0, motion.Position0), toFrame1 = Frame(motion.Rotation1, motion.Position1);
             TriangleMesh mesh = motion.Mesh;
@@ -103,11 +117,12 @@ namespace SphFluid.Tests
             for (int i = 0; i < starts.Length; i++)
             {
                 starts[i] = At(motion.Stretch0.Map, mesh.Vertices[i]);
-                ends[i] = At(motion.Stretch1.Map, mesh.Vertices[i]);
+                ends[i] = At(motion.Stretch1.Map, (motion.Deformation?.End ?? mesh).Vertices[i]);
             }
             long crossings = 0;
             for (int p = 0; p < from.Length; p++)
             {
+                if (isSqueezed[p]) continue;
                 Double3 x0 = At(toFrame0, from[p]), x1 = At(toFrame1, end[p]);
                 for (int t = 0; t < mesh.TriangleCount; t++)
                 {

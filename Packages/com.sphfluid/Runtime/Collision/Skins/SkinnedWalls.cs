@@ -1,0 +1,134 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>Skinned meshes as walls: each is baked as it is drawn when colliders are looked for, and keeps its triangles while no corner moved.</summary>
+    internal sealed class SkinnedWalls : IDisposable
+    {
+        /// <summary>Most vertices of a skin: all of them are skinned on the CPU and their triangles listed anew every frame.</summary>
+        public const int MostVertices = 20000;
+
+        static readonly TriangleMesh None = new TriangleMesh(Array.Empty<Vector3>(), Array.Empty<int>());
+
+        readonly Dictionary<SkinnedMeshRenderer, Skin> skins = new Dictionary<SkinnedMeshRenderer, Skin>();
+        readonly List<SkinnedMeshRenderer> found = new List<SkinnedMeshRenderer>();
+        readonly List<SkinnedMeshRenderer> gone = new List<SkinnedMeshRenderer>();
+
+        /// <summary>Adds the skins near a domain.</summary>
+        /// <param name="query">The domain, and who has skins.</param>
+        /// <param name="states">Receives them.</param>
+        public void AddStates(in CollisionQuery query, List<ColliderState> states)
+        {
+            if ((query.Skins?.Count ?? 0) == 0 && skins.Count == 0) return;
+            Matrix4x4 worldToSimulation = query.WorldToSimulation;
+            Bounds domain = WorldBounds(query);
+            for (int i = 0; i < (query.Skins?.Count ?? 0); i++)
+            {
+                SkinSpec spec = query.Skins[i];
+                if (spec.Settings == null || !spec.Settings.AppliesTo(query.Owner)) continue;
+                spec.Owner.GetComponentsInChildren(false, found);
+                foreach (SkinnedMeshRenderer renderer in found)
+                {
+                    bool counts = renderer.enabled && renderer.sharedMesh != null && (query.Layers & (1 << renderer.gameObject.layer)) != 0;
+                    if (!counts || !renderer.bounds.Intersects(domain) || !ReferenceEquals(ColliderSettings.Of(renderer), spec.Settings)) continue;
+                    TriangleMesh mesh = Problem(renderer) == null ? SkinOf(renderer).Bake(renderer) : None;
+                    states.Add(new ColliderState(renderer, mesh, spec.Settings.EffectiveFriction, worldToSimulation * renderer.transform.localToWorldMatrix));
+                }
+            }
+            Forget();
+        }
+
+        /// <summary>Why a skin is no wall; null where it can be one.</summary>
+        public static FluidMessage? Problem(SkinnedMeshRenderer renderer)
+        {
+            Mesh mesh = renderer.sharedMesh;
+            if (!mesh.isReadable)
+                return new FluidMessage(FluidSeverity.Warning, FluidIssue.MeshNotReadable, renderer,
+                    $"The mesh '{mesh.name}' of the Skinned Mesh Renderer is not readable, so the fluid cannot collide with it.",
+                    "Tick Read/Write in the mesh's import settings.");
+            if (mesh.vertexCount > MostVertices)
+                return new FluidMessage(FluidSeverity.Warning, FluidIssue.TooManyTriangles, renderer,
+                    $"The mesh '{mesh.name}' of the Skinned Mesh Renderer has {mesh.vertexCount} vertices, more than the {MostVertices} that are skinned for the fluid every frame, so the fluid passes through it.",
+                    "Collide with a simpler skin on the same bones whose renderer draws nothing, or with Capsule Colliders on the bones.");
+            return null;
+        }
+
+        public void Dispose()
+        {
+            foreach (Skin skin in skins.Values) skin.Dispose();
+            skins.Clear();
+        }
+
+        Skin SkinOf(SkinnedMeshRenderer renderer)
+        {
+            if (!skins.TryGetValue(renderer, out Skin skin)) skins.Add(renderer, skin = new Skin());
+            return skin;
+        }
+
+        void Forget()
+        {
+            gone.Clear();
+            foreach (SkinnedMeshRenderer known in skins.Keys)
+                if (known == null) gone.Add(known);
+            foreach (SkinnedMeshRenderer known in gone)
+            {
+                skins[known].Dispose();
+                skins.Remove(known);
+            }
+        }
+
+        static Bounds WorldBounds(in CollisionQuery query)
+        {
+            Vector3 half = query.HalfExtents, extents = Vector3.zero;
+            for (int axis = 0; axis < 3; axis++)
+            {
+                var along = Vector3.zero;
+                along[axis] = half[axis];
+                along = query.Rotation * along;
+                extents += new Vector3(Mathf.Abs(along.x), Mathf.Abs(along.y), Mathf.Abs(along.z));
+            }
+            return new Bounds(query.Position, 2f * extents);
+        }
+
+        sealed class Skin : IDisposable
+        {
+            readonly Mesh baked = new Mesh { name = "SPH Fluid Skin", hideFlags = HideFlags.HideAndDontSave };
+            readonly List<Vector3> vertices = new List<Vector3>();
+            readonly MeshReader reader = new MeshReader();
+            TriangleMesh mesh;
+            Mesh source;
+            MeshStamp stamp;
+
+            /// <summary>The triangles now, in the renderer's space; the same ones while no corner moved.</summary>
+            public TriangleMesh Bake(SkinnedMeshRenderer renderer)
+            {
+                renderer.BakeMesh(baked, true);
+                MeshStamp now = MeshStamp.Of(renderer.sharedMesh);
+                if (mesh == null || !ReferenceEquals(source, renderer.sharedMesh) || !stamp.Equals(now))
+                {
+                    (source, stamp) = (renderer.sharedMesh, now);
+                    reader.Clear();
+                    return mesh = reader.Read(baked);
+                }
+                baked.GetVertices(vertices);
+                return IsSame() ? mesh : mesh = mesh.Deformed(vertices.ToArray());
+            }
+
+            bool IsSame()
+            {
+                Vector3[] before = mesh.Vertices;
+                for (int i = 0; i < before.Length; i++)
+                    if (!before[i].Equals(vertices[i])) return false;
+                return true;
+            }
+
+            public void Dispose()
+            {
+                if (Application.isPlaying) UnityEngine.Object.Destroy(baked);
+                else UnityEngine.Object.DestroyImmediate(baked);
+            }
+        }
+    }
+}
