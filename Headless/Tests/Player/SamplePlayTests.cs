@@ -23,6 +23,7 @@ public sealed class SamplePlayTests
     [TestCase("HeatedWater", 0.1, 9000)]
     [TestCase("GettingStarted", 0.1, 8000)]
     [TestCase("WaveTank", 0.1, 10000)]
+    [TestCase("WeatherProof", 0.3, 250)]
     public void TheSamplePlaysWithoutAnErrorAndGetsLiquid(string sample, double seconds, int leastParticles)
     {
         string output = Path.Combine(folder, sample);

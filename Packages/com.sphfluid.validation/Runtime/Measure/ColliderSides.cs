@@ -11,7 +11,7 @@ namespace SphFluid.Validation
     public sealed class ColliderSides
     {
         readonly FluidSolver solver;
-        readonly Dictionary<Collider, Dictionary<uint, int>> start = new Dictionary<Collider, Dictionary<uint, int>>();
+        readonly Dictionary<Component, Dictionary<uint, int>> start = new Dictionary<Component, Dictionary<uint, int>>();
 
         ColliderSides(FluidSolver solver) => this.solver = solver;
 
@@ -23,8 +23,8 @@ namespace SphFluid.Validation
             var sides = new ColliderSides(simulation.Solver);
             foreach (FluidObstacle obstacle in simulation.Obstacles)
             {
-                if (obstacle.Mesh.IsClosed)
-                    sides.start[obstacle.Collider] = SidesOf(obstacle, snapshot);
+                if (obstacle.Source != null && obstacle.Mesh.IsClosed)
+                    sides.start[obstacle.Source] = SidesOf(obstacle, snapshot);
             }
             return sides;
         }
@@ -40,7 +40,7 @@ namespace SphFluid.Validation
             var changed = new HashSet<uint>();
             foreach (FluidObstacle obstacle in simulation.Obstacles)
             {
-                if (!start.TryGetValue(obstacle.Collider, out Dictionary<uint, int> before))
+                if (obstacle.Source == null || !start.TryGetValue(obstacle.Source, out Dictionary<uint, int> before))
                     continue;
                 foreach (KeyValuePair<uint, int> now in SidesOf(obstacle, snapshot))
                 {

@@ -13,8 +13,11 @@ namespace SphFluid
             Mesh = mesh;
         }
 
-        /// <summary>The collider; null for a mesh that a script gave.</summary>
+        /// <summary>The collider; null for the skin of a renderer, the pipe of an emitter and a mesh that a script gave.</summary>
         public Collider Collider => State.Collider;
+
+        /// <summary>What it is of: a collider, the renderer of a skin, or the emitter whose pipe it is; null for a mesh that a script gave.</summary>
+        public Component Source => State.Key as Component;
 
         /// <summary>All of its triangles in simulation space [m].</summary>
         public TriangleMesh Mesh { get; }
@@ -24,9 +27,6 @@ namespace SphFluid
 
         /// <summary>Particle spacing that curved shapes were cut for [m].</summary>
         internal float Spacing { get; }
-
-        /// <summary>The component that it is found again by: the collider, or the emitter whose pipe it is; null for a mesh that a script gave.</summary>
-        internal Component Source => State.Key as Component;
 
         internal string Name { get; }
     }
