@@ -25,7 +25,7 @@ namespace SphFluid
         {
             var corners = new Vector3[8];
             for (int i = 0; i < 8; i++) corners[i] = new Vector3((i & 1) - 0.5f, ((i >> 1) & 1) - 0.5f, (i >> 2) - 0.5f);
-            return new TriangleMesh(corners, BoxIndices, true).Transformed(unitToSimulation);
+            return new TriangleMesh(corners, (int[])BoxIndices.Clone(), true).Transformed(unitToSimulation);
         }
 
         /// <summary>

@@ -21,6 +21,7 @@ namespace SphFluid.Tests
         SimulationRig rig;
         FluidSimulation simulation;
         Transform paddle;
+        Mesh waving;
         int frame;
 
         [SetUp]
@@ -35,6 +36,7 @@ namespace SphFluid.Tests
             water.Size = new Vector3(0.8f, 0.4f, 0.6f);
             water.transform.localPosition = new Vector3(0f, -0.2f, 0f);
             paddle = null;
+            waving = null;
             frame = 0;
         }
 
@@ -42,6 +44,7 @@ namespace SphFluid.Tests
         public void TearDown()
         {
             Time.fixedDeltaTime = fixedDelta;
+            if (waving != null) Object.DestroyImmediate(waving);
             rig.Dispose();
         }
 
@@ -54,13 +57,33 @@ namespace SphFluid.Tests
             return paddle;
         }
 
+        // A cube whose top goes to and fro; it moves as well.
+        void AddWavingMesh()
+        {
+            waving = TestMeshes.Cube();
+            AddPaddle();
+            Object.DestroyImmediate(paddle.GetComponent<BoxCollider>());
+            paddle.gameObject.AddComponent<MeshCollider>().sharedMesh = waving;
+            Swing();
+        }
+
+        void Wave()
+        {
+            Vector3[] corners = waving.vertices;
+            for (int i = 0; i < corners.Length; i++)
+                if (corners[i].y > 0f) corners[i] = new Vector3(Mathf.Sign(corners[i].x) * 0.5f, 0.5f + 0.2f * Mathf.Sin(0.2f * frame), corners[i].z);
+            waving.vertices = corners;
+            waving.RecalculateBounds();
+        }
+
         // To and fro, turning and growing.
         void Swing()
         {
+            if (waving != null) Wave();
             if (paddle == null) return;
             float phase = 0.1f * frame;
             paddle.SetPositionAndRotation(new Vector3(-0.25f + 0.05f * Mathf.Sin(phase), -0.1f, 0f), Quaternion.Euler(0f, 0f, 10f * Mathf.Sin(0.7f * phase)));
-            paddle.localScale = Vector3.one * (1f + 0.1f * Mathf.Sin(0.5f * phase));
+            paddle.localScale = (waving != null ? 0.3f : 1f) * (1f + 0.1f * Mathf.Sin(0.5f * phase)) * Vector3.one;
         }
 
         Rigidbody AddCrate()
@@ -171,6 +194,9 @@ namespace SphFluid.Tests
 
         [UnityTest]
         public IEnumerator WithAColliderThatMoves() { AddPaddle(); return CheckContinuation(null); }
+
+        [UnityTest]
+        public IEnumerator WithAMeshThatDeforms() { AddWavingMesh(); return CheckContinuation(null); }
 
         [UnityTest]
         public IEnumerator WithEmittersAndDrains()

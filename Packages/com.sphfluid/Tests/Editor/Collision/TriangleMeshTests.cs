@@ -14,8 +14,9 @@ namespace SphFluid.Tests
         {
             Assert.That(TestMeshes.Sheet().IsClosed, Is.False);
             TriangleMesh box = PrimitiveTessellator.Box(Matrix4x4.identity);
-            (box.Indices[0], box.Indices[1]) = (box.Indices[1], box.Indices[0]);
-            Assert.That(new TriangleMesh(box.Vertices, box.Indices).IsClosed, Is.False);
+            var flipped = (int[])box.Indices.Clone();
+            (flipped[0], flipped[1]) = (flipped[1], flipped[0]);
+            Assert.That(new TriangleMesh(box.Vertices, flipped).IsClosed, Is.False);
             Assert.That(new TriangleMesh(new Vector3[0], new int[0]).IsClosed, Is.False);
         }
 
