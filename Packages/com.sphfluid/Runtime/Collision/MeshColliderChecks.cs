@@ -28,13 +28,10 @@ namespace SphFluid
             Matrix4x4 toSimulation = worldToSimulation * collider.transform.localToWorldMatrix;
             Bounds bounds = collider.sharedMesh != null ? collider.sharedMesh.bounds : new Bounds();
             Vector3 center = toSimulation.MultiplyPoint3x4(bounds.center);
-            Vector3 reach = new Vector3(Row(toSimulation, 0, bounds.extents), Row(toSimulation, 1, bounds.extents), Row(toSimulation, 2, bounds.extents));
+            Vector3 reach = AffineMath.Extents(toSimulation, bounds.extents);
             for (int axis = 0; axis < 3; axis++)
                 if (Mathf.Abs(center[axis]) > half[axis] + reach[axis]) return false;
             return true;
         }
-
-        static float Row(in Matrix4x4 m, int row, Vector3 extents) =>
-            Mathf.Abs(m[row, 0]) * extents.x + Mathf.Abs(m[row, 1]) * extents.y + Mathf.Abs(m[row, 2]) * extents.z;
     }
 }

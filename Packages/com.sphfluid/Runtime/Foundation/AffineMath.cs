@@ -48,6 +48,11 @@ namespace SphFluid
             return true;
         }
 
+        /// <summary>Half the edges of the axis-aligned box round the image of one.</summary>
+        /// <param name="m">The transform.</param>
+        /// <param name="half">Half the edges of the box.</param>
+        public static Vector3 Extents(in Matrix4x4 m, Vector3 half) => new Vector3(Extent(m, 0, half), Extent(m, 1, half), Extent(m, 2, half));
+
         /// <summary>Whether no component is infinite or not a number.</summary>
         public static bool IsFinite(Vector3 v) => IsFinite(v.x) && IsFinite(v.y) && IsFinite(v.z);
 
@@ -62,6 +67,9 @@ namespace SphFluid
             Vector4 c = m.GetColumn(column);
             return Math.Sqrt((double)c.x * c.x + (double)c.y * c.y + (double)c.z * c.z);
         }
+
+        static float Extent(in Matrix4x4 m, int row, Vector3 half) =>
+            Mathf.Abs(m[row, 0]) * half.x + Mathf.Abs(m[row, 1]) * half.y + Mathf.Abs(m[row, 2]) * half.z;
 
         static float Cofactor(float a, float b, float c, float d, double scale) =>
             (float)(((double)a * b - (double)c * d) * scale);

@@ -26,19 +26,7 @@ namespace SphFluid
         public abstract double Volume { get; }
 
         /// <summary>Axis-aligned bounds of <see cref="Frame"/> in simulation space.</summary>
-        public Bounds Bounds
-        {
-            get
-            {
-                Vector3 extents = Vector3.zero;
-                for (int column = 0; column < 3; column++)
-                {
-                    Vector4 axis = Frame.GetColumn(column);
-                    extents += new Vector3(Mathf.Abs(axis.x), Mathf.Abs(axis.y), Mathf.Abs(axis.z)) * 0.5f;
-                }
-                return new Bounds(Frame.GetColumn(3), extents * 2f);
-            }
-        }
+        public Bounds Bounds => new Bounds(Frame.GetColumn(3), 2f * AffineMath.Extents(Frame, 0.5f * Vector3.one));
 
         /// <summary>Whether the point lies in the liquid.</summary>
         public abstract bool Contains(Vector3 point);

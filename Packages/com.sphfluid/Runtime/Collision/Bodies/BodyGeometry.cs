@@ -48,7 +48,7 @@ namespace SphFluid
         }
 
         /// <summary>What is added from here on is made anew every frame.</summary>
-        public void BeginDeforming() => steady = new Lengths { IsSet = true, Triangles = triangles.Count, Cells = cellCount, References = referenceCount, LeftOut = LeftOut };
+        public void BeginDeforming() => steady = new Lengths { Triangles = triangles.Count, Cells = cellCount, References = referenceCount, LeftOut = LeftOut };
 
         /// <summary>Forgets what was added since <see cref="BeginDeforming"/>.</summary>
         public void RestartDeforming()
@@ -75,7 +75,7 @@ namespace SphFluid
                     continue;
                 }
                 triangles.Add(BodyTriangle.Of(a, b, c));
-                ends.Add(BodyTriangle.Of(d, e, f));
+                ends.Add(new BodyTriangle { A = d, B = e, C = f }); // kernels take the normal between the two
             }
         }
 
@@ -182,12 +182,11 @@ namespace SphFluid
             grids.Clear();
         }
 
-        long WithSlack(long count, long before) => steady.IsSet ? count + (count - before) / 2 : count;
+        static long WithSlack(long count, long before) => count + (count - before) / 2;
 
         // Of the lists.
         struct Lengths
         {
-            public bool IsSet;
             public int Triangles, LeftOut;
             public uint Cells, References;
         }

@@ -102,6 +102,7 @@ namespace SphFluid
             bool wasUnderWay = IsUnderWay;
             IsUnderWay = HasStretch = false;
             LongestMotion = 0f;
+            bool deformed = false;
             for (int i = 0; i < bodies.Count; i++)
             {
                 if (motions[i] == null) continue;
@@ -110,6 +111,7 @@ namespace SphFluid
                     Jumped(motions[i].Source, BodyFollowing.TooFar);
                     motions[i].Arrive();
                     motions[i].Floats?.Seed();
+                    deformed |= motions[i].Deformation != null;
                     stale = true;
                     Version++;
                 }
@@ -117,6 +119,7 @@ namespace SphFluid
                 if (!motions[i].IsAtRest) LongestMotion = Mathf.Max(LongestMotion, motions[i].LongestDisplacement(bodies[i].BoundsMin, bodies[i].BoundsMax));
                 HasStretch |= motions[i].IsStretched || motions[i].Deformation != null;
             }
+            if (deformed) Deform(solids); // the steps of other bodies must not take it there
             Floating.Update(motions);
             IsUnderWay |= Floating.Count > 0; // where they go only the GPU knows
             if (IsUnderWay || wasUnderWay || stale) UploadBodies();
@@ -301,7 +304,7 @@ namespace SphFluid
                 AddBody(motion, motion.Friction);
             }
             firstDeforming = bodies.Count;
-            if (Movers(solids, true).Any()) geometry.BeginDeforming();
+            geometry.BeginDeforming();
             AddDeforming(solids);
             stale = true;
             Version++;

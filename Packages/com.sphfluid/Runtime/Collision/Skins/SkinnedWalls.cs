@@ -23,7 +23,7 @@ namespace SphFluid
         {
             if ((query.Skins?.Count ?? 0) == 0 && skins.Count == 0) return;
             Matrix4x4 worldToSimulation = query.WorldToSimulation;
-            Bounds domain = WorldBounds(query);
+            var domain = new Bounds(query.Position, 2f * AffineMath.Extents(Matrix4x4.Rotate(query.Rotation), query.HalfExtents));
             for (int i = 0; i < (query.Skins?.Count ?? 0); i++)
             {
                 SkinSpec spec = query.Skins[i];
@@ -79,24 +79,10 @@ namespace SphFluid
             }
         }
 
-        static Bounds WorldBounds(in CollisionQuery query)
-        {
-            Vector3 half = query.HalfExtents, extents = Vector3.zero;
-            for (int axis = 0; axis < 3; axis++)
-            {
-                var along = Vector3.zero;
-                along[axis] = half[axis];
-                along = query.Rotation * along;
-                extents += new Vector3(Mathf.Abs(along.x), Mathf.Abs(along.y), Mathf.Abs(along.z));
-            }
-            return new Bounds(query.Position, 2f * extents);
-        }
-
         sealed class Skin : IDisposable
         {
             readonly Mesh baked = new Mesh { name = "SPH Fluid Skin", hideFlags = HideFlags.HideAndDontSave };
             readonly List<Vector3> vertices = new List<Vector3>();
-            readonly MeshReader reader = new MeshReader();
             TriangleMesh mesh;
             Mesh source;
             MeshStamp stamp;
@@ -109,8 +95,7 @@ namespace SphFluid
                 if (mesh == null || !ReferenceEquals(source, renderer.sharedMesh) || !stamp.Equals(now))
                 {
                     (source, stamp) = (renderer.sharedMesh, now);
-                    reader.Clear();
-                    return mesh = reader.Read(baked);
+                    return mesh = new MeshReader().Read(baked);
                 }
                 baked.GetVertices(vertices);
                 return IsSame() ? mesh : mesh = mesh.Deformed(vertices.ToArray());

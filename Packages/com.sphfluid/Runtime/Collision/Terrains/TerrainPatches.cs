@@ -80,10 +80,8 @@ namespace SphFluid
             if (!patches.TryGetValue(collider, out Patch patch)) patch = Add(collider);
 
             Matrix4x4 toWorld = worldToSimulation.inverse;
-            Vector3 centre = toWorld.GetPosition() - collider.transform.position, half = 0.5f * domain + 4f * spacing * Vector3.one;
-            Vector3 extents = Vector3.zero;
-            for (int axis = 0; axis < 3; axis++)
-                for (int other = 0; other < 3; other++) extents[axis] += Mathf.Abs(toWorld[axis, other]) * half[other];
+            Vector3 centre = toWorld.GetPosition() - collider.transform.position;
+            Vector3 extents = AffineMath.Extents(toWorld, 0.5f * domain + 4f * spacing * Vector3.one);
             Vector3 cell = data.size / (data.heightmapResolution - 1);
             cell.y = data.size.y;
             RectInt near = Cells(centre, extents, cell, data.heightmapResolution - 1);

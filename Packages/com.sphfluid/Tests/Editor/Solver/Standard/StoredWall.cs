@@ -91,6 +91,22 @@ namespace SphFluid.Tests
             return (ushort)(short)Mathf.Round(32767f * n.x) | (uint)(ushort)(short)Mathf.Round(32767f * n.y) << 16;
         }
 
+        /// <summary>What GatherWalls stores at the start of a step of a frame.</summary>
+        public static StoredWall[] Gather(StandardState state, int step, int steps)
+        {
+            state.BeginBodyStep(step, steps, state.Settings.TimeStep);
+            FluidShaderSet set = TestShaders.CreateSet();
+            try
+            {
+                GpuTest.Run(cmd => new GatherWallsPass(set).Record(cmd, state, state.Buffers.Positions));
+            }
+            finally
+            {
+                UnityEngine.Object.DestroyImmediate(set);
+            }
+            return Read(state);
+        }
+
         /// <summary>Up to three planes as GatherWalls stores them, at rest and without friction of their own.</summary>
         /// <param name="position">Where the particle is.</param>
         /// <param name="solid">How much of each plane is there, 0 to 1; 0 only hides what is behind.</param>
