@@ -21,6 +21,8 @@ public static class ClassIds
     public const int SphereCollider = 135;
     public const int CapsuleCollider = 136;
     public const int SkinnedMeshRenderer = 137;
+    public const int CharacterController = 143;
+    public const int WheelCollider = 146;
     public const int LightmapSettings = 157;
     public const int NavMeshSettings = 196;
     public const int ReflectionProbe = 215;

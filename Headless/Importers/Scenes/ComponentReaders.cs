@@ -21,6 +21,10 @@ internal static class ComponentReaders
         [ClassIds.SphereCollider] = Of<SphereCollider>((c, f) => (c.center, c.radius) = (f.Vector3("m_Center"), f.Float("m_Radius", 0.5f))),
         [ClassIds.CapsuleCollider] = Of<CapsuleCollider>((c, f) =>
             (c.center, c.radius, c.height, c.direction) = (f.Vector3("m_Center"), f.Float("m_Radius", 0.5f), f.Float("m_Height", 2), f.Int("m_Direction", 1))),
+        [ClassIds.CharacterController] = Of<CharacterController>((c, f) =>
+            (c.center, c.radius, c.height) = (f.Vector3("m_Center"), f.Float("m_Radius", 0.5f), f.Float("m_Height", 2))),
+        [ClassIds.WheelCollider] = Of<WheelCollider>((c, f) =>
+            (c.center, c.radius, c.suspensionDistance) = (f.Vector3("m_Center"), f.Float("m_Radius", 0.5f), f.Float("m_SuspensionDistance", 0.3f))),
         [ClassIds.MeshCollider] = Of<MeshCollider>((c, f) => (c.convex, c.sharedMesh) = (f.Bool("m_Convex"), f.Reference<Mesh>("m_Mesh")!)),
     };
 

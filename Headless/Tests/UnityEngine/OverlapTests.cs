@@ -68,6 +68,23 @@ public class OverlapTests : EngineFixture
     }
 
     [Test]
+    public void AWheelHangsSteersAndTurnsWhereNoQueryFindsIt()
+    {
+        WheelCollider wheel = Make<WheelCollider>("W", new Vector3(1f, 2f, 3f), Quaternion.Euler(0f, 90f, 0f), 2f * Vector3.one);
+        (wheel.center, wheel.suspensionDistance, wheel.steerAngle) = (new Vector3(0f, 0f, 1f), 0.25f, 30f);
+        wheel.GetWorldPose(out Vector3 position, out Quaternion rotation);
+        Assert.That((position - new Vector3(3f, 1.5f, 3f)).magnitude, Is.LessThan(1e-5f));
+        Assert.That(Quaternion.Angle(rotation, Quaternion.Euler(0f, 120f, 0f)), Is.LessThan(1e-3f));
+        wheel.rotationSpeed = 360f;
+        float began = Time.fixedTime;
+        Frame();
+        wheel.GetWorldPose(out _, out rotation);
+        Quaternion expected = Quaternion.Euler(0f, 120f, 0f) * Quaternion.Euler(360f * (Time.fixedTime - began), 0f, 0f);
+        Assert.That(Quaternion.Angle(rotation, expected), Is.LessThan(1e-2f));
+        Assert.That(Hits(position, Vector3.one), Is.Zero);
+    }
+
+    [Test]
     public void ATerrainIsItsBoxWhereverItsObjectIsTurned()
     {
         TerrainCollider terrain = Make<TerrainCollider>("T", new Vector3(1f, 2f, 3f), Quaternion.Euler(0f, 45f, 0f), 2f * Vector3.one);

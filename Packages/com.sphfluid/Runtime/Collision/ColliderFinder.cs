@@ -40,8 +40,8 @@ namespace SphFluid
         /// <summary>Walls besides the scene's colliders, to be used at once; null for none.</summary>
         public IReadOnlyList<ColliderState> Others;
 
-        /// <summary>Whose skinned meshes are walls; null for none.</summary>
-        public IReadOnlyList<SkinSpec> Skins;
+        /// <summary>Who makes walls of skinned meshes and wheels; null for none.</summary>
+        public IReadOnlyList<WallSpec> Walls;
 
         /// <summary>World space to simulation space.</summary>
         public Matrix4x4 WorldToSimulation => DomainSpace.FromWorld(Position, Rotation);
@@ -53,7 +53,7 @@ namespace SphFluid
     /// <summary>Finds the colliders in a domain and reports whether anything changed since the last look.</summary>
     internal sealed class ColliderFinder
     {
-        readonly TerrainPatches terrains;
+        readonly ColliderStates kinds;
         readonly SkinnedWalls skins;
         Collider[] hits = new Collider[32];
         Collider[] lastHits = Array.Empty<Collider>();
@@ -61,11 +61,11 @@ namespace SphFluid
         List<ColliderState> states = new List<ColliderState>();
         List<ColliderState> previous = new List<ColliderState>();
 
-        /// <param name="terrains">What is read of terrains.</param>
+        /// <param name="kinds">Makes the states of colliders.</param>
         /// <param name="skins">What is read of skins.</param>
-        public ColliderFinder(TerrainPatches terrains, SkinnedWalls skins)
+        public ColliderFinder(ColliderStates kinds, SkinnedWalls skins)
         {
-            this.terrains = terrains;
+            this.kinds = kinds;
             this.skins = skins;
         }
 
@@ -93,10 +93,12 @@ namespace SphFluid
                 IColliderSettings own = ColliderSettings.Of(collider);
                 if (own != null && !own.AppliesTo(query.Owner)) continue;
                 float friction = own?.EffectiveFriction ?? ColliderSettings.DomainFriction;
-                ColliderState state = terrains.StateOf(collider, friction, worldToSimulation, query.DomainSize, query.Spacing);
-                bool floats = Owners != null && (own == null || own.MovedByLiquid);
+                ColliderState state = kinds.Of(collider, own, friction, worldToSimulation, query.DomainSize, query.Spacing);
+                // A wheel turns and springs beside its Rigidbody, which therefore does not carry it.
+                bool floats = Owners != null && (own == null || own.MovedByLiquid) && !WheelDiscs.IsWheel(collider);
                 states.Add(floats ? state.With(Owners.OwnerOf(collider)) : state);
             }
+            kinds.Wheels.AddStates(query, ordered, states);
             skins.AddStates(query, states);
             for (int i = 0; i < (query.Others?.Count ?? 0); i++) states.Add(query.Others[i]);
             return !SameStates();

@@ -31,6 +31,7 @@ namespace SphFluid
                 messages.Add(problem);
                 return null;
             }
+            if (WheelDiscs.IsWheel(state.Collider) && state.Triangles?.TriangleCount == 0) return Shapeless(state, messages);
             if (state.Triangles != null) return state.Triangles.Transformed(state.ToSimulation);
             switch (state.Collider)
             {
@@ -45,7 +46,7 @@ namespace SphFluid
                 default:
                     messages.Add(Warn(state, FluidIssue.ColliderUnsupported,
                         $"The fluid does not collide with a {Kind(state)}.",
-                        "Use a Mesh, Box, Sphere, Capsule or Terrain Collider or a Character Controller, or take its layer out of the simulation's Collider Layers."));
+                        "Use a Mesh, Box, Sphere, Capsule, Terrain or Wheel Collider or a Character Controller, or take its layer out of the simulation's Collider Layers."));
                     return null;
             }
         }

@@ -23,14 +23,14 @@ namespace SphFluid
         /// <summary>Nothing found yet.</summary>
         public CollisionScene()
         {
-            finder = new ColliderFinder(Terrains, skins);
+            finder = new ColliderFinder(States, skins);
         }
 
         /// <summary>Whose rigid bodies the liquid moves; null: nobody's.</summary>
         public IFloatingOwners Owners { set => finder.Owners = value; }
 
-        /// <summary>What is read of terrains.</summary>
-        public TerrainPatches Terrains { get; } = new TerrainPatches();
+        /// <summary>Makes the states of colliders.</summary>
+        public ColliderStates States { get; } = new ColliderStates();
 
         /// <summary>Why colliders were left out or changed, as of the last update.</summary>
         public IReadOnlyList<FluidMessage> Messages => messages;
@@ -88,7 +88,7 @@ namespace SphFluid
         {
             finder.Clear();
             maker.Clear();
-            Terrains.Refresh();
+            States.Terrains.Refresh();
             solids.Clear();
         }
 

@@ -62,7 +62,7 @@ namespace SphFluid
         /// <summary>The obstacles for methods that prove motion free; null for other methods.</summary>
         internal CollisionBodies Bodies => bodies;
 
-        /// <summary>Adds a Mesh, Box, Sphere, Capsule or Terrain Collider or a Character Controller, active or not; it is followed wherever it goes.</summary>
+        /// <summary>Adds a Mesh, Box, Sphere, Capsule, Terrain or Wheel Collider or a Character Controller, active or not; it is followed wherever it goes.</summary>
         /// <param name="collider">The collider.</param>
         /// <param name="friction">0 free slip to 1 no slip; null: as the domain's faces. Methods without friction of their own ignore it.</param>
         /// <exception cref="ArgumentNullException">There is no collider.</exception>
@@ -120,7 +120,7 @@ namespace SphFluid
             foreach (Entry entry in entries)
             {
                 if (entry.Mesh != null) states.Add(new ColliderState(entry, entry.Mesh, entry.Friction, entry.Pose).With(entry.Body));
-                else if (entry.Collider != null) states.Add(scene.Terrains.StateOf(entry.Collider, entry.Friction, worldToSimulation, settings.DomainSize, settings.Spacing));
+                else if (entry.Collider != null) states.Add(scene.States.Of(entry.Collider, null, entry.Friction, worldToSimulation, settings.DomainSize, settings.Spacing));
             }
 
             if (!IsSame())

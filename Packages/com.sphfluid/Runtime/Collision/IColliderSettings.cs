@@ -14,6 +14,9 @@ namespace SphFluid
         /// <summary>Whether the liquid moves the Rigidbody of the colliders.</summary>
         bool MovedByLiquid { get; }
 
+        /// <summary>Width of Wheel Colliders [m]; not above 0: in proportion to their radius.</summary>
+        float WheelWidth { get; }
+
         /// <summary>Whether a simulation collides.</summary>
         /// <param name="owner">The simulation's component; null: any.</param>
         bool AppliesTo(Component owner);

@@ -4,10 +4,10 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>Triangles of box, sphere and capsule colliders in simulation space, outward.</summary>
+    /// <summary>Triangles of box, sphere, capsule and wheel colliders in simulation space, outward.</summary>
     internal static class PrimitiveTessellator
     {
-        /// <summary>Most segments round a sphere or capsule; beyond it the chord error grows past what was asked.</summary>
+        /// <summary>Most segments round a sphere, capsule or wheel; beyond it the chord error grows past what was asked.</summary>
         public const int MaxSegments = 64;
 
         static readonly int[] BoxIndices =
@@ -41,27 +41,26 @@ namespace SphFluid
             int segments = Segments(radius, chordError);
             int rings = Mathf.Max(1, (segments + 3) / 4);
             var vertices = new List<Vector3>();
-            var indices = new List<int>();
-
             vertices.Add(new Vector3(0f, halfLength + radius, 0f));
             AddRings(vertices, segments, rings, radius, halfLength);
             vertices.Add(new Vector3(0f, -halfLength - radius, 0f));
 
-            int rows = (vertices.Count - 2) / segments;
-            for (int s = 0; s < segments; s++)
-            {
-                int next = (s + 1) % segments;
-                AddTriangle(indices, 0, 1 + next, 1 + s);
-                for (int row = 0; row + 1 < rows; row++)
-                {
-                    int upper = 1 + row * segments, lower = upper + segments;
-                    AddTriangle(indices, upper + s, upper + next, lower + next);
-                    AddTriangle(indices, upper + s, lower + next, lower + s);
-                }
-                int last = 1 + (rows - 1) * segments;
-                AddTriangle(indices, vertices.Count - 1, last + s, last + next);
-            }
-            return new TriangleMesh(vertices.ToArray(), indices.ToArray(), true).Transformed(pose);
+            return Turned(vertices, segments).Transformed(pose);
+        }
+
+        /// <summary>A cylinder along the local y axis of <paramref name="pose"/>, with corners on the true surface.</summary>
+        /// <param name="pose">Position and rotation in simulation space.</param>
+        /// <param name="radius">Radius [m].</param>
+        /// <param name="halfLength">Half its length [m].</param>
+        /// <param name="chordError">Largest allowed distance between triangles and the true surface [m].</param>
+        public static TriangleMesh Cylinder(in Matrix4x4 pose, float radius, float halfLength, float chordError)
+        {
+            int segments = Segments(radius, chordError);
+            var vertices = new List<Vector3> { new Vector3(0f, halfLength, 0f) };
+            AddRow(vertices, segments, radius, halfLength, 0.5 * Math.PI);
+            AddRow(vertices, segments, radius, -halfLength, 0.5 * Math.PI);
+            vertices.Add(new Vector3(0f, -halfLength, 0f));
+            return Turned(vertices, segments).Transformed(pose);
         }
 
         /// <summary>
@@ -91,6 +90,27 @@ namespace SphFluid
                 double angle = 2.0 * Math.PI * s / segments;
                 vertices.Add(new Vector3((float)(around * Math.Cos(angle)), (float)height, (float)(around * Math.Sin(angle))));
             }
+        }
+
+        // The upper pole, rows of corners downwards, the lower pole.
+        static TriangleMesh Turned(List<Vector3> vertices, int segments)
+        {
+            var indices = new List<int>();
+            int rows = (vertices.Count - 2) / segments;
+            for (int s = 0; s < segments; s++)
+            {
+                int next = (s + 1) % segments;
+                AddTriangle(indices, 0, 1 + next, 1 + s);
+                for (int row = 0; row + 1 < rows; row++)
+                {
+                    int upper = 1 + row * segments, lower = upper + segments;
+                    AddTriangle(indices, upper + s, upper + next, lower + next);
+                    AddTriangle(indices, upper + s, lower + next, lower + s);
+                }
+                int last = 1 + (rows - 1) * segments;
+                AddTriangle(indices, vertices.Count - 1, last + s, last + next);
+            }
+            return new TriangleMesh(vertices.ToArray(), indices.ToArray(), true);
         }
 
         static void AddTriangle(List<int> indices, int a, int b, int c)

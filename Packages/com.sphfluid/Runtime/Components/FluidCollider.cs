@@ -5,12 +5,12 @@ namespace SphFluid
 {
     /// <summary>
     /// How a liquid interacts with the colliders of this object and of those below it, where that differs from the simulation's settings.
-    /// Colliders need no such component to act; Skinned Mesh Renderers do. The nearest one upwards counts; a disabled one
+    /// Colliders need no such component to act; Skinned Mesh Renderers do, and Wheel Colliders may. The nearest one upwards counts; a disabled one
     /// leaves them to the simulation's settings.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Collider")]
     [DisallowMultipleComponent]
-    public sealed class FluidCollider : MonoBehaviour, IColliderSettings, IFluidPart<SkinSpec>
+    public sealed class FluidCollider : MonoBehaviour, IColliderSettings, IFluidPart<WallSpec>
     {
         [SerializeField, Tooltip("Use the friction given here. Off: the friction of the simulation's faces.")]
         bool ownFriction = true;
@@ -27,6 +27,13 @@ namespace SphFluid
             "CPU every frame; take characters of few vertices.")]
         bool skinnedMeshes;
 
+        [SerializeField, Tooltip("The liquid collides with the Wheel Colliders of this object and of those below it even where Unity's overlap queries do not " +
+            "report them. It feels nothing back through them.")]
+        bool wheelColliders;
+
+        [SerializeField, Min(0f), Tooltip("Width of the Wheel Colliders [m], which have none of their own. 0: 0.65 of the radius, as a car's tyre.")]
+        float wheelWidth;
+
         [SerializeField, Tooltip("Simulations that collide with these colliders. Empty: all that find them.")]
         List<FluidSimulation> simulations = new List<FluidSimulation>();
 
@@ -42,6 +49,12 @@ namespace SphFluid
         /// <summary>Whether the Skinned Mesh Renderers of this object and of those below it are walls, up to 20,000 vertices each.</summary>
         public bool SkinnedMeshes { get => skinnedMeshes; set => skinnedMeshes = value; }
 
+        /// <summary>Whether the Wheel Colliders of this object and of those below it are looked for besides those that Unity's overlap queries report.</summary>
+        public bool WheelColliders { get => wheelColliders; set => wheelColliders = value; }
+
+        /// <summary>Width of the Wheel Colliders [m]; 0: 0.65 of the radius. Other numbers than positive ones count as 0.</summary>
+        public float WheelWidth { get => wheelWidth; set => wheelWidth = value > 0f ? value : 0f; }
+
         /// <summary>Simulations that collide; empty: all that find the colliders.</summary>
         public List<FluidSimulation> Simulations => simulations;
 
@@ -53,19 +66,21 @@ namespace SphFluid
 
         bool IColliderSettings.MovedByLiquid => movedByLiquid;
 
+        float IColliderSettings.WheelWidth => wheelWidth;
+
         bool IColliderSettings.AppliesTo(Component owner) =>
             owner == null || simulations.Count == 0 || simulations.Contains(owner as FluidSimulation);
 
-        SkinSpec IFluidPart<SkinSpec>.Spec => new SkinSpec { Owner = this, Settings = skinnedMeshes ? this : null };
+        WallSpec IFluidPart<WallSpec>.Spec => new WallSpec { Owner = this, Settings = this, Skins = skinnedMeshes, Wheels = wheelColliders };
 
-        Component IFluidPart<SkinSpec>.Named => null;
+        Component IFluidPart<WallSpec>.Named => null;
 
-        void OnEnable() => FluidParts<SkinSpec>.Add(this);
+        void OnEnable() => FluidParts<WallSpec>.Add(this);
 
-        void OnDisable() => FluidParts<SkinSpec>.Remove(this);
+        void OnDisable() => FluidParts<WallSpec>.Remove(this);
 
         // Without a domain reload statics outlive play mode.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        internal static void ResetStatics() => FluidParts<SkinSpec>.Clear();
+        internal static void ResetStatics() => FluidParts<WallSpec>.Clear();
     }
 }

@@ -96,7 +96,7 @@ namespace SphFluid
         readonly List<EmitterSpec> emitters = new List<EmitterSpec>();
         readonly List<DrainSpec> drains = new List<DrainSpec>();
         readonly List<ZoneSpec> zones = new List<ZoneSpec>();
-        readonly List<SkinSpec> skins = new List<SkinSpec>();
+        readonly List<WallSpec> walls = new List<WallSpec>();
         FluidRun run;
         FluidQueries queries;
         IFluidFrames frames;
@@ -261,7 +261,7 @@ namespace SphFluid
                 FluidScene.Own(this, emitters);
                 FluidScene.Own(this, drains);
                 FluidScene.Shared(this, zones);
-                FluidScene.Shared(this, skins);
+                FluidScene.Shared(this, walls);
                 return OwnSpec;
             }
         }
@@ -273,7 +273,7 @@ namespace SphFluid
             Emitters = emitters,
             Drains = drains,
             Zones = zones,
-            Skins = skins,
+            Walls = walls,
             Owner = this,
             Position = transform.position,
             Rotation = transform.rotation,

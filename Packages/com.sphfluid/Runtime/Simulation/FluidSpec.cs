@@ -50,7 +50,7 @@ namespace SphFluid
         public IReadOnlyList<EmitterSpec> Emitters;
 
         /// <summary>Whose skinned meshes are walls; null for none.</summary>
-        public IReadOnlyList<SkinSpec> Skins;
+        public IReadOnlyList<WallSpec> Walls;
 
         /// <summary>Drains of this liquid; null for none.</summary>
         public IReadOnlyList<DrainSpec> Drains;
@@ -112,7 +112,7 @@ namespace SphFluid
             Periodic = Boundaries.Periodic,
             SupportRatio = SupportRatio,
             Others = EmitterPipes.Walls(this, Pipes),
-            Skins = Skins,
+            Walls = Walls,
         };
     }
 }

@@ -21,13 +21,13 @@ namespace SphFluid
         /// <param name="states">Receives them.</param>
         public void AddStates(in CollisionQuery query, List<ColliderState> states)
         {
-            if ((query.Skins?.Count ?? 0) == 0 && skins.Count == 0) return;
+            if ((query.Walls?.Count ?? 0) == 0 && skins.Count == 0) return;
             Matrix4x4 worldToSimulation = query.WorldToSimulation;
             var domain = new Bounds(query.Position, 2f * AffineMath.Extents(Matrix4x4.Rotate(query.Rotation), query.HalfExtents));
-            for (int i = 0; i < (query.Skins?.Count ?? 0); i++)
+            for (int i = 0; i < (query.Walls?.Count ?? 0); i++)
             {
-                SkinSpec spec = query.Skins[i];
-                if (spec.Settings == null || !spec.Settings.AppliesTo(query.Owner)) continue;
+                WallSpec spec = query.Walls[i];
+                if (!spec.Skins || !spec.Settings.AppliesTo(query.Owner)) continue;
                 spec.Owner.GetComponentsInChildren(false, found);
                 foreach (SkinnedMeshRenderer renderer in found)
                 {

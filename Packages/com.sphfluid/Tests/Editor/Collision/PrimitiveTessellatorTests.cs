@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Box, sphere and capsule become closed outward meshes near enough to the true surface.</summary>
+    /// <summary>Box, sphere, capsule and cylinder become closed outward meshes near enough to the true surface.</summary>
     public sealed class PrimitiveTessellatorTests
     {
         [Test]
@@ -41,6 +41,17 @@ namespace SphFluid.Tests
             Assert.That(TestMeshes.Volume(capsule), Is.EqualTo(volume).Within(4).Percent.And.LessThan(volume));
             Assert.That(LargestDepth(capsule, p => radius - (p - new Vector3(0f, Mathf.Clamp(p.y, -halfLength, halfLength), 0f)).magnitude),
                 Is.LessThanOrEqualTo(0.0050005f));
+        }
+
+        [Test]
+        public void CylinderKeepsTheChordErrorAndItsLength()
+        {
+            const float radius = 0.3f, halfLength = 0.1f;
+            TriangleMesh cylinder = PrimitiveTessellator.Cylinder(Matrix4x4.identity, radius, halfLength, 0.005f);
+            Assert.That(IsFoundClosed(cylinder));
+            double volume = Math.PI * radius * radius * 2.0 * halfLength;
+            Assert.That(TestMeshes.Volume(cylinder), Is.EqualTo(volume).Within(2).Percent.And.LessThan(volume));
+            Assert.That(LargestDepth(cylinder, p => Math.Min(halfLength - Math.Abs(p.y), radius - new Vector2(p.x, p.z).magnitude)), Is.LessThanOrEqualTo(0.0050005f));
         }
 
         [Test]

@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     public sealed class SkinnedWallsTests
     {
         readonly List<Object> made = new List<Object>();
-        readonly List<SkinSpec> skins = new List<SkinSpec>();
+        readonly List<WallSpec> skins = new List<WallSpec>();
         CollisionScene scene;
 
         [SetUp]
@@ -52,7 +52,7 @@ namespace SphFluid.Tests
             renderer.localBounds = new Bounds(Vector3.zero, 3f * Vector3.one);
             FluidCollider settings = holder.AddComponent<FluidCollider>();
             settings.SkinnedMeshes = true;
-            skins.Add(((IFluidPart<SkinSpec>)settings).Spec);
+            skins.Add(((IFluidPart<WallSpec>)settings).Spec);
             upper = bones[1];
             return renderer;
         }
@@ -65,7 +65,7 @@ namespace SphFluid.Tests
             DomainSize = 6f * Vector3.one,
             Spacing = 0.1f,
             Layers = layers,
-            Skins = skins,
+            Walls = skins,
         });
 
         [Test]
@@ -127,7 +127,7 @@ namespace SphFluid.Tests
             Assert.That(IsWall(), Is.False, "the component is off");
             settings.enabled = true;
             settings.SkinnedMeshes = false;
-            skins[0] = ((IFluidPart<SkinSpec>)settings).Spec;
+            skins[0] = ((IFluidPart<WallSpec>)settings).Spec;
             Assert.That(IsWall(), Is.False, "not asked for");
         }
 

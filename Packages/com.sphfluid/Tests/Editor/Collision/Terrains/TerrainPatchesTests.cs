@@ -48,7 +48,7 @@ namespace SphFluid.Tests
             rig.Gather();
             Fill(0.25f);
             Assert.That(rig.Gather(), Is.False, "the same heights");
-            rig.Scene.Terrains.Refresh();
+            rig.Scene.States.Terrains.Refresh();
             Assert.That(rig.Gather(), Is.False, "read again");
             Fill(0.3f);
             Assert.That(rig.Gather(), Is.True);

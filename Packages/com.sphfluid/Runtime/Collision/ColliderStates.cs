@@ -1,0 +1,26 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>The states of colliders, and what has to be kept of those whose triangles are not told by the collider alone.</summary>
+    internal sealed class ColliderStates
+    {
+        /// <summary>What is read of terrains.</summary>
+        public TerrainPatches Terrains { get; } = new TerrainPatches();
+
+        /// <summary>The cylinders of wheels.</summary>
+        public WheelDiscs Wheels { get; } = new WheelDiscs();
+
+        /// <summary>The state of a collider.</summary>
+        /// <param name="collider">The collider.</param>
+        /// <param name="settings">Its Fluid Collider's; null for none.</param>
+        /// <param name="friction">0 free slip to 1 no slip; negative: as the domain's faces.</param>
+        /// <param name="worldToSimulation">World space to simulation space.</param>
+        /// <param name="domain">Edge lengths of the domain [m].</param>
+        /// <param name="spacing">Particle spacing dx [m].</param>
+        public ColliderState Of(Collider collider, IColliderSettings settings, float friction, in Matrix4x4 worldToSimulation, Vector3 domain, float spacing) =>
+            WheelDiscs.IsWheel(collider)
+                ? Wheels.StateOf(collider, settings, friction, worldToSimulation, spacing)
+                : Terrains.StateOf(collider, friction, worldToSimulation, domain, spacing);
+    }
+}

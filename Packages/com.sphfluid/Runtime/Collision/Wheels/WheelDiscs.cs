@@ -1,0 +1,129 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Wheel Colliders as cylinders that roll, steer and spring as their wheels do. In projects without Unity's vehicles module no collider
+    /// is a wheel.
+    /// </summary>
+    internal sealed class WheelDiscs
+    {
+        /// <summary>Width over radius of a wheel that no Fluid Collider gives one: that of a 205/55 R16 tyre, 205 mm over 316 mm.</summary>
+        public const float DefaultAspect = 0.65f;
+
+#if SPHFLUID_VEHICLES
+        readonly Dictionary<Collider, Disc> discs = new Dictionary<Collider, Disc>();
+        readonly List<WheelCollider> found = new List<WheelCollider>();
+        readonly List<Collider> gone = new List<Collider>();
+#endif
+
+        /// <summary>Whether a collider is a wheel's.</summary>
+        public static bool IsWheel(Collider collider)
+        {
+#if SPHFLUID_VEHICLES
+            return collider is WheelCollider;
+#else
+            return false;
+#endif
+        }
+
+        /// <summary>The state of a wheel; without triangles where it has no size.</summary>
+        /// <param name="collider">The Wheel Collider.</param>
+        /// <param name="settings">Its Fluid Collider's; null for none.</param>
+        /// <param name="friction">0 free slip to 1 no slip; negative: as the domain's faces.</param>
+        /// <param name="worldToSimulation">World space to simulation space.</param>
+        /// <param name="spacing">Particle spacing dx [m].</param>
+        public ColliderState StateOf(Collider collider, IColliderSettings settings, float friction, in Matrix4x4 worldToSimulation, float spacing)
+        {
+#if SPHFLUID_VEHICLES
+            if (collider is WheelCollider wheel)
+            {
+                if (!discs.TryGetValue(wheel, out Disc disc)) disc = Add(wheel);
+                disc.Take(RadiusOf(wheel), WidthOf(wheel, settings), spacing);
+                return new ColliderState(wheel, disc.Mesh, friction, worldToSimulation * PoseOf(wheel));
+            }
+#endif
+            return ColliderState.Of(collider, friction, worldToSimulation);
+        }
+
+        /// <summary>Adds the wheels near a domain that Unity's overlap query did not find.</summary>
+        /// <param name="query">The domain, and who has wheels.</param>
+        /// <param name="hits">What the query found.</param>
+        /// <param name="states">Receives them.</param>
+        public void AddStates(in CollisionQuery query, List<Collider> hits, List<ColliderState> states)
+        {
+#if SPHFLUID_VEHICLES
+            for (int i = 0; i < (query.Walls?.Count ?? 0); i++)
+            {
+                WallSpec spec = query.Walls[i];
+                if (!spec.Wheels || !spec.Settings.AppliesTo(query.Owner)) continue;
+                spec.Owner.GetComponentsInChildren(false, found);
+                foreach (WheelCollider wheel in found)
+                {
+                    bool counts = wheel.enabled && (query.Layers & (1 << wheel.gameObject.layer)) != 0;
+                    if (!counts || hits.Contains(wheel) || !ReferenceEquals(ColliderSettings.Of(wheel), spec.Settings) || !IsNear(wheel, query)) continue;
+                    states.Add(StateOf(wheel, spec.Settings, spec.Settings.EffectiveFriction, query.WorldToSimulation, query.Spacing));
+                }
+            }
+#endif
+        }
+
+#if SPHFLUID_VEHICLES
+        static bool IsNear(WheelCollider wheel, in CollisionQuery query)
+        {
+            Vector3 centre = query.WorldToSimulation.MultiplyPoint3x4(PoseOf(wheel).GetPosition()), half = query.HalfExtents;
+            var nearest = new Vector3(Mathf.Clamp(centre.x, -half.x, half.x), Mathf.Clamp(centre.y, -half.y, half.y), Mathf.Clamp(centre.z, -half.z, half.z));
+            float reach = RadiusOf(wheel) + WidthOf(wheel, ColliderSettings.Of(wheel));
+            return (centre - nearest).sqrMagnitude <= reach * reach;
+        }
+
+        // Suspension and radius follow the scale of y, along which the wheel springs.
+        static float RadiusOf(WheelCollider wheel) => Mathf.Abs(wheel.radius * wheel.transform.lossyScale.y);
+
+        static float WidthOf(WheelCollider wheel, IColliderSettings settings) =>
+            settings != null && settings.WheelWidth > 0f ? settings.WheelWidth : DefaultAspect * RadiusOf(wheel);
+
+        // The axle is the pose's x axis.
+        static Matrix4x4 PoseOf(WheelCollider wheel)
+        {
+            wheel.GetWorldPose(out Vector3 position, out Quaternion rotation);
+            return Matrix4x4.TRS(position, rotation, Vector3.one);
+        }
+
+        Disc Add(WheelCollider wheel)
+        {
+            gone.Clear();
+            foreach (Collider known in discs.Keys)
+                if (known == null) gone.Add(known);
+            foreach (Collider known in gone) discs.Remove(known);
+            var disc = new Disc();
+            discs.Add(wheel, disc);
+            return disc;
+        }
+
+        sealed class Disc
+        {
+            static readonly TriangleMesh None = new TriangleMesh(new Vector3[0], new int[0]);
+
+            // Of its size: what rounding may change as the object turns.
+            const float Tolerance = 1e-4f;
+
+            Vector3 made;
+
+            /// <summary>The triangles about the origin, the axle along x; none where the wheel has no size.</summary>
+            public TriangleMesh Mesh { get; private set; } = None;
+
+            public void Take(float radius, float width, float spacing)
+            {
+                var asked = new Vector3(radius, width, spacing);
+                if ((asked - made).magnitude <= Tolerance * made.magnitude && made.z == asked.z) return;
+                made = asked;
+                bool hasSize = radius > 0f && width > 0f && AffineMath.IsFinite(radius) && AffineMath.IsFinite(width);
+                Matrix4x4 axle = Matrix4x4.Rotate(Quaternion.FromToRotation(Vector3.up, Vector3.right));
+                Mesh = hasSize ? PrimitiveTessellator.Cylinder(axle, radius, 0.5f * width, ColliderTriangles.ChordError * spacing) : None;
+            }
+        }
+#endif
+    }
+}
