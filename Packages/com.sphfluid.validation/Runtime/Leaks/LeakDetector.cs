@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace SphFluid.Validation
@@ -10,16 +11,21 @@ namespace SphFluid.Validation
         /// <summary>Particles that got through, since the start.</summary>
         public int Escapes { get; private set; }
 
+        /// <summary>Whether a particle got through, since the start.</summary>
+        public bool HasEscaped(int particle) => escaped[particle];
+
         /// <summary>
-        /// The detector for a scene. A closed surface has an inside, and a particle that changes sides escaped, whatever its path. An open one
-        /// has a rim over which particles may go, so each step's path is tested against the triangles. Where the surface stretches the
+        /// The detector for a surface. A closed surface has an inside, and a particle that changes sides escaped, whatever its path. An open one
+        /// has a rim over which particles may go, so each step's path is tested against the triangles. Where the surface stretches, deforms or floats the
         /// detector shares nothing with the solver's own obstacles.
         /// </summary>
-        public static LeakDetector Of(LeakScene scene)
+        /// <param name="body">The surface.</param>
+        /// <param name="period">Length of the domain along periodic axes [m], zero along others.</param>
+        public static LeakDetector Of(LeakBody body, Vector3 period)
         {
-            if (!scene.Mesh.IsClosed)
-                return new PathDetector(scene.Surface, scene.Settings.PeriodLength);
-            return scene.Stretches ? (LeakDetector)new WindingDetector(scene.Surface) : new InsideDetector(scene.Mesh);
+            if (!body.Mesh.IsClosed)
+                return new PathDetector(body.Surface, period);
+            return body.IsFreeWithinFrames ? (LeakDetector)new WindingDetector(body.Surface) : new InsideDetector(body.Mesh);
         }
 
         /// <summary>Whether it must see every step, not only every frame.</summary>
@@ -40,6 +46,11 @@ namespace SphFluid.Validation
             }
             Seen(places);
         }
+
+        /// <summary>The surface has other corners from the next look on.</summary>
+        /// <exception cref="NotSupportedException">The detector sees surfaces that keep their shape only.</exception>
+        public virtual void Reshape(Vector3[] corners) =>
+            throw new NotSupportedException("What goes through a surface that deforms is seen by its winding number, which needs a closed surface.");
 
         /// <summary>Whether a particle got through since the last look.</summary>
         protected abstract bool Passed(int particle, Vector3 place, bool first);

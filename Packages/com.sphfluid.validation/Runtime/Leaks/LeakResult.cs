@@ -12,7 +12,7 @@ namespace SphFluid.Validation
             .Text("scene", r => r.Scene.Name)
             .Number("speed_m_s", r => r.Scene.Speed)
             .Count("particles", r => r.Scene.Particles.Length)
-            .Count("triangles", r => r.Scene.Surface.Length / 3)
+            .Count("triangles", r => r.Scene.Bodies.Sum(b => b.Surface.Length / 3))
             .Count("frames", r => r.Scene.Frames)
             .Count("steps", r => r.Steps)
             .Count("escapes", r => r.Escapes)
@@ -38,13 +38,13 @@ namespace SphFluid.Validation
         /// <summary>Steps that were done.</summary>
         public long Steps;
 
-        /// <summary>Particles that got through the surface.</summary>
+        /// <summary>Particles that got through a surface.</summary>
         public int Escapes;
 
         /// <summary>What the solver counted.</summary>
         public FluidCounters Counters;
 
-        /// <summary>Times the surface moved too far in a frame to be followed.</summary>
+        /// <summary>Times a surface moved too far in a frame to be followed.</summary>
         public int Jumps;
 
         /// <summary>Largest speed of any step [m/s].</summary>
@@ -52,7 +52,7 @@ namespace SphFluid.Validation
 
         /// <summary>
         /// Largest kinetic and potential energy at the end of a frame over that at the start, heights from the floor of the domain; not a number
-        /// where the surface moves and does work.
+        /// where a surface moves and does work.
         /// </summary>
         public double EnergyRatio;
 
@@ -79,9 +79,9 @@ namespace SphFluid.Validation
 
         /// <summary>Why it failed; empty where it holds. Shortened steps and fallbacks are no failures: their paths are proved free too.</summary>
         public string Failure =>
-            Escapes > 0 ? "escapes" :
+            Escapes > (Scene.MaySqueeze ? Counters.Squeezed : 0) ? "escapes" :
             Counters.NonFinite > 0 ? "not finite" :
-            Counters.Squeezed > 0 ? "squeezed" :
+            Counters.Squeezed > 0 && !Scene.MaySqueeze ? "squeezed" :
             Jumps > 0 ? "jumps" : "";
 
         /// <summary>For progress lines.</summary>

@@ -4,15 +4,14 @@ using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Plays a scene frame by frame and shows its detector every state.</summary>
+    /// <summary>Plays a scene frame by frame and shows its detectors every state.</summary>
     sealed class LeakRun : IDisposable
     {
         // Time at the end in which gravity moves all that nothing carries: 0.1 s, a fall of 49 mm.
         const int RestFrames = 6;
 
         readonly LeakScene scene;
-        readonly LeakDetector detector;
-        readonly LeakSurface surface;
+        readonly LeakSurfaces surfaces;
         readonly FluidSolver solver;
         readonly int stepsPerFrame;
         bool disposed;
@@ -22,15 +21,11 @@ namespace SphFluid.Validation
         public LeakRun(LeakScene scene, FluidShaderSet shaders)
         {
             this.scene = scene;
-            detector = LeakDetector.Of(scene);
             stepsPerFrame = (int)Math.Ceiling(1.0 / LeakScene.FrameRate / scene.Settings.TimeStep);
             solver = new FluidSolver(scene.Settings, shaders, scene.Particles);
-            surface = new LeakSurface(scene);
+            surfaces = new LeakSurfaces(scene);
             if (scene.Solid)
-            {
-                surface.MoveTo(scene.PoseAt(0));
-                surface.GiveTo(solver);
-            }
+                surfaces.GiveTo(solver);
         }
 
         /// <summary>The result, when the run has ended.</summary>
@@ -39,22 +34,20 @@ namespace SphFluid.Validation
         /// <summary>The run; it yields after each frame of the scene.</summary>
         public IEnumerator Run()
         {
-            LeakPose pose = scene.PoseAt(0);
-            FluidParticle[] state = Look(pose), earlier = state;
+            FluidParticle[] state = Look(0), earlier = state;
             double start = Energy(state), highest = start, fastest = 0.0;
             for (int frame = 1; frame <= scene.Frames; frame++)
             {
-                LeakPose next = scene.PoseAt(frame);
-                int looks = detector.NeedsSteps ? stepsPerFrame : 1;
+                int looks = surfaces.NeedsSteps ? stepsPerFrame : 1;
                 for (int look = 1; look <= looks; look++)
                 {
                     // Steps that are looked at one by one each have a part of the frame's motion.
-                    LeakPose part = LeakPose.Between(pose, next, look / (float)looks);
-                    Step(part, stepsPerFrame / looks);
-                    state = Look(part);
+                    surfaces.Move(frame, look, looks);
+                    int steps = stepsPerFrame / looks;
+                    GpuWork.Submit("Leak Scene", cmd => solver.RecordSteps(cmd, steps, 1f / (LeakScene.FrameRate * stepsPerFrame)));
+                    state = Look(frame);
                     fastest = Math.Max(fastest, solver.ReadCountersNow().MaxSpeed);
                 }
-                pose = next;
                 highest = Math.Max(highest, Energy(state));
                 if (frame == scene.Frames - RestFrames)
                     earlier = state;
@@ -64,12 +57,12 @@ namespace SphFluid.Validation
             {
                 Scene = scene,
                 Steps = solver.StepCount,
-                Escapes = detector.Escapes,
+                Escapes = surfaces.CountEscapes(),
                 Counters = solver.ReadCountersNow(),
-                Jumps = surface.Jumps,
+                Jumps = surfaces.Jumps,
                 MaxSpeed = fastest,
-                EnergyRatio = scene.Motion == null ? highest / start : double.NaN,
-                Rest = scene.Rests ? WallRest.Of(scene, pose, Places(earlier), Places(state)) : default(WallRest?),
+                EnergyRatio = !scene.Moves ? highest / start : double.NaN,
+                Rest = scene.Rests ? WallRest.Of(scene, surfaces.Pose, Places(earlier), Places(state)) : default(WallRest?),
                 End = state,
             };
         }
@@ -88,7 +81,7 @@ namespace SphFluid.Validation
                 return;
             disposed = true;
             solver.Dispose();
-            surface.Dispose();
+            surfaces.Dispose();
         }
 
         // Kinetic and potential energy over the mass of a particle, from the floor of the domain, J/kg.
@@ -102,21 +95,14 @@ namespace SphFluid.Validation
 
         static Vector3[] Places(FluidParticle[] state) => Array.ConvertAll(state, p => p.Position);
 
-        void Step(LeakPose pose, int steps)
-        {
-            if (scene.Solid)
-                surface.MoveTo(pose);
-            GpuWork.Submit("Leak Scene", cmd => solver.RecordSteps(cmd, steps, 1f / (LeakScene.FrameRate * stepsPerFrame)));
-        }
-
-        // The particles by id, after the detector has seen them.
-        FluidParticle[] Look(LeakPose pose)
+        // The particles by id, after the detectors have seen them.
+        FluidParticle[] Look(int frame)
         {
             GpuWork.Submit("Leak Look", cmd => solver.RecordNeighbourSetup(cmd));
             var particles = new FluidParticle[solver.ParticleCount];
             solver.Particles.GetData(particles);
             Array.Sort(particles, (a, b) => a.Id.CompareTo(b.Id));
-            detector.Look(Array.ConvertAll(particles, p => pose.ToSurface(p.Position)));
+            surfaces.Look(Places(particles), frame);
             return particles;
         }
     }

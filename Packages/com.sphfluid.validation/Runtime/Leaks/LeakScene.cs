@@ -1,10 +1,11 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using UnityEngine;
 
 namespace SphFluid.Validation
 {
-    /// <summary>A surface of triangles, liquid at it, and how the surface moves. SI, simulation space.</summary>
+    /// <summary>Surfaces of triangles, liquid at them, and how they move. SI, simulation space.</summary>
     sealed class LeakScene
     {
         /// <summary>Frames a second.</summary>
@@ -22,27 +23,46 @@ namespace SphFluid.Validation
         /// <summary>Particles at the start.</summary>
         public FluidParticle[] Particles;
 
-        /// <summary>The surface in its own space [m], three corners a triangle; Cross(B − A, C − A) outward where it is closed.</summary>
-        public Vector3[] Surface;
+        /// <summary>The surfaces; the first is the one that the fields below are about.</summary>
+        public readonly List<LeakBody> Bodies = new List<LeakBody> { new LeakBody() };
+
+        /// <inheritdoc cref="LeakBody.Surface"/>
+        public Vector3[] Surface
+        {
+            get => Bodies[0].Surface;
+            set => Bodies[0].Surface = value;
+        }
+
+        /// <inheritdoc cref="LeakBody.Motion"/>
+        public Func<int, LeakPose> Motion
+        {
+            get => Bodies[0].Motion;
+            set => Bodies[0].Motion = value;
+        }
+
+        /// <inheritdoc cref="LeakBody.Stretches"/>
+        public bool Stretches
+        {
+            get => Bodies[0].Stretches;
+            set => Bodies[0].Stretches = value;
+        }
 
         /// <summary>Length in frames.</summary>
         public int Frames;
 
-        /// <summary>Where the surface is at the end of a frame; frame 0 is the start. Null: it rests.</summary>
-        public Func<int, LeakPose> Motion;
-
-        /// <summary>Whether the surface's scale or shear changes.</summary>
-        public bool Stretches;
-
         /// <summary>Whether the liquid is at rest in the end, so that how it lies at the surface can be measured.</summary>
         public bool Rests;
 
-        /// <summary>False: the surface is not given to the solver, so that liquid goes through. For tests of the detectors.</summary>
+        /// <summary>False: the surfaces are not given to the solver, so that liquid goes through. For tests of the detectors.</summary>
         public bool Solid = true;
 
-        /// <summary>The surface as a mesh.</summary>
-        public TriangleMesh Mesh => TriangleMesh.FromCorners(Surface);
+        /// <summary>Whether surfaces close on liquid that then has no place: as many may get through as a message says were squeezed.</summary>
+        public bool MaySqueeze;
 
-        public LeakPose PoseAt(int frame) => Motion?.Invoke(frame) ?? LeakPose.Rest;
+        /// <summary>Whether any surface moves.</summary>
+        public bool Moves => Bodies.Any(b => b.Motion != null || b.Shape != null || b.Floats);
+
+        /// <summary>Where the first surface is at the end of a frame.</summary>
+        public LeakPose PoseAt(int frame) => Bodies[0].PoseAt(frame);
     }
 }

@@ -52,6 +52,12 @@ namespace SphFluid.Validation
             new LeakSceneEntry("spin", StretchScenes.Spin, 1, 2, 5, 10),
             new LeakSceneEntry("shear", StretchScenes.Shear, StretchScenes.Speeds(0.4)),
             new LeakSceneEntry("grow", StretchScenes.Grow, 0.2, 1),
+            new LeakSceneEntry("afloat", BodyScenes.Afloat, 1, 2, 5, 10),
+            new LeakSceneEntry("bumped", BodyScenes.Bumped, 1, 2, 5, 10),
+            new LeakSceneEntry("waved", BodyScenes.Waved, 0.2, 0.5, 1, 2),
+            new LeakSceneEntry("wrung", BodyScenes.Wrung, 0.5, 1, 2, 5),
+            new LeakSceneEntry("wheel", BodyScenes.Wheel, 2, 10, 20),
+            new LeakSceneEntry("pressed", BodyScenes.Pressed, 0.5, 2, 10),
         };
 
         /// <summary>The scene of a name.</summary>

@@ -5,18 +5,21 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// For closed surfaces that stretch: a particle whose winding number, rounded, is another than at the start has escaped. A place
+    /// For closed surfaces that stretch, deform or float: a particle whose winding number, rounded, is another than at the start has escaped. A place
     /// that is not finite has.
     /// </summary>
     sealed class WindingDetector : LeakDetector
     {
-        readonly WindingNumber winding;
+        WindingNumber winding;
         readonly List<double> start = new List<double>();
 
         public WindingDetector(Vector3[] corners) => winding = new WindingNumber(corners);
 
         /// <inheritdoc/>
         public override bool NeedsSteps => false;
+
+        /// <inheritdoc/>
+        public override void Reshape(Vector3[] corners) => winding = new WindingNumber(corners);
 
         /// <inheritdoc/>
         protected override bool Passed(int particle, Vector3 place, bool first)

@@ -86,12 +86,60 @@ namespace SphFluid
             return entries.Count - 1;
         }
 
+        /// <summary>Adds a mesh that gravity and the liquid move, as a rigid body: it floats, sinks and is carried. Floating meshes do not touch each other.</summary>
+        /// <param name="mesh">Its triangles, in a space of its own: the origin is the centre of mass, the axes are the principal ones.</param>
+        /// <param name="centre">Centre of mass at the start [m], simulation space.</param>
+        /// <param name="rotation">Principal axes to simulation space at the start.</param>
+        /// <param name="mass">Mass [kg].</param>
+        /// <param name="inertia">Moments of inertia about the principal axes [kg m²]; 0: it does not turn about the axis.</param>
+        /// <param name="friction">0 free slip to 1 no slip; null: as the domain's faces.</param>
+        /// <returns>A number to call <see cref="Push"/> and <see cref="ReadPoseNow"/> with.</returns>
+        /// <exception cref="NotSupportedException">The method moves no bodies.</exception>
+        /// <exception cref="ArgumentException">The mesh is missing or has no triangles.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">Mass, inertia or friction are out of range.</exception>
+        public int AddFloating(TriangleMesh mesh, Vector3 centre, Quaternion rotation, float mass, Vector3 inertia, float? friction = null)
+        {
+            if (bodies == null)
+                throw new NotSupportedException($"The method {settings.Method} moves no bodies. Use the method {FluidMethodKind.Standard}, or Add and MoveTo.");
+            if (!(mass > 0f) || !AffineMath.IsFinite(mass))
+                throw new ArgumentOutOfRangeException(nameof(mass), mass, "The mass of a floating mesh is greater than 0 and finite [kg].");
+            if (!(Mathf.Min(inertia.x, Mathf.Min(inertia.y, inertia.z)) >= 0f) || !AffineMath.IsFinite(inertia.sqrMagnitude))
+                throw new ArgumentOutOfRangeException(nameof(inertia), inertia, "Moments of inertia are 0 or greater, and finite [kg m²].");
+            int number = Add(mesh, Matrix4x4.TRS(centre, rotation, Vector3.one), friction);
+            Float(number, new FloatingBody(new FloatingMass(mass, inertia, settings.Gravity), new FloatingPose(centre, rotation)));
+            return number;
+        }
+
+        /// <summary>Changes a floating mesh's velocity, spread over the steps up to the next <see cref="Update"/>.</summary>
+        /// <param name="mesh">The number that <see cref="AddFloating"/> returned.</param>
+        /// <param name="velocity">Added to the velocity of the centre of mass [m/s].</param>
+        /// <param name="angularVelocity">Added to the angular velocity [rad/s].</param>
+        /// <exception cref="ArgumentOutOfRangeException">No floating mesh has that number.</exception>
+        public void Push(int mesh, Vector3 velocity, Vector3 angularVelocity) =>
+            FloatingOf(mesh).Push(velocity, angularVelocity, Vector3.zero, Vector3.zero);
+
+        /// <summary>Where the recorded steps that were submitted leave a floating mesh; waits for the GPU.</summary>
+        /// <param name="mesh">The number that <see cref="AddFloating"/> returned.</param>
+        /// <param name="rotation">Its axes to simulation space.</param>
+        /// <returns>Its centre of mass [m], simulation space.</returns>
+        /// <exception cref="ArgumentOutOfRangeException">No floating mesh has that number.</exception>
+        public Vector3 ReadPoseNow(int mesh, out Quaternion rotation)
+        {
+            FloatingBody body = FloatingOf(mesh);
+            // Before its first update the GPU knows nothing of it.
+            FloatingPose pose = bodies.Floating.NumberOf(body) > 0 && bodies.Floating.Frame > 0 ? bodies.Floating.ReadNow(body).Pose : body.Pose;
+            rotation = pose.Rotation;
+            return pose.Centre;
+        }
+
         /// <summary>Moves a mesh; <see cref="Update"/> takes it over.</summary>
         /// <param name="mesh">The number that <see cref="Add(TriangleMesh, in Matrix4x4, float?)"/> returned.</param>
         /// <param name="pose">Where it is now: its own space to simulation space.</param>
         /// <exception cref="ArgumentOutOfRangeException">There is no such mesh.</exception>
+        /// <exception cref="InvalidOperationException">The mesh floats.</exception>
         public void MoveTo(int mesh, in Matrix4x4 pose)
         {
+            if (EntryOf(mesh).Body != null) throw new InvalidOperationException("The liquid moves this mesh. Call Push, or Add it instead of AddFloating.");
             EntryOf(mesh).Pose = pose;
         }
 
@@ -176,6 +224,10 @@ namespace SphFluid
                 if (!states[i].Equals(previous[i])) return false;
             return true;
         }
+
+        FloatingBody FloatingOf(int mesh) => mesh >= 0 && mesh < entries.Count && entries[mesh].Body != null
+            ? entries[mesh].Body
+            : throw new ArgumentOutOfRangeException(nameof(mesh), mesh, "There is no floating mesh of that number. Use the one that AddFloating returned.");
 
         Entry EntryOf(int mesh)
         {

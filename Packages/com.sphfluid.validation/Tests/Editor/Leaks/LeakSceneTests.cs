@@ -38,6 +38,10 @@ namespace SphFluid.Tests
         [TestCase("spin", 10.0, 12)]
         [TestCase("shear", 3.016, 12)]
         [TestCase("grow", 1.0, 14)]
+        [TestCase("afloat", 2.0, 12)]
+        [TestCase("waved", 2.0, 10)]
+        [TestCase("wrung", 1.0, 10)]
+        [TestCase("wheel", 20.0, 12)]
         public void NothingLeaks(string name, double speed, int frames)
         {
             LeakScene scene = LeakSceneEntry.Find(name).Build(speed);
@@ -48,6 +52,20 @@ namespace SphFluid.Tests
             Assert.That(result.Escapes, Is.Zero);
             Assert.That(result.Failure, Is.Empty);
             Assert.That(result.Counters.Overlaps, Is.Zero);
+        }
+
+        [TestCase("bumped", 5.0, 14)]
+        [TestCase("pressed", 10.0, 8)]
+        public void WhereNoPlaceIsLeftEveryEscapeIsNamed(string name, double speed, int frames)
+        {
+            LeakScene scene = LeakSceneEntry.Find(name).Build(speed);
+            scene.Frames = frames;
+
+            LeakResult result = Play(scene);
+
+            Assert.That(result.Counters.Squeezed, Is.Positive);
+            Assert.That(result.Escapes, Is.LessThanOrEqualTo(result.Counters.Squeezed));
+            Assert.That(result.Failure, Is.Empty);
         }
 
         [Test]
@@ -82,6 +100,9 @@ namespace SphFluid.Tests
         [TestCase("coplanar", 5.0, 6, 0.1)]
         [TestCase("pulse-50", 3.77, 30, 0.1)]
         [TestCase("grow", 1.0, 14, 0.05)]
+        [TestCase("waved", 2.0, 10, 0.01)]
+        [TestCase("wrung", 5.0, 10, 0.01)]
+        [TestCase("pressed", 10.0, 8, 0.05)]
         public void TheDetectorsSeeWhatGoesThrough(string name, double speed, int frames, double share)
         {
             LeakScene scene = LeakSceneEntry.Find(name).Build(speed);

@@ -157,6 +157,57 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void ALightMeshRisesAHeavyOneSinksAndAPushMovesIt()
+        {
+            FluidSolverSettings settings = Settings(FluidMethodKind.Standard);
+            FluidParticle[] pool = ParticleSets.Lattice(new Vector3Int(16, 8, 16), Spacing, 0f, 1);
+            for (int i = 0; i < pool.Length; i++) pool[i].Position.y -= 0.2f;
+            Vector3 size = 0.2f * Vector3.one, place = 0.2f * Vector3.right, middle = 0.2f * Vector3.down;
+            TriangleMesh cube = TriangleMesh.Box(Matrix4x4.Scale(size));
+            pool = pool.Where(p => !new Bounds(middle + place, 1.2f * size).Contains(p.Position) && !new Bounds(middle - place, 1.2f * size).Contains(p.Position)).ToArray();
+            using (var solver = new FluidSolver(settings, shaders, pool))
+            using (var obstacles = new FluidObstacles(solver.Settings))
+            {
+                float mass = 8f, inertia = mass / 6f * 0.04f;
+                int light = obstacles.AddFloating(cube, middle + place, Quaternion.identity, 0.4f * mass, 0.4f * inertia * Vector3.one);
+                int heavy = obstacles.AddFloating(cube, middle - place, Quaternion.identity, 4f * mass, Vector3.zero);
+                Assert.That(obstacles.ReadPoseNow(light, out _), Is.EqualTo(middle + place));
+                for (int frame = 0; frame < 12; frame++)
+                {
+                    if (frame == 6) obstacles.Push(heavy, 5f * Vector3.up, Vector3.up);
+                    obstacles.Update(Matrix4x4.identity);
+                    solver.SetObstacles(obstacles);
+                    GpuTest.Run(cmd => solver.RecordSteps(cmd, 8, 1f / 480f));
+                    if (frame == 5)
+                    {
+                        Assert.That(obstacles.ReadPoseNow(light, out _).y, Is.GreaterThan(middle.y + 0.002f));
+                        Assert.That(obstacles.ReadPoseNow(heavy, out _).y, Is.LessThan(middle.y - 0.01f));
+                    }
+                }
+                Assert.That(obstacles.ReadPoseNow(heavy, out Quaternion turned).y, Is.GreaterThan(middle.y + 0.1f), "pushed up");
+                Assert.That(Quaternion.Angle(turned, Quaternion.identity), Is.LessThan(1e-3f), "it has no inertia given, so it does not turn");
+            }
+        }
+
+        [Test]
+        public void WhatCannotFloatIsRefusedWithACure()
+        {
+            TriangleMesh cube = TriangleMesh.Box(Matrix4x4.identity);
+            using (var obstacles = new FluidObstacles(Settings(FluidMethodKind.Standard)))
+            using (var thesis = new FluidObstacles(Settings(FluidMethodKind.Thesis)))
+            {
+                int Add(FluidObstacles to, float mass, float inertia) => to.AddFloating(cube, Vector3.zero, Quaternion.identity, mass, inertia * Vector3.one);
+                Assert.That(() => Add(thesis, 1f, 1f), Throws.TypeOf<NotSupportedException>().With.Message.Contains("Standard"));
+                Assert.That(() => Add(obstacles, 0f, 1f), Throws.TypeOf<ArgumentOutOfRangeException>());
+                Assert.That(() => Add(obstacles, float.NaN, 1f), Throws.TypeOf<ArgumentOutOfRangeException>());
+                Assert.That(() => Add(obstacles, 1f, -1f), Throws.TypeOf<ArgumentOutOfRangeException>());
+                int fixedMesh = obstacles.Add(cube, Matrix4x4.identity), floating = Add(obstacles, 1f, 1f);
+                Assert.That(() => obstacles.Push(fixedMesh, Vector3.up, Vector3.zero), Throws.TypeOf<ArgumentOutOfRangeException>().With.Message.Contains("AddFloating"));
+                Assert.That(() => obstacles.MoveTo(floating, Matrix4x4.identity), Throws.InvalidOperationException.With.Message.Contains("Push"));
+            }
+        }
+
+        [Test]
         public void WhatIsClearedHoldsNothing()
         {
             using (var obstacles = new FluidObstacles(Settings(FluidMethodKind.Standard)))

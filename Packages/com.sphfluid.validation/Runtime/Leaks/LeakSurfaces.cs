@@ -1,0 +1,91 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using UnityEngine;
+
+namespace SphFluid.Validation
+{
+    /// <summary>The surfaces of a scene, by the same steps to the solver as colliders of a simulation, and who gets through them.</summary>
+    sealed class LeakSurfaces : IDisposable
+    {
+        readonly LeakScene scene;
+        readonly FluidObstacles obstacles;
+        readonly List<LeakSurface> surfaces = new List<LeakSurface>();
+        readonly List<LeakDetector> detectors = new List<LeakDetector>();
+        LeakPose[] poses, ends;
+
+        public LeakSurfaces(LeakScene scene)
+        {
+            this.scene = scene;
+            obstacles = new FluidObstacles(scene.Settings);
+            foreach (LeakBody body in scene.Bodies)
+            {
+                surfaces.Add(new LeakSurface(body, obstacles));
+                detectors.Add(LeakDetector.Of(body, scene.Settings.PeriodLength));
+            }
+            poses = ends = scene.Bodies.Select(b => b.PoseAt(0)).ToArray();
+        }
+
+        /// <summary>Times a surface went too far in a frame to be followed, since the start.</summary>
+        public int Jumps => obstacles.Jumps;
+
+        /// <summary>Whether who got through is seen after every step only.</summary>
+        public bool NeedsSteps => detectors.Any(d => d.NeedsSteps);
+
+        /// <summary>Where the first surface is.</summary>
+        public LeakPose Pose => poses[0];
+
+        /// <summary>Puts all where they start.</summary>
+        public void GiveTo(FluidSolver solver)
+        {
+            Put(poses, 0);
+            solver.SetObstacles(obstacles);
+        }
+
+        /// <summary>Before the steps of a frame, or of a part of it.</summary>
+        /// <param name="frame">Number of the frame, from 1.</param>
+        /// <param name="look">Which part, from 1.</param>
+        /// <param name="looks">How many parts.</param>
+        public void Move(int frame, int look, int looks)
+        {
+            if (look == 1)
+            {
+                foreach (LeakSurface surface in surfaces) surface.Push(frame);
+            }
+            LeakPose[] goals = scene.Bodies.Select(b => b.PoseAt(frame)).ToArray();
+            LeakPose[] starts = scene.Bodies.Select(b => b.PoseAt(frame - 1)).ToArray();
+            ends = starts.Zip(goals, (a, b) => LeakPose.Between(a, b, look / (float)looks)).ToArray();
+            if (scene.Solid) Put(ends, frame);
+        }
+
+        /// <summary>Looks at the liquid after steps.</summary>
+        /// <param name="places">Places of the particles by id [m].</param>
+        /// <param name="frame">Number of the frame.</param>
+        public void Look(Vector3[] places, int frame)
+        {
+            poses = surfaces.Select((s, i) => s.Where(ends[i])).ToArray();
+            for (int i = 0; i < detectors.Count; i++)
+            {
+                LeakPose pose = poses[i];
+                if (scene.Bodies[i].Shape != null) detectors[i].Reshape(scene.Bodies[i].Shape(frame));
+                detectors[i].Look(Array.ConvertAll(places, p => pose.ToSurface(p)));
+            }
+        }
+
+        /// <summary>Particles that got through any surface.</summary>
+        public int CountEscapes() => Enumerable.Range(0, scene.Particles.Length).Count(i => detectors.Any(d => d.HasEscaped(i)));
+
+        /// <inheritdoc/>
+        public void Dispose()
+        {
+            foreach (LeakSurface surface in surfaces) surface.Dispose();
+            obstacles.Dispose();
+        }
+
+        void Put(LeakPose[] at, int frame)
+        {
+            for (int i = 0; i < surfaces.Count; i++) surfaces[i].MoveTo(at[i], scene.Bodies[i].Shape?.Invoke(frame));
+            obstacles.Update(Matrix4x4.identity);
+        }
+    }
+}
