@@ -19,16 +19,17 @@ namespace SphFluid
         }
 
         [SerializeField, Tooltip("What is read. Wetness: 1 within the liquid, 0.5 at its surface, 0 outside. Speed in m/s. Pressure in Pa. Level: height of the surface " +
-            "above this object along its up axis, in metres. Fill Level: part of a box about this object that holds liquid, 0 to 1.")]
+            "above this object along its up axis, in metres. Fill Level: part of a box about this object that holds liquid, 0 to 1. Flow: what goes through a rectangle " +
+            "about this object along its forward axis, in m³/s.")]
         FluidSensorKind kind = FluidSensorKind.Wetness;
 
         [SerializeField, Min(0f), Tooltip("How far above this object, along its up axis, the level is looked for, in metres. Level only.")]
         float length = 1f;
 
-        [SerializeField, Tooltip("Edge lengths of the box along this object's axes, in metres. Fill Level only.")]
+        [SerializeField, Tooltip("Edge lengths of the box along this object's axes, in metres, or of the rectangle along the first two. Fill Level and Flow only.")]
         Vector3 size = new Vector3(0.2f, 0.2f, 0.2f);
 
-        [SerializeField, Min(0f), Tooltip("Time over which the reading is averaged, in simulated seconds. 0: not at all. Pressure needs about 0.1.")]
+        [SerializeField, Min(0f), Tooltip("Time over which the reading is averaged, in simulated seconds. 0: not at all. Pressure needs about 0.1, Flow about 0.5.")]
         float averagingTime;
 
         [SerializeField, Tooltip("The events tell when the reading crosses this, in the unit of the reading.")]
@@ -46,7 +47,8 @@ namespace SphFluid
         [SerializeField, Tooltip("Raised with the reading when it has fallen below the threshold.")]
         ReadingEvent fellBelow = new ReadingEvent();
 
-        FluidQuery box;
+        FluidQuery shape; // the box or the rectangle
+        double flowed, flowedTime; // at the answer before; NaN: none
         readonly List<FluidQuery> queries = new List<FluidQuery>();
         readonly List<float> densities = new List<float>();
         SensorSwitch state;
@@ -61,7 +63,10 @@ namespace SphFluid
         /// <summary>How far above this object, along its up axis, the level is looked for [m]; 0 or more.</summary>
         public float Length { get => length; set => length = value > 0f ? value : 0f; }
 
-        /// <summary>Edge lengths of the box along this object's axes [m], <see cref="FluidSensorKind.FillLevel"/> only; without three positive ones there is no reading.</summary>
+        /// <summary>
+        /// Edge lengths of the box of <see cref="FluidSensorKind.FillLevel"/> along this object's axes [m], or of the rectangle of <see cref="FluidSensorKind.Flow"/>
+        /// along the first two; without positive ones there is no reading.
+        /// </summary>
         public Vector3 Size { get => size; set => size = value; }
 
         /// <summary>Time constant of the mean [simulated s]; 0: none.</summary>
@@ -103,10 +108,12 @@ namespace SphFluid
                 Forget();
                 return;
             }
-            if (kind == FluidSensorKind.FillLevel)
+            if (kind == FluidSensorKind.FillLevel || kind == FluidSensorKind.Flow)
             {
-                PlaceBox();
-                if (read.Queries.Answer != answer && read.Queries.TryGetBox(box, out FluidBoxResult held)) Take(held.Fill);
+                PlaceShape();
+                if (read.Queries.Answer == answer) return;
+                if (read.Queries.TryGetBox(shape, out FluidBoxResult held)) Take(held.Fill);
+                if (read.Queries.TryGetPatch(shape, out FluidPatchResult passed)) TakeFlow(passed.Particles * Math.Pow(read.Solver.Settings.Spacing, 3.0));
                 return;
             }
             SensorLine line = Line();
@@ -122,7 +129,8 @@ namespace SphFluid
             {
                 Vector3 place = transform.position + transform.up;
                 float sum = place.x + place.y + place.z;
-                bool holds = kind != FluidSensorKind.FillLevel || AffineMath.IsFinite(size) && size.x > 0f && size.y > 0f && size.z > 0f;
+                bool isOpen = AffineMath.IsFinite(size) && size.x > 0f && size.y > 0f;
+                bool holds = kind == FluidSensorKind.FillLevel ? isOpen && size.z > 0f : kind != FluidSensorKind.Flow || isOpen;
                 return holds && !float.IsNaN(sum) && !float.IsInfinity(sum);
             }
         }
@@ -131,9 +139,9 @@ namespace SphFluid
         {
             if (read is object)
                 foreach (FluidQuery query in queries) read.Queries.Remove(query);
-            if (read is object) read.Queries.Remove(box);
+            if (read is object) read.Queries.Remove(shape);
             queries.Clear();
-            box = default;
+            shape = default;
             read = owner;
             known = kind;
             Forget();
@@ -144,6 +152,7 @@ namespace SphFluid
             HasValue = false;
             Value = 0f;
             answer = 0;
+            flowed = double.NaN;
             state.Reset();
         }
 
@@ -172,11 +181,23 @@ namespace SphFluid
             }
         }
 
-        void PlaceBox()
+        void PlaceShape()
         {
             FluidQueries all = read.Queries;
-            if (box.Equals(default)) box = all.AddBox(transform.position, size, transform.rotation);
-            else all.Move(box, transform.position, size, transform.rotation);
+            Vector3 place = transform.position;
+            Quaternion turn = transform.rotation;
+            bool isNew = shape.Equals(default), isBox = kind == FluidSensorKind.FillLevel;
+            if (isNew) shape = isBox ? all.AddBox(place, size, turn) : all.AddPatch(place, (Vector2)size, turn);
+            else if (isBox) all.Move(shape, place, size, turn);
+            else all.Move(shape, place, (Vector2)size, turn);
+        }
+
+        void TakeFlow(double volume)
+        {
+            double time = read.Queries.AnsweredTime, before = flowed, passed = time - flowedTime;
+            if (passed <= 0.0 && !double.IsNaN(before)) return;
+            (flowed, flowedTime) = (volume, time);
+            if (!double.IsNaN(before)) Take((float)((volume - before) / passed));
         }
 
         void Take(in SensorLine line)

@@ -13,15 +13,13 @@ namespace SphFluid
     /// </summary>
     public sealed class FluidQueries : IDisposable
     {
-        const int Readbacks = 4, MostUnderWay = 3, FirstPoints = 1024, FirstOthers = 16;
+        const int Readbacks = 4, MostUnderWay = 3;
 
         readonly Object owner;
         readonly Action<FluidMessage> report;
-        readonly QuerySlots points = new QuerySlots(QueryKind.Point, 1, FirstPoints);
-        readonly QuerySlots rays = new QuerySlots(QueryKind.Ray, AnswerRaysPass.Words, FirstOthers);
-        readonly QuerySlots boxes = new QuerySlots(QueryKind.Box, AnswerBoxesPass.Words, FirstOthers);
+        readonly QuerySet asked = new QuerySet();
+        readonly int[] ranges = new int[Enum.GetValues(typeof(QueryKind)).Length + 1];
         readonly QueryReadback[] readbacks = new QueryReadback[Readbacks];
-        uint lastGeneration;
         bool disposed;
         FluidSolver solver;
         QueryPasses passes;
@@ -43,10 +41,10 @@ namespace SphFluid
         public event Action<FluidQueries> Received;
 
         /// <summary>Number of requests.</summary>
-        public int Count => points.Count + rays.Count + boxes.Count;
+        public int Count => asked.Count;
 
         /// <summary>GPU memory [bytes].</summary>
-        public long GpuBytes => GpuBuffers.Size(results) + points.GpuBytes + rays.GpuBytes + boxes.GpuBytes + (passes?.GpuBytes ?? 0);
+        public long GpuBytes => GpuBuffers.Size(results) + asked.GpuBytes + (passes?.GpuBytes ?? 0);
 
         /// <summary>Frames since the state that the present answers are of; -1 while there are none.</summary>
         public int AgeInFrames => current == null ? -1 : Time.frameCount - current.Frame;
@@ -70,8 +68,8 @@ namespace SphFluid
         public FluidQuery AddPoint(Vector3 world)
         {
             Check(world, nameof(world));
-            FluidQuery query = points.Add(NextGeneration());
-            points.Set(query, world);
+            FluidQuery query = asked.Add(QueryKind.Point);
+            asked[QueryKind.Point].Set(query, world);
             return query;
         }
 
@@ -84,9 +82,8 @@ namespace SphFluid
         public FluidQuery AddRay(Vector3 origin, Vector3 direction, float length)
         {
             QueryWord second = Ray(origin, direction, length);
-            FluidQuery query = rays.Add(NextGeneration());
-            rays.Set(query, origin);
-            rays.Set(query, 1, second);
+            FluidQuery query = asked.Add(QueryKind.Ray);
+            Set(query, origin, second);
             return query;
         }
 
@@ -99,8 +96,35 @@ namespace SphFluid
         public FluidQuery AddBox(Vector3 centre, Vector3 size, Quaternion rotation)
         {
             Check(centre, size, rotation);
-            FluidQuery query = boxes.Add(NextGeneration());
+            FluidQuery query = asked.Add(QueryKind.Box);
             SetBox(query, centre, size, rotation);
+            return query;
+        }
+
+        /// <summary>Asks for the particle of the liquid that is nearest to a place. Each request costs a look at every particle.</summary>
+        /// <param name="world">World position [m].</param>
+        /// <param name="distance">How far to look [m].</param>
+        /// <returns>The request.</returns>
+        /// <exception cref="ArgumentException">The position is not finite, or the distance is not positive.</exception>
+        public FluidQuery AddNearest(Vector3 world, float distance)
+        {
+            QueryWord second = Reach(world, distance);
+            FluidQuery query = asked.Add(QueryKind.Nearest);
+            Set(query, world, second);
+            return query;
+        }
+
+        /// <summary>Asks how much liquid goes through a rectangle from now on.</summary>
+        /// <param name="centre">World position of its centre [m].</param>
+        /// <param name="size">Edge lengths along its x and y axes [m].</param>
+        /// <param name="rotation">World rotation; what goes along its forward axis counts as forward.</param>
+        /// <returns>The request.</returns>
+        /// <exception cref="ArgumentException">A number is not finite, or an edge length is not positive.</exception>
+        public FluidQuery AddPatch(Vector3 centre, Vector2 size, Quaternion rotation)
+        {
+            Check(centre, size, rotation);
+            FluidQuery query = asked.Add(QueryKind.Patch);
+            SetEdges(query, centre, size, rotation);
             return query;
         }
 
@@ -111,8 +135,8 @@ namespace SphFluid
         public void Move(FluidQuery query, Vector3 world)
         {
             Check(world, nameof(world));
-            Require(points, query, "point");
-            points.Set(query, world);
+            asked.Require(query, QueryKind.Point);
+            asked[QueryKind.Point].Set(query, world);
         }
 
         /// <summary>Asks along another ray from now on. Until the answer of that one arrives, that of the last one stays.</summary>
@@ -124,9 +148,8 @@ namespace SphFluid
         public void Move(FluidQuery query, Vector3 origin, Vector3 direction, float length)
         {
             QueryWord second = Ray(origin, direction, length);
-            Require(rays, query, "ray");
-            rays.Set(query, origin);
-            rays.Set(query, 1, second);
+            asked.Require(query, QueryKind.Ray);
+            Set(query, origin, second);
         }
 
         /// <summary>Asks about another box from now on. Until the answer of that one arrives, that of the last one stays.</summary>
@@ -138,35 +161,70 @@ namespace SphFluid
         public void Move(FluidQuery query, Vector3 centre, Vector3 size, Quaternion rotation)
         {
             Check(centre, size, rotation);
-            Require(boxes, query, "box");
+            asked.Require(query, QueryKind.Box);
             SetBox(query, centre, size, rotation);
+        }
+
+        /// <summary>Asks for the particle nearest to another place from now on. Until the answer of that one arrives, that of the last one stays.</summary>
+        /// <param name="query">The request of a nearest particle.</param>
+        /// <param name="world">World position [m].</param>
+        /// <param name="distance">How far to look [m].</param>
+        /// <exception cref="ArgumentException">As <see cref="AddNearest"/>, or the request was removed or is of another kind.</exception>
+        public void Move(FluidQuery query, Vector3 world, float distance)
+        {
+            QueryWord second = Reach(world, distance);
+            asked.Require(query, QueryKind.Nearest);
+            Set(query, world, second);
+        }
+
+        /// <summary>Moves a rectangle, in a straight line from its place at the last look. What it passes over on its way went through it.</summary>
+        /// <param name="query">The request of a rectangle.</param>
+        /// <param name="centre">World position of its centre [m].</param>
+        /// <param name="size">Edge lengths along its x and y axes [m].</param>
+        /// <param name="rotation">World rotation.</param>
+        /// <exception cref="ArgumentException">As <see cref="AddPatch"/>, or the request was removed or is of another kind.</exception>
+        public void Move(FluidQuery query, Vector3 centre, Vector2 size, Quaternion rotation)
+        {
+            Check(centre, size, rotation);
+            asked.Require(query, QueryKind.Patch);
+            SetEdges(query, centre, size, rotation);
         }
 
         /// <summary>Ends a request; one that is none or was removed before is left as it is.</summary>
         /// <param name="query">The request.</param>
-        public void Remove(FluidQuery query)
-        {
-            QuerySlots slots = SlotsOf(query.Kind);
-            if (slots.Has(query)) slots.Remove(query);
-        }
+        public void Remove(FluidQuery query) => asked.Remove(query);
 
         /// <summary>The latest answer to a request of a point.</summary>
         /// <param name="query">The request.</param>
         /// <param name="result">The answer, a copy.</param>
         /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not run.</returns>
-        public bool TryGet(FluidQuery query, out FluidPointResult result) => TryFind(points, query, out result) && result.Generation == query.Generation;
+        public bool TryGet(FluidQuery query, out FluidPointResult result) => TryFind(QueryKind.Point, query, out result) && result.Generation == query.Generation;
 
         /// <summary>The latest answer to a request of a ray.</summary>
         /// <param name="query">The request.</param>
         /// <param name="result">The answer, a copy.</param>
         /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not run.</returns>
-        public bool TryGetRay(FluidQuery query, out FluidRayResult result) => TryFind(rays, query, out result) && result.Generation == query.Generation;
+        public bool TryGetRay(FluidQuery query, out FluidRayResult result) => TryFind(QueryKind.Ray, query, out result) && result.Generation == query.Generation;
 
         /// <summary>The latest answer to a request of a box.</summary>
         /// <param name="query">The request.</param>
         /// <param name="result">The answer, a copy.</param>
         /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not run.</returns>
-        public bool TryGetBox(FluidQuery query, out FluidBoxResult result) => TryFind(boxes, query, out result) && result.Generation == query.Generation;
+        public bool TryGetBox(FluidQuery query, out FluidBoxResult result) => TryFind(QueryKind.Box, query, out result) && result.Generation == query.Generation;
+
+        /// <summary>The latest answer to a request of a nearest particle.</summary>
+        /// <param name="query">The request.</param>
+        /// <param name="result">The answer, a copy.</param>
+        /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not run.</returns>
+        public bool TryGetNearest(FluidQuery query, out FluidNearestResult result) =>
+            TryFind(QueryKind.Nearest, query, out result) && result.Generation == query.Generation;
+
+        /// <summary>The latest answer to a request of a rectangle.</summary>
+        /// <param name="query">The request.</param>
+        /// <param name="result">The answer, a copy.</param>
+        /// <returns>False until the first answer, for removed requests and those of other kinds, and while the liquid does not run.</returns>
+        public bool TryGetPatch(FluidQuery query, out FluidPatchResult result) =>
+            TryFind(QueryKind.Patch, query, out result) && result.Generation == query.Generation;
 
         /// <summary>Waits for the answers that are under way; for tools and tests.</summary>
         public void Complete()
@@ -196,11 +254,12 @@ namespace SphFluid
             QueryReadback readback = FreeReadback();
             if (readback == null) return;
             Reserve();
+            asked.CopyRanges(ranges);
             commands.Clear();
             liquid.RecordNeighbourSetup(commands);
-            passes.Record(commands, new QueryTarget { Solver = liquid, Position = position, Rotation = rotation, Results = results }, points, rays, boxes);
+            passes.Record(commands, new QueryTarget { Solver = liquid, Position = position, Rotation = rotation, Results = results }, asked, ranges);
             Graphics.ExecuteCommandBuffer(commands);
-            readback.Request(results, points.Used, rays.Used, boxes.Used, ++number, run, time);
+            readback.Request(results, ranges, ++number, run, time);
         }
 
         /// <summary>The liquid is gone: its answers too, and the GPU memory.</summary>
@@ -209,9 +268,7 @@ namespace SphFluid
             solver = null;
             current = null;
             run++;
-            points.Free();
-            rays.Free();
-            boxes.Free();
+            asked.Free();
             passes?.Dispose();
             passes = null;
             GpuBuffers.Dispose(ref results);
@@ -233,37 +290,58 @@ namespace SphFluid
             return new QueryWord(direction / magnitude, Mathf.Min(length, float.MaxValue));
         }
 
+        static QueryWord Reach(Vector3 world, float distance)
+        {
+            Check(world, nameof(world));
+            if (!(distance > 0f)) throw new ArgumentException($"Within {distance} m of a place is nothing. Give a positive distance.", nameof(distance));
+            return new QueryWord(Vector3.zero, Mathf.Min(distance, 1e18f));
+        }
+
+        static void Check(Vector3 centre, Vector2 size, Quaternion rotation)
+        {
+            if (!(size.x > 0f && size.y > 0f && AffineMath.IsFinite(size)))
+                throw new ArgumentException($"Nothing goes through a rectangle of {size.x} by {size.y} m. Give it two positive edge lengths.", nameof(size));
+            Check(centre, rotation);
+        }
+
         static void Check(Vector3 centre, Vector3 size, Quaternion rotation)
         {
-            Check(centre, nameof(centre));
             if (!AffineMath.IsFinite(size) || !(size.x > 0f && size.y > 0f && size.z > 0f))
                 throw new ArgumentException($"A box of {FluidMessage.Lengths(size)} m holds nothing. Give it three positive edge lengths.", nameof(size));
+            Check(centre, rotation);
+        }
+
+        static void Check(Vector3 centre, Quaternion rotation)
+        {
+            Check(centre, nameof(centre));
             float norm = rotation.x * rotation.x + rotation.y * rotation.y + rotation.z * rotation.z + rotation.w * rotation.w;
             if (!(Mathf.Abs(norm - 1f) < 1e-3f))
-                throw new ArgumentException($"The rotation {rotation} of a box is none. Give a quaternion of length 1.", nameof(rotation));
+                throw new ArgumentException($"The rotation {rotation} of a fluid query is none. Give a quaternion of length 1.", nameof(rotation));
+        }
+
+        void Set(FluidQuery query, Vector3 place, in QueryWord second)
+        {
+            QuerySlots slots = asked[query.Kind];
+            slots.Set(query, place);
+            slots.Set(query, 1, second);
         }
 
         void SetBox(FluidQuery query, Vector3 centre, Vector3 size, Quaternion rotation)
         {
-            boxes.Set(query, centre);
-            boxes.Set(query, 1, new QueryWord(rotation * Vector3.right, 0.5f * size.x));
-            boxes.Set(query, 2, new QueryWord(rotation * Vector3.up, 0.5f * size.y));
-            boxes.Set(query, 3, new QueryWord(rotation * Vector3.forward, 0.5f * size.z));
+            SetEdges(query, centre, size, rotation);
+            asked[QueryKind.Box].Set(query, 3, new QueryWord(rotation * Vector3.forward, 0.5f * size.z));
         }
 
-        uint NextGeneration() => lastGeneration = Math.Max(1, unchecked(lastGeneration + 1));
-
-        QuerySlots SlotsOf(QueryKind kind) => kind == QueryKind.Point ? points : kind == QueryKind.Ray ? rays : boxes;
-
-        static void Require(QuerySlots slots, FluidQuery query, string kind)
+        void SetEdges(FluidQuery query, Vector3 centre, Vector2 size, Quaternion rotation)
         {
-            if (!slots.Has(query)) throw new ArgumentException($"The query was removed, or is no {kind}'s. Add it first.", nameof(query));
+            Set(query, centre, new QueryWord(rotation * Vector3.right, 0.5f * size.x));
+            asked[query.Kind].Set(query, 2, new QueryWord(rotation * Vector3.up, 0.5f * size.y));
         }
 
-        bool TryFind<T>(QuerySlots slots, FluidQuery query, out T result) where T : struct
+        bool TryFind<T>(QueryKind kind, FluidQuery query, out T result) where T : struct
         {
             result = default;
-            return current != null && slots.Has(query) && current.TryGet(query.Kind, query.Index, out result);
+            return current != null && asked[kind].Has(query) && current.TryGet(kind, query.Index, out result);
         }
 
         // A liquid whose device or shaders cannot answer is not asked again; the next start is.
@@ -299,10 +377,8 @@ namespace SphFluid
         void Reserve()
         {
             RetiredBuffers retired = solver.State.Retired;
-            points.Upload(retired);
-            rays.Upload(retired);
-            boxes.Upload(retired);
-            int capacity = points.Capacity + rays.Capacity + boxes.Capacity;
+            asked.Upload(retired);
+            int capacity = asked.Capacity;
             if (results != null && results.count >= capacity) return;
             if (results != null) retired.Add(results);
             results = GpuBuffers.Create("Fluid Query Results", capacity, QueryReadback.Stride);

@@ -6,5 +6,7 @@ namespace SphFluid
         Point,
         Ray,
         Box,
+        Nearest,
+        Patch,
     }
 }

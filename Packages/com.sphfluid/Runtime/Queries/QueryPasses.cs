@@ -10,6 +10,9 @@ namespace SphFluid
         readonly AnswerPointsPass points;
         readonly AnswerRaysPass rays;
         readonly AnswerBoxesPass boxes;
+        readonly AnswerNearestPass nearest;
+        readonly AnswerPatchesPass patches;
+        readonly PatchSums flows = new PatchSums();
         GraphicsBuffer boxSums;
 
         /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
@@ -18,27 +21,61 @@ namespace SphFluid
             points = new AnswerPointsPass(shaders);
             rays = new AnswerRaysPass(shaders);
             boxes = new AnswerBoxesPass(shaders);
+            nearest = new AnswerNearestPass(shaders);
+            patches = new AnswerPatchesPass(shaders);
         }
 
         /// <summary>Bytes of GPU memory.</summary>
-        public long GpuBytes => GpuBuffers.Size(boxSums);
+        public long GpuBytes => GpuBuffers.Size(boxSums) + flows.GpuBytes;
 
-        /// <summary>Records the answers: of points first, then of rays, then of boxes.</summary>
-        public void Record(CommandBuffer cmd, in QueryTarget target, QuerySlots asked, QuerySlots askedRays, QuerySlots askedBoxes)
+        /// <summary>Records the answers, kind after kind.</summary>
+        /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
+        /// <param name="target">The liquid and the answers.</param>
+        /// <param name="asked">The requests.</param>
+        /// <param name="firsts">Where the answers of each kind begin.</param>
+        public void Record(CommandBuffer cmd, in QueryTarget target, QuerySet asked, int[] firsts)
         {
-            if (asked.Used > 0) points.Record(cmd, target, asked.Buffer, asked.Used, 0);
-            if (askedRays.Used > 0) rays.Record(cmd, target, askedRays.Buffer, askedRays.Used, asked.Used);
-            if (askedBoxes.Used == 0) return;
-            int sums = AnswerBoxesPass.Sums * askedBoxes.Capacity;
-            if (boxSums == null || boxSums.count < sums)
+            RetiredBuffers retired = target.Solver.State.Retired;
+            for (QueryKind kind = 0; (int)kind < firsts.Length - 1; kind++)
             {
-                if (boxSums != null) target.Solver.State.Retired.Add(boxSums);
-                boxSums = GpuBuffers.Create("Fluid Box Sums", sums, sizeof(uint));
-                boxSums.SetData(new uint[sums]);
+                QuerySlots slots = asked[kind];
+                int count = slots.Used, first = firsts[(int)kind];
+                if (count == 0) continue;
+                switch (kind)
+                {
+                    case QueryKind.Point:
+                        points.Record(cmd, target, slots.Buffer, count, first);
+                        break;
+                    case QueryKind.Ray:
+                        rays.Record(cmd, target, slots.Buffer, count, first);
+                        break;
+                    case QueryKind.Box:
+                        ReserveBoxes(AnswerBoxesPass.Sums * slots.Capacity, retired);
+                        boxes.Record(cmd, target, slots.Buffer, boxSums, count, first);
+                        break;
+                    case QueryKind.Nearest:
+                        nearest.Record(cmd, target, slots.Buffer, count, first);
+                        break;
+                    case QueryKind.Patch:
+                        flows.Reserve(slots.Capacity, target.Solver.ParticleCount, retired);
+                        patches.Record(cmd, target, slots.Buffer, flows, count, first);
+                        break;
+                }
             }
-            boxes.Record(cmd, target, askedBoxes.Buffer, boxSums, askedBoxes.Used, asked.Used + askedRays.Used);
         }
 
-        public void Dispose() => GpuBuffers.Dispose(ref boxSums);
+        public void Dispose()
+        {
+            GpuBuffers.Dispose(ref boxSums);
+            flows.Dispose();
+        }
+
+        void ReserveBoxes(int sums, RetiredBuffers retired)
+        {
+            if (boxSums != null && boxSums.count >= sums) return;
+            if (boxSums != null) retired.Add(boxSums);
+            boxSums = GpuBuffers.Create("Fluid Box Sums", sums, sizeof(uint));
+            boxSums.SetData(new uint[sums]);
+        }
     }
 }

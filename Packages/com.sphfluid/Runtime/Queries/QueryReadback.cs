@@ -21,7 +21,8 @@ namespace SphFluid
         readonly Action<AsyncGPUReadbackRequest> received;
         AsyncGPUReadbackRequest request;
         NativeArray<Answer> values;
-        int late, pointCount, rayCount, boxCount;
+        readonly int[] firsts = new int[Enum.GetValues(typeof(QueryKind)).Length + 1];
+        int late;
 
         public QueryReadback(Action<QueryReadback> arrived)
         {
@@ -36,7 +37,7 @@ namespace SphFluid
         public int Frame { get; private set; }
         public double Time { get; private set; }
 
-        public void Request(GraphicsBuffer results, int points, int rays, int boxes, long number, int run, double time)
+        public void Request(GraphicsBuffer results, int[] ranges, long number, int run, double time)
         {
             int capacity = results.count;
             if (!values.IsCreated || values.Length != capacity)
@@ -44,10 +45,10 @@ namespace SphFluid
                 Free();
                 values = new NativeArray<Answer>(capacity, Allocator.Persistent);
             }
-            (pointCount, rayCount, boxCount) = (points, rays, boxes);
+            Array.Copy(ranges, firsts, firsts.Length);
             (Number, Run, Frame, Time) = (number, run, UnityEngine.Time.frameCount, time);
             UnderWay = true;
-            request = AsyncGPUReadback.RequestIntoNativeArray(ref values, results, Stride * (points + rays + boxes), 0, received);
+            request = AsyncGPUReadback.RequestIntoNativeArray(ref values, results, Stride * firsts[firsts.Length - 1], 0, received);
         }
 
         /// <summary>The answers of a kind, without a copy.</summary>
@@ -94,8 +95,7 @@ namespace SphFluid
             if (!failed) arrived(this);
         }
 
-        (int first, int count) Range(QueryKind kind) =>
-            kind == QueryKind.Point ? (0, pointCount) : kind == QueryKind.Ray ? (pointCount, rayCount) : (pointCount + rayCount, boxCount);
+        (int first, int count) Range(QueryKind kind) => (firsts[(int)kind], firsts[(int)kind + 1] - firsts[(int)kind]);
 
         void Free()
         {

@@ -206,6 +206,80 @@ namespace SphFluid.Tests
             Assert.That(queries.Count, Is.Zero);
         }
 
+        [UnityTest]
+        public IEnumerator TheNearestParticleAndTheFlowThroughRectanglesAreAnswered()
+        {
+            FluidSimulation simulation = rig.Create(position: new Vector3(2f, 1f, 0f));
+            yield return null;
+            simulation.StartSimulation();
+            FluidQueries queries = simulation.Queries;
+            Quaternion down = Quaternion.LookRotation(Vector3.down, Vector3.forward);
+            FluidQuery near = queries.AddNearest(new Vector3(2f, 1.3f, 0f), 0.25f), far = queries.AddNearest(new Vector3(2f, 1.3f, 0f), 0.1f);
+            // The block of 64 particles falls through the first and not beside it.
+            FluidQuery below = queries.AddPatch(new Vector3(2f, 0.87f, 0f), new Vector2(0.4f, 0.4f), down);
+            FluidQuery turned = queries.AddPatch(new Vector3(2f, 0.87f, 0f), new Vector2(0.4f, 0.4f), Quaternion.Inverse(down));
+            FluidQuery beside = queries.AddPatch(new Vector3(2.3f, 0.87f, 0f), new Vector2(0.15f, 0.4f), down);
+            for (int i = 0; i < 3; i++) yield return null;
+            queries.Complete();
+            Assert.That(queries.TryGetNearest(near, out FluidNearestResult found) && found.IsFound);
+            Assert.That(found.Distance, Is.EqualTo(0.23f).Within(0.03f));
+            Assert.That((found.Place - new Vector3(2f, 1.3f, 0f)).magnitude, Is.EqualTo(found.Distance).Within(1e-5f));
+            Assert.That(found.Velocity.y, Is.Negative);
+            Assert.That(queries.TryGetNearest(far, out found) && !found.IsFound);
+            Assert.That(queries.TryGet(near, out _) || queries.TryGetPatch(near, out _) || queries.TryGetNearest(below, out _), Is.False, "another kind");
+            for (int i = 0; i < 40; i++) yield return null;
+            queries.Complete();
+            Assert.That(queries.TryGetPatch(below, out FluidPatchResult passed));
+            Assert.That(passed.Particles, Is.EqualTo(64).Within(16));
+            Assert.That(passed.Volume, Is.EqualTo(passed.Particles * Mathf.Pow(SimulationRig.Spacing, 3f)).Within(1e-6f));
+            Assert.That(queries.TryGetPatch(turned, out FluidPatchResult back));
+            Assert.That((back.Particles, back.Forward), Is.EqualTo((-passed.Particles, passed.Backward)));
+            Assert.That(queries.TryGetPatch(beside, out FluidPatchResult none) && none.Particles == 0);
+
+            // What a rectangle passes over went through it.
+            queries.Move(turned, new Vector3(2f, 1.15f, 0f), new Vector2(0.4f, 0.4f), Quaternion.Inverse(down));
+            queries.Move(near, new Vector3(2f, 0.8f, 0f), 1f);
+            queries.Remove(below);
+            for (int i = 0; i < 3; i++) yield return null;
+            queries.Complete();
+            Assert.That(queries.TryGetPatch(turned, out back) && Math.Abs(back.Particles + 64) <= 2, $"{back.Particles}");
+            Assert.That(queries.TryGetNearest(near, out found) && found.IsFound);
+            Assert.That(queries.TryGetPatch(below, out _), Is.False);
+        }
+
+        [UnityTest]
+        public IEnumerator NearestAndRectanglesThatAreNoneAreRefused()
+        {
+            FluidQueries queries = rig.Create().Queries;
+            yield return null;
+            Assert.That(() => queries.AddNearest(Vector3.zero, 0f), Throws.ArgumentException.With.Message.Contains("positive distance"));
+            Assert.That(() => queries.AddNearest(new Vector3(0f, float.NaN, 0f), 1f), Throws.ArgumentException.With.Message.Contains("finite"));
+            Assert.That(() => queries.AddPatch(Vector3.zero, new Vector2(1f, 0f), Quaternion.identity), Throws.ArgumentException.With.Message.Contains("edge lengths"));
+            Assert.That(() => queries.AddPatch(Vector3.zero, Vector2.one, default), Throws.ArgumentException.With.Message.Contains("rotation"));
+            FluidQuery point = queries.AddPoint(Vector3.zero);
+            Assert.That(() => queries.Move(point, Vector3.zero, 1f), Throws.ArgumentException.With.Message.Contains("no nearest particle's"));
+            Assert.That(() => queries.Move(point, Vector3.zero, Vector2.one, Quaternion.identity), Throws.ArgumentException.With.Message.Contains("no rectangle's"));
+        }
+
+        [UnityTest]
+        public IEnumerator LiquidOfTheThesisMethodAnswersToo()
+        {
+            FluidSimulation simulation = rig.Create();
+            simulation.Method = FluidMethodKind.Thesis;
+            yield return null;
+            simulation.StartSimulation();
+            FluidQueries queries = simulation.Queries;
+            FluidQuery point = queries.AddPoint(Vector3.zero), ray = queries.AddRay(0.19f * Vector3.up, Vector3.down, 1f), near = queries.AddNearest(Vector3.zero, 1f);
+            FluidQuery box = queries.AddBox(Vector3.zero, 0.4f * Vector3.one, Quaternion.identity), patch = queries.AddPatch(Vector3.zero, 0.4f * Vector2.one, Quaternion.LookRotation(Vector3.down, Vector3.forward));
+            for (int i = 0; i < 6; i++) yield return null;
+            queries.Complete();
+            Assert.That(queries.TryGet(point, out FluidPointResult inside) && inside.IsWet);
+            Assert.That(queries.TryGetRay(ray, out FluidRayResult hit) && hit.IsHit);
+            Assert.That(queries.TryGetNearest(near, out FluidNearestResult nearest) && nearest.IsFound);
+            Assert.That(queries.TryGetBox(box, out FluidBoxResult all) && all.Particles == 64, $"{all.Particles}");
+            Assert.That(queries.TryGetPatch(patch, out _));
+        }
+
         // What a command buffer and a read-back take belongs to the engine, and does not depend on the number of points.
         [UnityTest]
         public IEnumerator AskingTenThousandPointsAFrameMakesNoMoreGarbageThanAskingTen()

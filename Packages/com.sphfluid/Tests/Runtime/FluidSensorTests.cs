@@ -104,6 +104,33 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator TheFlowIsTheVolumeASecondThroughARectangle()
+        {
+            FluidSimulation simulation = rig.Create();
+            FluidSensor sensor = Sensor(FluidSensorKind.Flow, 0.13f * Vector3.down);
+            sensor.transform.rotation = Quaternion.LookRotation(Vector3.down, Vector3.forward);
+            sensor.Size = new Vector3(0.4f, 0.4f, 0f);
+            sensor.Threshold = 0.01f;
+            sensor.Hysteresis = 0.01f;
+            int rose = 0;
+            sensor.RoseAbove.AddListener(_ => rose++);
+            yield return Play(simulation, 7);
+            Assert.That((sensor.HasValue, sensor.Value), Is.EqualTo((true, 0f)), "nothing has come so far");
+            double volume = 0.0, before = sensor.AnsweredTime;
+            for (int frame = 0; frame < 40; frame++)
+            {
+                yield return null;
+                if (sensor.AnsweredTime > before) volume += sensor.Value * (sensor.AnsweredTime - before);
+                before = sensor.AnsweredTime;
+            }
+            Assert.That(volume, Is.EqualTo(0.008).Within(0.002), "the block fell through");
+            Assert.That(rose, Is.Positive);
+            sensor.Size = Vector3.zero;
+            yield return Play(simulation, 2);
+            Assert.That(sensor.HasValue, Is.False);
+        }
+
+        [UnityTest]
         public IEnumerator SpeedIsThatOfTheFallAndIsAveraged()
         {
             FluidSimulation simulation = rig.Create();

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Asks a liquid that does not move, from a domain that is turned and elsewhere.</summary>
+    /// <summary>Asks a liquid that moves only by steps of a test, from a domain that is turned and elsewhere.</summary>
     internal sealed class QueryRig : IDisposable
     {
         public static readonly Vector3 Place = new Vector3(3f, -2f, 1f);
@@ -19,6 +19,8 @@ namespace SphFluid.Tests
         }
 
         public FluidShaderSet Shaders { get; }
+
+        public FluidSolver Solver => solver;
 
         public static Vector3 World(Vector3 place) => Place + Turn * place;
 

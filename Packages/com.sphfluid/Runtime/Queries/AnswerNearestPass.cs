@@ -1,0 +1,38 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Answers which particle is nearest to places in the world.</summary>
+    internal sealed class AnswerNearestPass : ComputePass
+    {
+        public const int Words = 2;
+
+        const int GroupThreads = 256;
+
+        static readonly int ParticleCount = Id("_ParticleCount");
+
+        readonly ComputeKernel kernel;
+
+        public AnswerNearestPass(FluidShaderSet shaders)
+            : base(shaders, "AnswerNearest")
+        {
+            kernel = Kernel();
+        }
+
+        /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
+        /// <param name="target">The liquid and the answers.</param>
+        /// <param name="queries">Two words a place: world position [m] and generation, and nothing and how far to look [m].</param>
+        /// <param name="count">Number of places.</param>
+        /// <param name="first">Of their answers.</param>
+        public void Record(CommandBuffer cmd, in QueryTarget target, GraphicsBuffer queries, int count, int first)
+        {
+            using (Sample(cmd))
+            {
+                QueryBindings.Set(cmd, kernel, target, queries, count, first);
+                kernel.SetInt(cmd, ParticleCount, target.Solver.ParticleCount);
+                kernel.DispatchThreads(cmd, GroupThreads * count);
+            }
+        }
+    }
+}
