@@ -82,6 +82,7 @@ namespace SphFluid.Editor
             Gizmos.DrawLine(new Vector3(0f, 0f, arrow), new Vector3(-0.15f * arrow, 0f, 0.75f * arrow));
             if (spec.UnderWater) DrawPipe(emitter, spec);
             if (spec.Shape == FluidEmitterShape.Disc) DrawEllipse(0.5f * spec.Size);
+            else if (spec.Shape == FluidEmitterShape.Mesh && spec.Mesh != null) Gizmos.DrawWireMesh(spec.Mesh, Vector3.zero, Quaternion.identity, spec.Scale);
             else Gizmos.DrawWireCube(Vector3.zero, new Vector3(spec.Size.x, spec.Shape == FluidEmitterShape.Line ? 0f : spec.Size.y, 0f));
         }
 

@@ -14,8 +14,11 @@ namespace SphFluid
         [SerializeField, Tooltip("Outline of the nozzle, across this transform's forward axis.")]
         FluidEmitterShape shape;
 
-        [SerializeField, Tooltip("Edge lengths of the nozzle along this transform's x and y axes, in metres where its scale is one. Of a line only the first counts.")]
+        [SerializeField, Tooltip("Edge lengths of the nozzle along this transform's x and y axes, in metres where its scale is one. Of a line only the first counts, of a mesh none.")]
         Vector2 size = new Vector2(0.1f, 0.1f);
+
+        [SerializeField, Tooltip("Mesh of the nozzle, readable: liquid leaves from its front as seen along this transform's forward axis. Shape Mesh only.")]
+        Mesh mesh;
 
         [SerializeField, Tooltip("Whether the speed at the nozzle is given, or the volume a second.")]
         FluidEmitterFlow flow;
@@ -48,6 +51,9 @@ namespace SphFluid
 
         /// <summary>Edge lengths of the nozzle in this transform's space [m at unit scale].</summary>
         public Vector2 Size { get => size; set => size = value; }
+
+        /// <summary>Mesh of the nozzle, where <see cref="Shape"/> is <see cref="FluidEmitterShape.Mesh"/>, in this transform's space.</summary>
+        public Mesh Mesh { get => mesh; set => mesh = value; }
 
         /// <summary>What settles the flow: <see cref="Speed"/> or <see cref="VolumeRate"/>.</summary>
         public FluidEmitterFlow Flow { get => flow; set => flow = value; }
@@ -105,6 +111,8 @@ namespace SphFluid
                     Rotation = transform.rotation,
                     Shape = shape,
                     Size = new Vector2(size.x * Mathf.Abs(scale.x), size.y * Mathf.Abs(scale.y)),
+                    Mesh = mesh,
+                    Scale = scale,
                     Flow = flow,
                     Lifetime = lifetime,
                     UnderWater = underWater,

@@ -10,6 +10,7 @@ namespace SphFluid
     {
         EmitterSpec shape;
         EmitterSites sites;
+        EmitterOutline outline; // null of other shapes than a mesh
         double next = double.NegativeInfinity;
         Vector3 position;
         Quaternion rotation;
@@ -38,10 +39,11 @@ namespace SphFluid
             Vector3 newPosition = spec.WorldToLocal.MultiplyPoint3x4(emitter.Position);
             Quaternion newRotation = Quaternion.Inverse(spec.Rotation) * emitter.Rotation;
             if (!hasPose) (position, rotation, hasPose) = (newPosition, newRotation, true);
-            if (sites == null || !IsSame(emitter, shape))
+            if (sites == null || !IsSame(emitter, shape) || !HasOutline(emitter, spec.Spacing))
             {
                 sites = EmitterSites.For(emitter, spec.Spacing);
                 shape = emitter;
+                outline = Outline(emitter, spec.Spacing);
             }
 
             EmitterState state = emitter.State;
@@ -56,7 +58,7 @@ namespace SphFluid
                 Vector3 centre = Vector3.Lerp(position, newPosition, part);
                 Vector3 velocity = turn * new Vector3(0f, 0f, speed) + carried;
                 uint first = births.NextId;
-                foreach (Vector2 place in sites.Places) births.Add(centre + turn * (Vector3)place, velocity, next, Source, emitter.UnderWater);
+                foreach (Vector3 place in sites.Places) births.Add(centre + turn * place, velocity, next, Source, emitter.UnderWater);
                 if (emitter.Lifetime > 0f) lifetimes.Add(first, unchecked(births.NextId - first), next + emitter.Lifetime);
                 double period = sites.LayerDistance / speed;
                 next += period;
@@ -88,6 +90,11 @@ namespace SphFluid
             rotation = reader.Read<Quaternion>(),
             hasPose = reader.Read<bool>(),
         };
+
+        bool HasOutline(in EmitterSpec emitter, float spacing) => ReferenceEquals(outline, Outline(emitter, spacing));
+
+        static EmitterOutline Outline(in EmitterSpec emitter, float spacing) =>
+            emitter.Shape == FluidEmitterShape.Mesh ? EmitterOutline.Of(emitter, spacing) : null;
 
         static bool IsSame(in EmitterSpec a, in EmitterSpec b) => a.Shape == b.Shape && a.Size.Equals(b.Size);
     }

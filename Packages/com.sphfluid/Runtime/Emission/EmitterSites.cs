@@ -13,14 +13,14 @@ namespace SphFluid
         // A nozzle of more is a mistake in its size.
         public const int Most = 1 << 16;
 
-        EmitterSites(Vector2[] places, double layerDistance)
+        EmitterSites(Vector3[] places, double layerDistance)
         {
             Places = places;
             LayerDistance = layerDistance;
         }
 
-        /// <summary>The places [m], across the emitter's forward axis.</summary>
-        public Vector2[] Places { get; }
+        /// <summary>The places in the emitter's space [m]: across its forward axis, and of a mesh also ahead of it.</summary>
+        public Vector3[] Places { get; }
 
         /// <summary>Distance of layers [m]: dx (n dx²)/A.</summary>
         public double LayerDistance { get; }
@@ -29,6 +29,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">The nozzle needs more than <see cref="Most"/>.</exception>
         public static EmitterSites For(in EmitterSpec emitter, float spacing)
         {
+            if (emitter.Shape == FluidEmitterShape.Mesh) return new EmitterSites(EmitterOutline.Of(emitter, spacing).Places, spacing);
             double area = emitter.Area(spacing), cell = (double)spacing * spacing;
             double needed = Math.Max(1.0, Math.Ceiling(area / cell - 1e-3));
             if (!(needed <= Most))
@@ -42,7 +43,7 @@ namespace SphFluid
                 best = places;
                 bestDepth = depth;
             }
-            return new EmitterSites(best, spacing * (needed * cell / area));
+            return new EmitterSites(Array.ConvertAll(best, p => (Vector3)p), spacing * (needed * cell / area));
         }
 
         static Vector2[] Deepest(in EmitterSpec emitter, float spacing, Vector2 offset, int count, out double least)

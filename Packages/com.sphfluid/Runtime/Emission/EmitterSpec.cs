@@ -22,6 +22,12 @@ namespace SphFluid
         /// <summary>Edge lengths of the nozzle [m].</summary>
         public Vector2 Size;
 
+        /// <summary>The nozzle's mesh, of <see cref="FluidEmitterShape.Mesh"/>.</summary>
+        public Mesh Mesh;
+
+        /// <summary>Scale of the mesh along the emitter's axes.</summary>
+        public Vector3 Scale;
+
         public FluidEmitterFlow Flow;
 
         /// <summary>Speed [m/s] or volume rate [m³/s], by <see cref="Flow"/>.</summary>
@@ -38,11 +44,17 @@ namespace SphFluid
         {
             FluidEmitterShape.Disc => System.Math.PI / 4.0 * Size.x * Size.y,
             FluidEmitterShape.Line => (double)Size.x * spacing,
+            FluidEmitterShape.Mesh => EmitterOutline.Of(this, spacing).Places.Length * ((double)spacing * spacing),
             _ => (double)Size.x * Size.y,
         };
 
         /// <summary>Speed at the nozzle [m/s].</summary>
-        public readonly double Speed(float spacing) => Flow == FluidEmitterFlow.Speed ? Amount : Amount / Area(spacing);
+        public readonly double Speed(float spacing)
+        {
+            if (Flow == FluidEmitterFlow.Speed) return Amount;
+            double area = Area(spacing);
+            return area > 0.0 ? Amount / area : 0.0;
+        }
 
         /// <summary>The owner's name.</summary>
         public readonly string Name => Owner.name;
@@ -62,6 +74,9 @@ namespace SphFluid
 
         /// <summary>Its pipe, where it was needed last.</summary>
         public EmitterPipe Pipe;
+
+        /// <summary>What is seen of its mesh, where it was needed last.</summary>
+        public EmitterOutline Outline;
 
         /// <summary>Velocity of the nozzle in the last frame with steps, simulation space [m/s].</summary>
         public Vector3 Carried;

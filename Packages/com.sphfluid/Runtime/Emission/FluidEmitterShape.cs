@@ -11,6 +11,9 @@ namespace SphFluid
 
         /// <summary>A slit: as long as Size along the x axis, and one particle spacing high.</summary>
         Line,
+
+        /// <summary>What is seen of a mesh from ahead: liquid leaves from its front, along the emitter's forward axis.</summary>
+        Mesh,
     }
 
     /// <summary>What settles how much an emitter gives.</summary>

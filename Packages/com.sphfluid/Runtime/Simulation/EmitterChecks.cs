@@ -16,7 +16,11 @@ namespace SphFluid
         /// <param name="soundSpeed">Its speed of sound [m/s]; infinite where it is not known yet.</param>
         public static FluidMessage? Check(in EmitterSpec emitter, in FluidSpec spec, double soundSpeed)
         {
-            if (!AffineMath.IsFinite(emitter.Size.x) || !AffineMath.IsFinite(emitter.Size.y) || !(emitter.Size.x > 0f && emitter.Size.y > 0f))
+            if (emitter.Shape == FluidEmitterShape.Mesh)
+            {
+                if (CheckMesh(emitter, spec.Spacing) is FluidMessage wrong) return wrong;
+            }
+            else if (!AffineMath.IsFinite(emitter.Size.x) || !AffineMath.IsFinite(emitter.Size.y) || !(emitter.Size.x > 0f && emitter.Size.y > 0f))
                 return Wrong(emitter, FormattableString.Invariant($"The nozzle's size is {emitter.Size.x} x {emitter.Size.y} m."), "Give Size two numbers greater than zero.");
             if (!AffineMath.IsFinite(emitter.Amount) || emitter.Amount < 0f)
                 return Wrong(emitter, FormattableString.Invariant($"The emitter's flow is {emitter.Amount}."), "Give its speed or volume rate zero or a greater number.");
@@ -67,6 +71,19 @@ namespace SphFluid
                         $"The emitter is inside the collider of '{collision.Solids[covering].Name}': its liquid begins in there and is squeezed.",
                         "Move the emitter to the opening, or take the collider's layer out of Collider Layers."));
             }
+        }
+
+        static FluidMessage? CheckMesh(in EmitterSpec emitter, float spacing)
+        {
+            if (emitter.Mesh == null) return Wrong(emitter, "The emitter's nozzle has the shape of a mesh, but it has no mesh.", "Assign a mesh, or choose another Shape.");
+            if (!emitter.Mesh.isReadable)
+                return Wrong(emitter, $"The mesh '{emitter.Mesh.name}' of the emitter's nozzle is not readable.", "Tick Read/Write in the mesh's import settings.");
+            if (emitter.UnderWater)
+                return Wrong(emitter, "A nozzle of the shape of a mesh has no pipe to pump through under water.", "Switch Under Water off, or choose another Shape.");
+            if (EmitterOutline.Of(emitter, spacing).Places.Length == 0)
+                return Wrong(emitter, FormattableString.Invariant($"The mesh '{emitter.Mesh.name}', seen along the emitter's forward axis, has no place for a particle at a spacing of {spacing} m, or for too many."),
+                    "Turn or scale the emitter, so that the mesh is at least a spacing and at most a few hundred wide.");
+            return null;
         }
 
         static FluidMessage Wrong(in EmitterSpec emitter, string text, string cure) =>

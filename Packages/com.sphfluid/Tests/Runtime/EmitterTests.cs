@@ -43,6 +43,36 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator ANozzleOfAMeshPoursItsVolumeAtRestDensity()
+        {
+            FluidSimulation simulation = Tank(false);
+            FluidEmitter emitter = Nozzle(simulation, new Vector3(0.03f, -0.3f, -0.01f), new Vector3(0.2f, 1f, 0.1f), 0.13f, 1.3f);
+            emitter.Shape = FluidEmitterShape.Mesh;
+            TriangleMesh ball = TestMeshes.Sphere(0.5f, 0.005f);
+            var mesh = new Mesh { name = "ball", vertices = ball.Vertices, triangles = ball.Indices };
+            emitter.Mesh = mesh;
+            emitter.transform.localScale = 0.2f * Vector3.one;
+            float longest = 0f;
+            for (int frame = 0; frame < 20; frame++)
+            {
+                yield return null;
+                if (!simulation.IsRunning) continue;
+                float[] density = GpuTest.Read<float>(simulation.Solver.Density, SimulationRig.Read(simulation).Length);
+                if (density.Length > 0) longest = Mathf.Max(longest, density.Max());
+            }
+            FluidParticle[] jet = SimulationRig.Read(simulation);
+            int sites = EmitterSites.For(emitter.Spec, Spacing).Places.Length;
+            Assert.That(sites, Is.GreaterThan(30));
+            double volume = jet.Length * System.Math.Pow(Spacing, 3), expected = emitter.Spec.Area(Spacing) * 1.3 * simulation.SimulatedTime;
+            Assert.That(volume, Is.EqualTo(expected).Within(1.01 * sites * System.Math.Pow(Spacing, 3)), "one layer");
+            Assert.That(longest, Is.LessThan(1010f), "largest density");
+            Assert.That(Nearest(jet), Is.GreaterThan(0.9f * Spacing));
+            Assert.That(simulation.Solver.ReadCountersNow().Blocked, Is.Zero);
+            emitter.enabled = false;
+            Object.DestroyImmediate(mesh);
+        }
+
+        [UnityTest]
         public IEnumerator AFreeJetHasTheDensityTheSpeedAndTheVolumeOfItsNozzle()
         {
             FluidSimulation simulation = Tank(false);

@@ -36,7 +36,7 @@ namespace SphFluid.Tests
             Assert.That(sites.Places.Length * System.Math.Pow(Spacing, 3) / sites.LayerDistance, Is.EqualTo(area).Within(1e-4).Percent);
             for (int i = 0; i < sites.Places.Length; i++)
             {
-                Vector2 place = sites.Places[i];
+                Vector3 place = sites.Places[i];
                 Assert.That(Mathf.Abs(place.x), Is.LessThanOrEqualTo(0.5f * width + 0.5f * Spacing), "no place is farther out than half a spacing");
                 if (shape != FluidEmitterShape.Line) Assert.That(Mathf.Abs(place.y), Is.LessThanOrEqualTo(0.5f * height + 0.5f * Spacing));
                 for (int k = 0; k < i; k++) Assert.That((place - sites.Places[k]).magnitude, Is.GreaterThan(0.999f * Spacing));
