@@ -12,6 +12,9 @@ namespace SphFluid
         // Of a step's displacement or turn: what rounding, and PhysX's way of turning, leave.
         const float Unexplained = 0.01f;
 
+        // Of a velocity, and of 1 m/s or 1 rad/s: what the rounding of a frame's physics steps leaves. Handed on, it would make the liquid depend on what PhysX is given.
+        const float Rounding = 4e-6f;
+
         // Over the support radius: farther in a step is no push, the body was put elsewhere.
         const float Elsewhere = 4f;
 
@@ -80,13 +83,14 @@ namespace SphFluid
         {
             bool wasKnown = isKnown;
             Sample(space);
-            Body.Mass = RigidbodyMass.Of(rigidbody, space.ToSimulation);
+            FloatingMass mass = RigidbodyMass.Of(rigidbody, space.ToSimulation);
+            if (!mass.IsNear(Body.Mass)) Body.Mass = mass;
             Look(space); // as the colliders are seen: interpolated, where it is
             Body.Velocity = last.Velocity;
             Body.AngularVelocity = last.AngularVelocity;
             if (!wasKnown) Restart();
             else if (refused.Displacement.magnitude > Elsewhere * reach) Restart();
-            else Body.Push(last.Velocity - expectedVelocity, last.AngularVelocity - expectedAngularVelocity,
+            else Body.Push(Others(last.Velocity, expectedVelocity), Others(last.AngularVelocity, expectedAngularVelocity),
                 refused.Displacement, refused.Rotation);
             refused = default;
             expectedVelocity = last.Velocity;
@@ -180,6 +184,13 @@ namespace SphFluid
             now.Velocity -= shift.Left;
             last = now;
             isKnown = true;
+        }
+
+        // What others changed.
+        static Vector3 Others(Vector3 found, Vector3 expected)
+        {
+            Vector3 change = found - expected;
+            return change.magnitude > Rounding * (1f + expected.magnitude) ? change : Vector3.zero;
         }
 
         // As PhysX damps.
