@@ -122,11 +122,11 @@ namespace SphFluid.Tests
             floor.AddComponent<BoxCollider>().size = new Vector3(2f, 0.2f, 2f);
             floor.transform.position = new Vector3(0f, -0.5f * simulation.DomainSize.y - 0.06f, 0f); // its top 4 cm above the domain's
             Rigidbody crate = AddCrate(2f, 0f, 0f);
-            yield return Play(1.5f);
+            yield return Play(2f);
             float top = floor.transform.position.y + 0.1f;
             float gap = (OnTheGpu().Centre - crate.worldCenterOfMass).magnitude;
             Assert.That(crate.position.y - 0.5f * Crate.y, Is.InRange(top - 0.003f, top + 0.5f * Spacing), "on the floor, or on a film of water that cannot get away");
-            Assert.That(gap, Is.LessThan(0.006f));
+            Assert.That(gap, Is.LessThan(0.003f));
         }
 
         [UnityTest]
