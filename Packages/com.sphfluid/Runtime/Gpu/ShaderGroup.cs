@@ -37,7 +37,7 @@ namespace SphFluid
 
         /// <summary>Queries of scripts.</summary>
         public static readonly ShaderGroup Queries = new ShaderGroup("the queries", "Shaders/Queries",
-            groupThreads: 256, buffers: 8, writableBuffers: 3, groupMemory: 3072, vertexBuffers: 0,
+            groupThreads: 256, buffers: 8, writableBuffers: 4, groupMemory: 3072, vertexBuffers: 0,
             "AnswerPoints", "AnswerRays", "AnswerBoxes", "AnswerNearest", "AnswerPatches");
 
         public ShaderGroup(string part, string folder, int groupThreads, int buffers, int writableBuffers, int groupMemory, int vertexBuffers,
