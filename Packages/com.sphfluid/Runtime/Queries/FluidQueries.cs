@@ -67,7 +67,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">The position is not finite.</exception>
         public FluidQuery AddPoint(Vector3 world)
         {
-            Check(world, nameof(world));
+            QueryRules.Check(world, nameof(world));
             FluidQuery query = asked.Add(QueryKind.Point);
             asked[QueryKind.Point].Set(query, world);
             return query;
@@ -81,7 +81,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">A number is not finite, the direction is 0, or the length is not positive.</exception>
         public FluidQuery AddRay(Vector3 origin, Vector3 direction, float length)
         {
-            QueryWord second = Ray(origin, direction, length);
+            QueryWord second = QueryRules.Ray(origin, direction, length);
             FluidQuery query = asked.Add(QueryKind.Ray);
             Set(query, origin, second);
             return query;
@@ -95,7 +95,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">A number is not finite, or an edge length is not positive.</exception>
         public FluidQuery AddBox(Vector3 centre, Vector3 size, Quaternion rotation)
         {
-            Check(centre, size, rotation);
+            QueryRules.Check(centre, size, rotation);
             FluidQuery query = asked.Add(QueryKind.Box);
             SetBox(query, centre, size, rotation);
             return query;
@@ -108,7 +108,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">The position is not finite, or the distance is not positive.</exception>
         public FluidQuery AddNearest(Vector3 world, float distance)
         {
-            QueryWord second = Reach(world, distance);
+            QueryWord second = QueryRules.Reach(world, distance);
             FluidQuery query = asked.Add(QueryKind.Nearest);
             Set(query, world, second);
             return query;
@@ -122,7 +122,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">A number is not finite, or an edge length is not positive.</exception>
         public FluidQuery AddPatch(Vector3 centre, Vector2 size, Quaternion rotation)
         {
-            Check(centre, size, rotation);
+            QueryRules.Check(centre, size, rotation);
             FluidQuery query = asked.Add(QueryKind.Patch);
             SetEdges(query, centre, size, rotation);
             return query;
@@ -134,7 +134,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">The position is not finite, or the request was removed or is of another kind.</exception>
         public void Move(FluidQuery query, Vector3 world)
         {
-            Check(world, nameof(world));
+            QueryRules.Check(world, nameof(world));
             asked.Require(query, QueryKind.Point);
             asked[QueryKind.Point].Set(query, world);
         }
@@ -147,7 +147,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">As <see cref="AddRay"/>, or the request was removed or is of another kind.</exception>
         public void Move(FluidQuery query, Vector3 origin, Vector3 direction, float length)
         {
-            QueryWord second = Ray(origin, direction, length);
+            QueryWord second = QueryRules.Ray(origin, direction, length);
             asked.Require(query, QueryKind.Ray);
             Set(query, origin, second);
         }
@@ -160,7 +160,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">As <see cref="AddBox"/>, or the request was removed or is of another kind.</exception>
         public void Move(FluidQuery query, Vector3 centre, Vector3 size, Quaternion rotation)
         {
-            Check(centre, size, rotation);
+            QueryRules.Check(centre, size, rotation);
             asked.Require(query, QueryKind.Box);
             SetBox(query, centre, size, rotation);
         }
@@ -172,7 +172,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">As <see cref="AddNearest"/>, or the request was removed or is of another kind.</exception>
         public void Move(FluidQuery query, Vector3 world, float distance)
         {
-            QueryWord second = Reach(world, distance);
+            QueryWord second = QueryRules.Reach(world, distance);
             asked.Require(query, QueryKind.Nearest);
             Set(query, world, second);
         }
@@ -185,7 +185,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">As <see cref="AddPatch"/>, or the request was removed or is of another kind.</exception>
         public void Move(FluidQuery query, Vector3 centre, Vector2 size, Quaternion rotation)
         {
-            Check(centre, size, rotation);
+            QueryRules.Check(centre, size, rotation);
             asked.Require(query, QueryKind.Patch);
             SetEdges(query, centre, size, rotation);
         }
@@ -272,51 +272,6 @@ namespace SphFluid
             passes?.Dispose();
             passes = null;
             GpuBuffers.Dispose(ref results);
-        }
-
-        static void Check(Vector3 world, string name)
-        {
-            if (!AffineMath.IsFinite(world))
-                throw new ArgumentException($"The position {world} of a fluid query is not finite. Give a position in metres.", name);
-        }
-
-        static QueryWord Ray(Vector3 origin, Vector3 direction, float length)
-        {
-            Check(origin, nameof(origin));
-            float magnitude = direction.magnitude;
-            if (!AffineMath.IsFinite(magnitude) || magnitude == 0f)
-                throw new ArgumentException($"The direction {direction} of a ray has no finite length above 0. Give another.", nameof(direction));
-            if (!(length > 0f)) throw new ArgumentException($"A ray of {length} m finds nothing. Give it a positive length.", nameof(length));
-            return new QueryWord(direction / magnitude, Mathf.Min(length, float.MaxValue));
-        }
-
-        static QueryWord Reach(Vector3 world, float distance)
-        {
-            Check(world, nameof(world));
-            if (!(distance > 0f)) throw new ArgumentException($"Within {distance} m of a place is nothing. Give a positive distance.", nameof(distance));
-            return new QueryWord(Vector3.zero, Mathf.Min(distance, 1e18f));
-        }
-
-        static void Check(Vector3 centre, Vector2 size, Quaternion rotation)
-        {
-            if (!(size.x > 0f && size.y > 0f && AffineMath.IsFinite(size)))
-                throw new ArgumentException($"Nothing goes through a rectangle of {size.x} by {size.y} m. Give it two positive edge lengths.", nameof(size));
-            Check(centre, rotation);
-        }
-
-        static void Check(Vector3 centre, Vector3 size, Quaternion rotation)
-        {
-            if (!AffineMath.IsFinite(size) || !(size.x > 0f && size.y > 0f && size.z > 0f))
-                throw new ArgumentException($"A box of {FluidMessage.Lengths(size)} m holds nothing. Give it three positive edge lengths.", nameof(size));
-            Check(centre, rotation);
-        }
-
-        static void Check(Vector3 centre, Quaternion rotation)
-        {
-            Check(centre, nameof(centre));
-            float norm = rotation.x * rotation.x + rotation.y * rotation.y + rotation.z * rotation.z + rotation.w * rotation.w;
-            if (!(Mathf.Abs(norm - 1f) < 1e-3f))
-                throw new ArgumentException($"The rotation {rotation} of a fluid query is none. Give a quaternion of length 1.", nameof(rotation));
         }
 
         void Set(FluidQuery query, Vector3 place, in QueryWord second)

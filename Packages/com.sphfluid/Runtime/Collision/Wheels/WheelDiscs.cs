@@ -84,10 +84,12 @@ namespace SphFluid
         static float WidthOf(WheelCollider wheel, IColliderSettings settings) =>
             settings != null && settings.WheelWidth > 0f ? settings.WheelWidth : DefaultAspect * RadiusOf(wheel);
 
-        // The axle is the pose's x axis.
+        // The axle is the pose's x axis. Without a Rigidbody Unity's physics has no wheel: it is at the collider's centre.
         static Matrix4x4 PoseOf(WheelCollider wheel)
         {
-            wheel.GetWorldPose(out Vector3 position, out Quaternion rotation);
+            Vector3 position = wheel.transform.TransformPoint(wheel.center);
+            Quaternion rotation = wheel.transform.rotation;
+            if (wheel.attachedRigidbody != null) wheel.GetWorldPose(out position, out rotation);
             return Matrix4x4.TRS(position, rotation, Vector3.one);
         }
 

@@ -24,6 +24,7 @@ namespace SphFluid.Tests
         {
             scene = new CollisionScene();
             car = new GameObject("Car") { hideFlags = HideFlags.HideAndDontSave };
+            car.AddComponent<Rigidbody>().isKinematic = true;
             settings = car.AddComponent<FluidCollider>();
             settings.WheelColliders = true;
             var holder = new GameObject("Front Left") { hideFlags = HideFlags.HideAndDontSave };
@@ -76,6 +77,15 @@ namespace SphFluid.Tests
             Assert.That(corners.Where(c => Radius(c) > 1e-4f).Max(c => Math.Abs(Radius(c) - 0.3f)), Is.LessThan(1e-5f));
             Assert.That(mesh.IsClosed, Is.True);
             Assert.That(TestMeshes.Volume(mesh), Is.EqualTo(Math.PI * 0.09 * expected).Within(2).Percent);
+        }
+
+        [Test]
+        public void WithoutARigidbodyItIsAtTheCollidersCentre()
+        {
+            Object.DestroyImmediate(car.GetComponent<Rigidbody>());
+            wheel.center = new Vector3(0.1f, 0.2f, 0f);
+            Gather();
+            Assert.That((Found().Mesh.Bounds.center - new Vector3(0f, 0.2f, 0.1f)).magnitude, Is.LessThan(0.005f), "in a domain that is turned by 90°");
         }
 
         [Test]
