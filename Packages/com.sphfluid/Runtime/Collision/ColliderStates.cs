@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>The states of colliders, and what has to be kept of those whose triangles are not told by the collider alone.</summary>
+    /// <summary>The states of colliders, and what has to be kept of those whose triangles do not follow from the collider alone.</summary>
     internal sealed class ColliderStates
     {
         /// <summary>What is read of terrains.</summary>

@@ -177,7 +177,7 @@ namespace SphFluid
             Set(query, world, second);
         }
 
-        /// <summary>Moves a rectangle, in a straight line from its place at the last look. What it passes over on its way went through it.</summary>
+        /// <summary>Moves a rectangle, in a straight line from its place at the last look. What it passes over meanwhile went through it.</summary>
         /// <param name="query">The request of a rectangle.</param>
         /// <param name="centre">World position of its centre [m].</param>
         /// <param name="size">Edge lengths along its x and y axes [m].</param>
