@@ -83,7 +83,7 @@ namespace SphFluid.Validation
             for (int side = 0; side < 2; side++)
             {
                 Vector3 along = side == 0 ? Vector3.left : Vector3.right;
-                scene.Bodies[side].Surface = Corners(TriangleMesh.Box(Matrix4x4.Scale(new Vector3(thick, 18f * Dx, 12f * Dx))));
+                scene.Bodies[side].Surface = LeakMeshes.Corners(TriangleMesh.Box(Matrix4x4.Scale(new Vector3(thick, 18f * Dx, 12f * Dx))));
                 scene.Bodies[side].Motion = frame =>
                 {
                     double way = speed * frame / LeakScene.FrameRate % (2.0 * stroke);
@@ -98,7 +98,7 @@ namespace SphFluid.Validation
         static void Float(LeakBody body, LeakScene scene, Vector3 place, float ratio, double speed, int seed)
         {
             Vector3 size = new Vector3(11f, 8f, 9f) * Dx;
-            body.Surface = Corners(TriangleMesh.Box(Matrix4x4.Scale(size)));
+            body.Surface = LeakMeshes.Corners(TriangleMesh.Box(Matrix4x4.Scale(size)));
             body.Mass = ratio * scene.Settings.RestDensity * size.x * size.y * size.z;
             body.Inertia = body.Mass / 12f * new Vector3(size.y * size.y + size.z * size.z, size.z * size.z + size.x * size.x, size.x * size.x + size.y * size.y);
             body.Motion = _ => new LeakPose(place, Quaternion.Euler(10f, 20f * seed, 5f));
@@ -153,7 +153,5 @@ namespace SphFluid.Validation
             Vector3 Snapped(Vector3 v) => step * new Vector3(Mathf.Round(v.x / step), Mathf.Round(v.y / step), Mathf.Round(v.z / step));
             return turns.SelectMany(t => top.Select(v => Snapped(t * v))).ToArray();
         }
-
-        static Vector3[] Corners(TriangleMesh mesh) => mesh.Indices.Select(i => mesh.Vertices[i]).ToArray();
     }
 }

@@ -37,6 +37,9 @@ namespace SphFluid.Validation
             return (lid ? cup.Concat(Disc(radius, height, sides, true)) : cup).ToArray();
         }
 
+        /// <summary>The corners of a mesh.</summary>
+        public static Vector3[] Corners(TriangleMesh mesh) => mesh.Indices.Select(i => mesh.Vertices[i]).ToArray();
+
         /// <summary>A level sheet through all lines of x and z [m].</summary>
         public static Vector3[] Sheet(IReadOnlyList<float> x, IReadOnlyList<float> z, float height)
         {

@@ -34,7 +34,7 @@ namespace SphFluid.Validation
         /// <summary>The run; it yields after each frame of the scene.</summary>
         public IEnumerator Run()
         {
-            FluidParticle[] state = Look(0), earlier = state;
+            FluidParticle[] state = Look(), earlier = state;
             double start = Energy(state), highest = start, fastest = 0.0;
             for (int frame = 1; frame <= scene.Frames; frame++)
             {
@@ -45,7 +45,7 @@ namespace SphFluid.Validation
                     surfaces.Move(frame, look, looks);
                     int steps = stepsPerFrame / looks;
                     GpuWork.Submit("Leak Scene", cmd => solver.RecordSteps(cmd, steps, 1f / (LeakScene.FrameRate * stepsPerFrame)));
-                    state = Look(frame);
+                    state = Look();
                     fastest = Math.Max(fastest, solver.ReadCountersNow().MaxSpeed);
                 }
                 highest = Math.Max(highest, Energy(state));
@@ -96,13 +96,13 @@ namespace SphFluid.Validation
         static Vector3[] Places(FluidParticle[] state) => Array.ConvertAll(state, p => p.Position);
 
         // The particles by id, after the detectors have seen them.
-        FluidParticle[] Look(int frame)
+        FluidParticle[] Look()
         {
             GpuWork.Submit("Leak Look", cmd => solver.RecordNeighbourSetup(cmd));
             var particles = new FluidParticle[solver.ParticleCount];
             solver.Particles.GetData(particles);
             Array.Sort(particles, (a, b) => a.Id.CompareTo(b.Id));
-            surfaces.Look(Places(particles), frame);
+            surfaces.Look(Places(particles));
             return particles;
         }
     }

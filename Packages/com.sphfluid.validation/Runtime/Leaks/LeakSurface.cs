@@ -9,7 +9,6 @@ namespace SphFluid.Validation
     {
         readonly LeakBody body;
         readonly FluidObstacles obstacles;
-        readonly TriangleMesh triangles;
         readonly int[] cornerOf; // of each vertex of the mesh
         readonly int floating; // its number
         readonly GameObject parent, holder;
@@ -21,7 +20,7 @@ namespace SphFluid.Validation
         {
             this.body = body;
             this.obstacles = obstacles;
-            triangles = body.Mesh;
+            TriangleMesh triangles = body.Mesh;
             cornerOf = new int[triangles.Vertices.Length];
             for (int k = triangles.Indices.Length - 1; k >= 0; k--) cornerOf[triangles.Indices[k]] = k;
             LeakPose start = body.PoseAt(0);
@@ -41,7 +40,7 @@ namespace SphFluid.Validation
             obstacles.Add(collider);
         }
 
-        /// <summary>Puts the surface where the next steps are to take it, and pushes what floats.</summary>
+        /// <summary>Puts the surface where the next steps are to take it.</summary>
         /// <param name="pose">Where it is then; of no effect on what floats.</param>
         /// <param name="corners">Its corners then, three a triangle, in its own space [m]; null: as they are.</param>
         public void MoveTo(LeakPose pose, Vector3[] corners)

@@ -13,6 +13,7 @@ namespace SphFluid.Validation
         readonly List<LeakSurface> surfaces = new List<LeakSurface>();
         readonly List<LeakDetector> detectors = new List<LeakDetector>();
         LeakPose[] poses, ends;
+        Vector3[][] shapes; // at the end of the frame; null of surfaces that keep theirs
 
         public LeakSurfaces(LeakScene scene)
         {
@@ -24,6 +25,7 @@ namespace SphFluid.Validation
                 detectors.Add(LeakDetector.Of(body, scene.Settings.PeriodLength));
             }
             poses = ends = scene.Bodies.Select(b => b.PoseAt(0)).ToArray();
+            shapes = ShapesAt(0);
         }
 
         /// <summary>Times a surface went too far in a frame to be followed, since the start.</summary>
@@ -38,7 +40,7 @@ namespace SphFluid.Validation
         /// <summary>Puts all where they start.</summary>
         public void GiveTo(FluidSolver solver)
         {
-            Put(poses, 0);
+            Put();
             solver.SetObstacles(obstacles);
         }
 
@@ -55,19 +57,19 @@ namespace SphFluid.Validation
             LeakPose[] goals = scene.Bodies.Select(b => b.PoseAt(frame)).ToArray();
             LeakPose[] starts = scene.Bodies.Select(b => b.PoseAt(frame - 1)).ToArray();
             ends = starts.Zip(goals, (a, b) => LeakPose.Between(a, b, look / (float)looks)).ToArray();
-            if (scene.Solid) Put(ends, frame);
+            if (look == 1) shapes = ShapesAt(frame);
+            if (scene.Solid) Put();
         }
 
         /// <summary>Looks at the liquid after steps.</summary>
         /// <param name="places">Places of the particles by id [m].</param>
-        /// <param name="frame">Number of the frame.</param>
-        public void Look(Vector3[] places, int frame)
+        public void Look(Vector3[] places)
         {
             poses = surfaces.Select((s, i) => s.Where(ends[i])).ToArray();
             for (int i = 0; i < detectors.Count; i++)
             {
                 LeakPose pose = poses[i];
-                if (scene.Bodies[i].Shape != null) detectors[i].Reshape(scene.Bodies[i].Shape(frame));
+                if (shapes[i] != null) detectors[i].Reshape(shapes[i]);
                 detectors[i].Look(Array.ConvertAll(places, p => pose.ToSurface(p)));
             }
         }
@@ -82,9 +84,11 @@ namespace SphFluid.Validation
             obstacles.Dispose();
         }
 
-        void Put(LeakPose[] at, int frame)
+        Vector3[][] ShapesAt(int frame) => scene.Bodies.Select(b => b.Shape?.Invoke(frame)).ToArray();
+
+        void Put()
         {
-            for (int i = 0; i < surfaces.Count; i++) surfaces[i].MoveTo(at[i], scene.Bodies[i].Shape?.Invoke(frame));
+            for (int i = 0; i < surfaces.Count; i++) surfaces[i].MoveTo(ends[i], shapes[i]);
             obstacles.Update(Matrix4x4.identity);
         }
     }

@@ -119,10 +119,6 @@ namespace SphFluid.Validation
             return CaseLattice.Particles(CaseLattice.Box(new Vector3Int(count, count, count), Dx, -0.5f * count * Dx * Vector3.one).ToList());
         }
 
-        static Vector3[] Cube(float half)
-        {
-            TriangleMesh box = TriangleMesh.Box(Matrix4x4.Scale(2f * half * Vector3.one));
-            return box.Indices.Select(i => box.Vertices[i]).ToArray();
-        }
+        static Vector3[] Cube(float half) => LeakMeshes.Corners(TriangleMesh.Box(Matrix4x4.Scale(2f * half * Vector3.one)));
     }
 }

@@ -139,8 +139,9 @@ namespace SphFluid
         /// <exception cref="InvalidOperationException">The mesh floats.</exception>
         public void MoveTo(int mesh, in Matrix4x4 pose)
         {
-            if (EntryOf(mesh).Body != null) throw new InvalidOperationException("The liquid moves this mesh. Call Push, or Add it instead of AddFloating.");
-            EntryOf(mesh).Pose = pose;
+            Entry entry = EntryOf(mesh);
+            if (entry.Body != null) throw new InvalidOperationException("The liquid moves this mesh. Call Push, or Add it instead of AddFloating.");
+            entry.Pose = pose;
         }
 
         /// <summary>Gives a mesh other corners; <see cref="Update"/> takes them over, and the next steps take them there on straight lines.</summary>

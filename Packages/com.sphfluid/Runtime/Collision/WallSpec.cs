@@ -15,5 +15,9 @@ namespace SphFluid
 
         /// <summary>Whether Wheel Colliders are walls.</summary>
         public bool Wheels;
+
+        /// <summary>Whether a part below its object is this component's, on one of the layers: the nearest one upwards counts.</summary>
+        public readonly bool Has(Component part, LayerMask layers) =>
+            (layers & (1 << part.gameObject.layer)) != 0 && ReferenceEquals(ColliderSettings.Of(part), Settings);
     }
 }

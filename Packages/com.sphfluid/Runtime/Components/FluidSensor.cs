@@ -113,7 +113,7 @@ namespace SphFluid
                 PlaceShape();
                 if (read.Queries.Answer == answer) return;
                 if (read.Queries.TryGetBox(shape, out FluidBoxResult held)) Take(held.Fill);
-                if (read.Queries.TryGetPatch(shape, out FluidPatchResult passed)) TakeFlow(passed.Particles * Math.Pow(read.Solver.Settings.Spacing, 3.0));
+                if (read.Queries.TryGetPatch(shape, out FluidPatchResult passed)) TakeFlow((double)passed.Particles * passed.ParticleVolume);
                 return;
             }
             SensorLine line = Line();

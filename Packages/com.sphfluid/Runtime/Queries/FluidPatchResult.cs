@@ -1,4 +1,5 @@
 using System.Runtime.InteropServices;
+using UnityEngine;
 
 namespace SphFluid
 {
@@ -9,21 +10,20 @@ namespace SphFluid
     [StructLayout(LayoutKind.Sequential)]
     public struct FluidPatchResult
     {
-        /// <summary>Volume that went through along the rectangle's forward axis [m³], by particles of a particle spacing cubed.</summary>
-        public float Forward;
-
-        /// <summary>Volume that went through against it [m³].</summary>
-        public float Backward;
-
         internal uint Forwards;
         internal uint Backwards;
+        internal float ParticleVolume;
         internal uint Generation;
-        internal uint Unused0;
-        internal uint Unused1;
-        internal uint Unused2;
+        internal Vector4 Unused;
+
+        /// <summary>Volume that went through along the rectangle's forward axis [m³], by particles of a particle spacing cubed.</summary>
+        public float Forward => Forwards * ParticleVolume;
+
+        /// <summary>Volume that went through against it [m³].</summary>
+        public float Backward => Backwards * ParticleVolume;
 
         /// <summary>Difference of both [m³].</summary>
-        public float Volume => Particles * (Forwards > 0 ? Forward / Forwards : Backwards > 0 ? Backward / Backwards : 0f);
+        public float Volume => Particles * ParticleVolume;
 
         /// <summary>Particles that went through along the forward axis less those that went against it.</summary>
         public int Particles => unchecked((int)(Forwards - Backwards));

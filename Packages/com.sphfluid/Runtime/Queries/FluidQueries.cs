@@ -18,7 +18,7 @@ namespace SphFluid
         readonly Object owner;
         readonly Action<FluidMessage> report;
         readonly QuerySet asked = new QuerySet();
-        readonly int[] ranges = new int[Enum.GetValues(typeof(QueryKind)).Length + 1];
+        readonly int[] ranges = new int[QuerySet.Kinds + 1];
         readonly QueryReadback[] readbacks = new QueryReadback[Readbacks];
         bool disposed;
         FluidSolver solver;

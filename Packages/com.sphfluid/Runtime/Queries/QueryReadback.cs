@@ -21,7 +21,7 @@ namespace SphFluid
         readonly Action<AsyncGPUReadbackRequest> received;
         AsyncGPUReadbackRequest request;
         NativeArray<Answer> values;
-        readonly int[] firsts = new int[Enum.GetValues(typeof(QueryKind)).Length + 1];
+        readonly int[] firsts = new int[QuerySet.Kinds + 1];
         int late;
 
         public QueryReadback(Action<QueryReadback> arrived)

@@ -10,12 +10,14 @@ namespace SphFluid
 
         static readonly string[] Names = { "point", "ray", "box", "nearest particle", "rectangle" };
 
-        readonly QuerySlots[] kinds;
+        /// <summary>Number of kinds.</summary>
+        public static readonly int Kinds = Names.Length;
+
+        readonly QuerySlots[] kinds = new QuerySlots[Kinds];
         uint lastGeneration;
 
         public QuerySet()
         {
-            kinds = new QuerySlots[Enum.GetValues(typeof(QueryKind)).Length];
             Make(QueryKind.Point, 1, FirstPoints);
             Make(QueryKind.Ray, AnswerRaysPass.Words, FirstOthers);
             Make(QueryKind.Box, AnswerBoxesPass.Words, FirstOthers);

@@ -14,7 +14,6 @@ namespace SphFluid
 
         readonly Dictionary<SkinnedMeshRenderer, Skin> skins = new Dictionary<SkinnedMeshRenderer, Skin>();
         readonly List<SkinnedMeshRenderer> found = new List<SkinnedMeshRenderer>();
-        readonly List<SkinnedMeshRenderer> gone = new List<SkinnedMeshRenderer>();
 
         /// <summary>Adds the skins near a domain.</summary>
         /// <param name="query">The domain, and who has skins.</param>
@@ -31,13 +30,13 @@ namespace SphFluid
                 spec.Owner.GetComponentsInChildren(false, found);
                 foreach (SkinnedMeshRenderer renderer in found)
                 {
-                    bool counts = renderer.enabled && renderer.sharedMesh != null && (query.Layers & (1 << renderer.gameObject.layer)) != 0;
-                    if (!counts || !renderer.bounds.Intersects(domain) || !ReferenceEquals(ColliderSettings.Of(renderer), spec.Settings)) continue;
+                    bool counts = renderer.enabled && renderer.sharedMesh != null && renderer.bounds.Intersects(domain);
+                    if (!counts || !spec.Has(renderer, query.Layers)) continue;
                     TriangleMesh mesh = Problem(renderer) == null ? SkinOf(renderer).Bake(renderer) : None;
                     states.Add(new ColliderState(renderer, mesh, spec.Settings.EffectiveFriction, worldToSimulation * renderer.transform.localToWorldMatrix));
                 }
             }
-            Forget();
+            GoneKeys.Forget(skins, skin => skin.Dispose());
         }
 
         /// <summary>Why a skin is no wall; null where it can be one.</summary>
@@ -65,18 +64,6 @@ namespace SphFluid
         {
             if (!skins.TryGetValue(renderer, out Skin skin)) skins.Add(renderer, skin = new Skin());
             return skin;
-        }
-
-        void Forget()
-        {
-            gone.Clear();
-            foreach (SkinnedMeshRenderer known in skins.Keys)
-                if (known == null) gone.Add(known);
-            foreach (SkinnedMeshRenderer known in gone)
-            {
-                skins[known].Dispose();
-                skins.Remove(known);
-            }
         }
 
         sealed class Skin : IDisposable

@@ -99,10 +99,7 @@ namespace SphFluid
 
         Patch Add(Collider collider)
         {
-            var gone = new List<Collider>();
-            foreach (Collider known in patches.Keys)
-                if (known == null) gone.Add(known);
-            foreach (Collider known in gone) patches.Remove(known);
+            GoneKeys.Forget(patches);
             var patch = new Patch();
             patches.Add(collider, patch);
             return patch;

@@ -15,7 +15,6 @@ namespace SphFluid
 #if SPHFLUID_VEHICLES
         readonly Dictionary<Collider, Disc> discs = new Dictionary<Collider, Disc>();
         readonly List<WheelCollider> found = new List<WheelCollider>();
-        readonly List<Collider> gone = new List<Collider>();
 #endif
 
         /// <summary>Whether a collider is a wheel's.</summary>
@@ -54,6 +53,7 @@ namespace SphFluid
         public void AddStates(in CollisionQuery query, List<Collider> hits, List<ColliderState> states)
         {
 #if SPHFLUID_VEHICLES
+            Matrix4x4 worldToSimulation = query.WorldToSimulation;
             for (int i = 0; i < (query.Walls?.Count ?? 0); i++)
             {
                 WallSpec spec = query.Walls[i];
@@ -61,20 +61,18 @@ namespace SphFluid
                 spec.Owner.GetComponentsInChildren(false, found);
                 foreach (WheelCollider wheel in found)
                 {
-                    bool counts = wheel.enabled && (query.Layers & (1 << wheel.gameObject.layer)) != 0;
-                    if (!counts || hits.Contains(wheel) || !ReferenceEquals(ColliderSettings.Of(wheel), spec.Settings) || !IsNear(wheel, query)) continue;
-                    states.Add(StateOf(wheel, spec.Settings, spec.Settings.EffectiveFriction, query.WorldToSimulation, query.Spacing));
+                    if (!wheel.enabled || hits.Contains(wheel) || !spec.Has(wheel, query.Layers)) continue;
+                    ColliderState state = StateOf(wheel, spec.Settings, spec.Settings.EffectiveFriction, worldToSimulation, query.Spacing);
+                    if (IsNear(state.ToSimulation.GetPosition(), RadiusOf(wheel) + WidthOf(wheel, spec.Settings), query.HalfExtents)) states.Add(state);
                 }
             }
 #endif
         }
 
 #if SPHFLUID_VEHICLES
-        static bool IsNear(WheelCollider wheel, in CollisionQuery query)
+        static bool IsNear(Vector3 centre, float reach, Vector3 half)
         {
-            Vector3 centre = query.WorldToSimulation.MultiplyPoint3x4(PoseOf(wheel).GetPosition()), half = query.HalfExtents;
             var nearest = new Vector3(Mathf.Clamp(centre.x, -half.x, half.x), Mathf.Clamp(centre.y, -half.y, half.y), Mathf.Clamp(centre.z, -half.z, half.z));
-            float reach = RadiusOf(wheel) + WidthOf(wheel, ColliderSettings.Of(wheel));
             return (centre - nearest).sqrMagnitude <= reach * reach;
         }
 
@@ -95,10 +93,7 @@ namespace SphFluid
 
         Disc Add(WheelCollider wheel)
         {
-            gone.Clear();
-            foreach (Collider known in discs.Keys)
-                if (known == null) gone.Add(known);
-            foreach (Collider known in gone) discs.Remove(known);
+            GoneKeys.Forget(discs);
             var disc = new Disc();
             discs.Add(wheel, disc);
             return disc;

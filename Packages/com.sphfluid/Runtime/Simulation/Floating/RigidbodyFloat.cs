@@ -90,7 +90,8 @@ namespace SphFluid
             Body.AngularVelocity = last.AngularVelocity;
             if (!wasKnown) Restart();
             else if (refused.Displacement.magnitude > Elsewhere * reach) Restart();
-            else Body.Push(Others(last.Velocity, expectedVelocity), Others(last.AngularVelocity, expectedAngularVelocity),
+            else Body.Push(Beyond(last.Velocity - expectedVelocity, expectedVelocity, Rounding, Rounding),
+                Beyond(last.AngularVelocity - expectedAngularVelocity, expectedAngularVelocity, Rounding, Rounding),
                 refused.Displacement, refused.Rotation);
             refused = default;
             expectedVelocity = last.Velocity;
@@ -175,8 +176,8 @@ namespace SphFluid
             if (isKnown)
             {
                 Vector3 displacement = stepLength * now.Velocity, rotation = stepLength * now.AngularVelocity;
-                refused.Displacement += Beyond(now.Pose.Centre - last.Pose.Centre - displacement, displacement);
-                refused.Rotation += Beyond(now.Pose.TurnFrom(last.Pose) - rotation, rotation);
+                refused.Displacement += Beyond(now.Pose.Centre - last.Pose.Centre - displacement, displacement, LeastCorrection, Unexplained);
+                refused.Rotation += Beyond(now.Pose.TurnFrom(last.Pose) - rotation, rotation, LeastCorrection, Unexplained);
                 if (stepLength > 0f) refused.Displacement -= stepLength * shift.End(now.Velocity);
             }
 
@@ -186,21 +187,15 @@ namespace SphFluid
             isKnown = true;
         }
 
-        // What others changed.
-        static Vector3 Others(Vector3 found, Vector3 expected)
-        {
-            Vector3 change = found - expected;
-            return change.magnitude > Rounding * (1f + expected.magnitude) ? change : Vector3.zero;
-        }
-
         // As PhysX damps.
         static float Kept(float damping, float deltaTime) => Mathf.Max(0f, 1f - damping * deltaTime);
 
         static FloatingPose Turned(in FloatingPose pose, Vector3 displacement, Vector3 rotation) => new FloatingPose(
             pose.Centre + displacement, Quaternion.AngleAxis(rotation.magnitude * Mathf.Rad2Deg, rotation.normalized) * pose.Rotation);
 
-        static Vector3 Beyond(Vector3 found, Vector3 explained) =>
-            found.magnitude > LeastCorrection + Unexplained * explained.magnitude ? found : Vector3.zero;
+        // What others did: nothing up to a least amount and a share of what is explained.
+        static Vector3 Beyond(Vector3 found, Vector3 explained, float least, float share) =>
+            found.magnitude > least + share * explained.magnitude ? found : Vector3.zero;
 
         FloatMotion MotionOf(in FloatSpace space) => new FloatMotion
         {
