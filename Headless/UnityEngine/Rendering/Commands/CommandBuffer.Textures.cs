@@ -16,12 +16,20 @@ public partial class CommandBuffer
     public void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest) => Blit(source, dest, Vector2.one, Vector2.zero);
 
     public void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest, Vector2 scale, Vector2 offset) =>
-        Add(c => Blitter.Blit(Source(c, source), c.Target(dest), null, -1, scale, offset));
+        AddBlit(source, dest, null, -1, scale, offset);
 
     public void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest, Material mat) => Blit(source, dest, mat, -1);
 
     public void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest, Material mat, int pass) =>
-        Add(c => Blitter.Blit(Source(c, source), c.Target(dest), mat, pass, Vector2.one, Vector2.zero));
+        AddBlit(source, dest, mat, pass, Vector2.one, Vector2.zero);
+
+    // The destination stays the render target.
+    void AddBlit(RenderTargetIdentifier source, RenderTargetIdentifier dest, Material? mat, int pass, Vector2 scale, Vector2 offset) => Add(c =>
+    {
+        DrawTarget? target = c.Target(dest);
+        Blitter.Blit(Source(c, source), target, mat, pass, scale, offset);
+        SwitchTo(target);
+    });
 
     public void CopyTexture(RenderTargetIdentifier src, RenderTargetIdentifier dst) => Add(c => TextureCopies.Copy(c.Texture(src), c.Texture(dst)));
 

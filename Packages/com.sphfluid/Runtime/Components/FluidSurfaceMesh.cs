@@ -90,7 +90,7 @@ namespace SphFluid
         protected override void Draw(FluidSimulation drawn)
         {
             ReportUnseen();
-            if (IsFlat() || !source.Request(drawn.Solver, surface, this, out SurfaceBuffers buffers))
+            if (IsFlat() || !source.Request(drawn.Solver, surface, 0, this, out SurfaceBuffers buffers))
             {
                 DrawNothing();
                 return;

@@ -11,7 +11,7 @@ namespace SphFluid
         /// <summary>The sparse surface.</summary>
         public static readonly ShaderGroup Surface = new ShaderGroup("the surface", "Shaders/Surface/Sparse",
             groupThreads: 256, buffers: 8, writableBuffers: 4, groupMemory: 12464, vertexBuffers: 0,
-            "ClearSurfaceBlocks", "PrepareSurfaceParticles", "ListSurfaceBlocks", "SampleBlocks", "CountBlocks", "SurfaceDrawArguments",
+            "ClearSurfaceBlocks", "PrepareSurfaceParticles", "ListSpray", "ListSurfaceBlocks", "SampleBlocks", "CountBlocks", "SurfaceDrawArguments",
             "EmitBlocks", "WriteSurfaceMesh");
 
         /// <summary>The thesis's surface on a dense grid, by a geometry shader or its compute twin.</summary>
@@ -23,7 +23,8 @@ namespace SphFluid
         /// <summary>What draws particles and the sparse surface.</summary>
         public static readonly ShaderGroup Drawing = new ShaderGroup("the drawing", "Shaders/Rendering",
             groupThreads: 0, buffers: 0, writableBuffers: 0, groupMemory: 0, vertexBuffers: 1,
-            "SPH Fluid/Particles", "SPH Fluid/Surface", "SPH Fluid/Water", "Hidden/SPH Fluid/Water Thickness", "Hidden/SPH Fluid/Water Depth");
+            "SPH Fluid/Particles", "SPH Fluid/Surface", "SPH Fluid/Water", "Hidden/SPH Fluid/Water Thickness", "Hidden/SPH Fluid/Water Depth",
+            "Hidden/SPH Fluid/Spray", "Hidden/SPH Fluid/Spray Behind Water");
 
         /// <summary>What a running simulation goes by.</summary>
         public static readonly ShaderGroup Simulation = new ShaderGroup("the simulation", "Shaders/Simulation",

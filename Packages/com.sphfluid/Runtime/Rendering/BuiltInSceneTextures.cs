@@ -24,6 +24,20 @@ namespace SphFluid
             return new SceneTextures(SceneColourSource.Copy, true);
         }
 
+        /// <summary>Records what a camera that is about to draw copies: its picture so far, and the spray that it sees.</summary>
+        public void RecordCopy(Camera camera, IReadOnlyList<SprayDrawing> sprays)
+        {
+            copy.Clear();
+            copy.GetTemporaryRT(RenderShaderIds.FluidSceneColour, -1, -1, 0, FilterMode.Bilinear, RenderTextureFormat.DefaultHDR);
+            copy.Blit(BuiltinRenderTextureType.CurrentActive, RenderShaderIds.FluidSceneColour);
+            copy.SetRenderTarget(RenderShaderIds.FluidSceneColour);
+            for (int i = 0; i < sprays.Count; i++)
+            {
+                if (sprays[i].IsSeenBy(camera))
+                    sprays[i].RecordBehindWater(copy);
+            }
+        }
+
         public void Release()
         {
             foreach (KeyValuePair<Camera, Before> entry in cameras)
@@ -45,7 +59,7 @@ namespace SphFluid
         void Attach(Camera camera)
         {
             ForgetDestroyed();
-            copy = copy ?? RecordCopy();
+            copy = copy ?? new CommandBuffer { name = "Fluid Scene Colour" };
             cameras.Add(camera, new Before
             {
                 IntoTexture = camera.forceIntoRenderTexture,
@@ -64,14 +78,6 @@ namespace SphFluid
             foreach (Camera camera in destroyed)
                 cameras.Remove(camera);
             destroyed.Clear();
-        }
-
-        static CommandBuffer RecordCopy()
-        {
-            var cmd = new CommandBuffer { name = "Fluid Scene Colour" };
-            cmd.GetTemporaryRT(RenderShaderIds.FluidSceneColour, -1, -1, 0, FilterMode.Bilinear, RenderTextureFormat.DefaultHDR);
-            cmd.Blit(BuiltinRenderTextureType.CurrentActive, RenderShaderIds.FluidSceneColour);
-            return cmd;
         }
 
         // What a camera was like before.

@@ -34,6 +34,15 @@ namespace SphFluid
         [SerializeField, Tooltip("Whether its thickness is measured at half the picture's resolution: cheaper, a little softer at edges.")]
         bool halfResolution;
 
+        [SerializeField, Range(0, MostDrops), Tooltip("Small drops that a particle far from others is drawn as. 0: it stays in the surface, as a ball of water. More: finer spray that costs more.")]
+        int spray = 14;
+
+        [SerializeField, Range(0f, 0.02f), Tooltip("How long the camera's shutter is open for spray [s]: fast drops are drawn as streaks of the way they go in it.")]
+        float sprayShutter = 1f / 400f;
+
+        /// <summary>Most drops of <see cref="Spray"/>.</summary>
+        public const int MostDrops = 32;
+
         /// <summary>Colour that white light has after one metre of water.</summary>
         public Color ColourAtOneMetre { get => colourAtOneMetre; set => colourAtOneMetre = value; }
 
@@ -54,6 +63,12 @@ namespace SphFluid
 
         /// <summary>Whether its thickness is measured at half the picture's resolution.</summary>
         public bool HalfResolution { get => halfResolution; set => halfResolution = value; }
+
+        /// <summary>Small drops that a particle far from others is drawn as, 0 to <see cref="MostDrops"/>; 0: it stays in the surface.</summary>
+        public int Spray { get => spray; set => spray = Mathf.Clamp(value, 0, MostDrops); }
+
+        /// <summary>How long the camera's shutter is open for spray [s], 0 or more: drops are streaked by the way they go in it.</summary>
+        public float SprayShutter { get => sprayShutter; set => sprayShutter = Mathf.Max(value, 0f); }
 
         /// <summary>Light absorbed or scattered a metre [1/m], in the colours that shaders use.</summary>
         internal Vector4 Extinction

@@ -25,12 +25,14 @@ namespace SphFluid
         {
             Dispose(ref opaque);
             water = water ?? new WaterDrawing(shaders);
-            if (!TryFill(water, solver, options, placement, owner, out SurfaceBuffers surface))
+            if (!TryFill(water, solver, options, look.Spray, placement, owner, out SurfaceBuffers surface))
                 return;
             water.SetLook(surface, look, WaterCameras.LargestView, placement);
             if (ownMaterial == null)
                 water.SetSurface(look);
             water.Draw(surface, ownMaterial, placement);
+            if (look.Spray > 0)
+                water.DrawSpray(source.Spray, look.SprayShutter, placement);
         }
 
         /// <summary>Draws the surface of the present particles as an opaque body for every camera of this frame; makes it if one sees it.</summary>
@@ -38,7 +40,7 @@ namespace SphFluid
         {
             Dispose(ref water);
             opaque = opaque ?? new OpaqueDrawing(shaders);
-            if (!TryFill(opaque, solver, options, placement, owner, out SurfaceBuffers surface))
+            if (!TryFill(opaque, solver, options, 0, placement, owner, out SurfaceBuffers surface))
                 return;
             if (ownMaterial == null)
                 opaque.SetLook(colour, smoothness);
@@ -56,9 +58,9 @@ namespace SphFluid
             source.Dispose();
         }
 
-        bool TryFill(SurfaceDrawing drawing, FluidSolver solver, FluidSurfaceOptions options, in DrawPlacement placement, Object owner, out SurfaceBuffers surface)
+        bool TryFill(SurfaceDrawing drawing, FluidSolver solver, FluidSurfaceOptions options, int drops, in DrawPlacement placement, Object owner, out SurfaceBuffers surface)
         {
-            if (!source.Request(solver, options, owner, out surface))
+            if (!source.Request(solver, options, drops, owner, out surface))
                 return false;
             LiquidViews.Show(source, placement);
             drawing.Fill(surface, source.Grid, options.Walls, placement);

@@ -28,6 +28,10 @@ namespace SphFluid
         public static readonly int FluidExtinction = Shader.PropertyToID("_FluidExtinction");
         public static readonly int FluidScattering = Shader.PropertyToID("_FluidScattering");
         public static readonly int Refraction = Shader.PropertyToID("_Refraction");
+        public static readonly int SprayParticles = Shader.PropertyToID("_SprayParticles");
+        public static readonly int DropsPerParticle = Shader.PropertyToID("_DropsPerParticle");
+        public static readonly int SprayShutter = Shader.PropertyToID("_SprayShutter");
+        public static readonly int SpraySpacing = Shader.PropertyToID("_SpraySpacing");
         public static readonly int ShadowStrength = Shader.PropertyToID("_ShadowStrength");
     }
 }

@@ -11,6 +11,7 @@ namespace SphFluid
     static class WaterCameras
     {
         static readonly List<ThicknessPass> passes = new List<ThicknessPass>();
+        static readonly List<SprayDrawing> sprays = new List<SprayDrawing>();
         static readonly BuiltInSceneTextures builtIn = new BuiltInSceneTextures();
         static Camera[] found = new Camera[4];
         static CommandBuffer cmd;
@@ -36,15 +37,17 @@ namespace SphFluid
             }
         }
 
-        public static void Add(ThicknessPass pass)
+        public static void Add(ThicknessPass pass, SprayDrawing spray)
         {
             if (passes.Count == 0)
                 Listen();
             passes.Add(pass);
+            sprays.Add(spray);
         }
 
-        public static void Remove(ThicknessPass pass)
+        public static void Remove(ThicknessPass pass, SprayDrawing spray)
         {
+            sprays.Remove(spray);
             if (passes.Remove(pass) && passes.Count == 0)
                 StopListening();
         }
@@ -72,6 +75,7 @@ namespace SphFluid
         {
             if (!Record(camera, builtIn))
                 return;
+            builtIn.RecordCopy(camera, sprays);
             Graphics.ExecuteCommandBuffer(cmd);
         }
 

@@ -7,6 +7,7 @@ namespace SphFluid
     sealed class WaterDrawing : SurfaceDrawing
     {
         readonly ThicknessPass thickness;
+        readonly SprayDrawing spray;
         readonly SceneReflection reflection = new SceneReflection();
         Material depth;
 
@@ -18,13 +19,14 @@ namespace SphFluid
             {
                 depth = DrawMaterial.Create(shaders, "Hidden/SPH Fluid/Water Depth");
                 thickness = new ThicknessPass(shaders);
+                spray = new SprayDrawing(shaders);
             }
             catch (FluidDeviceException)
             {
                 Dispose();
                 throw;
             }
-            WaterCameras.Add(thickness);
+            WaterCameras.Add(thickness, spray);
         }
 
         /// <summary>The thickness picture.</summary>
@@ -48,6 +50,12 @@ namespace SphFluid
             Block.SetFloat(RenderShaderIds.ShadowStrength, look.Shadow);
         }
 
+        /// <summary>Draws this frame's spray.</summary>
+        /// <param name="drawn">The spray.</param>
+        /// <param name="shutter">How long the camera's shutter is open [s].</param>
+        /// <param name="placement">Where it is.</param>
+        public void DrawSpray(in SprayBuffers drawn, float shutter, in DrawPlacement placement) => spray.Draw(drawn, shutter, placement);
+
         public override void Draw(in SurfaceBuffers surface, Material ownMaterial, in DrawPlacement placement)
         {
             if (!WaterRoute.Active.IsComplete)
@@ -68,9 +76,10 @@ namespace SphFluid
         {
             if (thickness != null)
             {
-                WaterCameras.Remove(thickness);
+                WaterCameras.Remove(thickness, spray);
                 thickness.Dispose();
             }
+            spray?.Dispose();
             DrawMaterial.Destroy(ref depth);
             base.Dispose();
         }

@@ -27,6 +27,9 @@ namespace SphFluid
         /// <summary>Grid of the last surface.</summary>
         public SurfaceGrid Grid => requested.Grid;
 
+        /// <summary>The particles that left the surface, after <see cref="Make"/>; only where they may.</summary>
+        public SprayBuffers Spray => new SprayBuffers(Surface.Spray.Particles, Surface.Spray.DrawArguments, requested.Drops, requested.Field.Spacing);
+
         // Made, but with buffers that turned out too small: made again until all of it fits.
         bool IsUpToDate => made.Equals(requested) && Surface.IsSettled;
 
@@ -36,20 +39,22 @@ namespace SphFluid
         /// </summary>
         /// <param name="liquid">The particles.</param>
         /// <param name="options">How the surface is made.</param>
+        /// <param name="drops">Drops that a particle without company becomes; 0: it stays in the surface.</param>
         /// <param name="owner">Component that messages name.</param>
         /// <param name="buffers">The surface, after <see cref="Make"/>.</param>
         /// <returns>False after a message if the options cannot be met.</returns>
         /// <exception cref="FluidDeviceException">The device cannot hold the surface.</exception>
-        public bool Request(FluidSolver liquid, FluidSurfaceOptions options, Object owner, out SurfaceBuffers buffers)
+        public bool Request(FluidSolver liquid, FluidSurfaceOptions options, int drops, Object owner, out SurfaceBuffers buffers)
         {
             buffers = default;
             if (!TryField(liquid.Settings, options, owner, out SurfaceFieldSettings field, out SurfaceGrid grid))
                 return false;
             solver = liquid;
-            requested = new Content(liquid, field, grid, options);
+            requested = new Content(liquid, field.WithSpray(drops > 0), grid, options, drops);
             Surface.TriangleBudget = options.TriangleBudget;
             if (!IsUpToDate)
-                Surface.Reserve(liquid, field, grid);
+                Surface.Reserve(liquid, requested.Field, grid);
+            Surface.SprayVertices = drops * SprayBuffers.VerticesPerDrop;
             for (string warning = Surface.TakeWarning(); warning != null; warning = Surface.TakeWarning())
                 Debug.LogWarning($"{FluidMessage.Prefix} '{owner.name}': {warning}", owner);
             buffers = new SurfaceBuffers(Surface.Vertices, Surface.Indices, Surface.DrawArguments);
@@ -86,13 +91,14 @@ namespace SphFluid
             readonly float cellSize;
             readonly int budget;
 
-            public Content(FluidSolver solver, in SurfaceFieldSettings field, SurfaceGrid grid, FluidSurfaceOptions options)
+            public Content(FluidSolver solver, in SurfaceFieldSettings field, SurfaceGrid grid, FluidSurfaceOptions options, int drops)
             {
                 this.solver = solver;
                 version = solver.StateVersion;
                 quality = options.Quality;
                 cellSize = options.CellSize;
                 budget = options.TriangleBudget;
+                Drops = drops;
                 Field = field;
                 Grid = grid;
                 Walls = options.Walls;
@@ -104,8 +110,10 @@ namespace SphFluid
 
             public SurfaceWalls Walls { get; }
 
+            public int Drops { get; }
+
             public bool Equals(Content other) => solver == other.solver && version == other.version && quality == other.quality &&
-                cellSize == other.cellSize && budget == other.budget && Walls == other.Walls && Grid.Equals(other.Grid);
+                cellSize == other.cellSize && budget == other.budget && Drops == other.Drops && Walls == other.Walls && Grid.Equals(other.Grid);
         }
 
         // A cell size that cannot be met is reported once, until it is changed.

@@ -1,4 +1,4 @@
-// Solid things around a liquid, as in the samples: one colour, lit by the main light and the ambient light, in the Built-in pipeline by
+// Solid things around a liquid, as in the samples: one colour, or tiles of two, lit by the main light and the ambient light, in the Built-in pipeline by
 // further lights as well. Looks alike in the Built-in pipeline and in URP; in HDRP, whose lights have no interface for shaders of others, it is shaded from above by a light of its own.
 Shader "SPH Fluid/Scenery"
 {
@@ -6,6 +6,8 @@ Shader "SPH Fluid/Scenery"
     {
         [MainColor] _Color ("Colour", Color) = (0.8, 0.8, 0.8, 1)
         _Smoothness ("Smoothness", Range(0, 1)) = 0.3
+        _TileColor ("Colour of every other tile", Color) = (0.7, 0.7, 0.7, 1)
+        _TileSize ("Edge of a tile [m], 0: no tiles", Float) = 0
     }
 
     SubShader

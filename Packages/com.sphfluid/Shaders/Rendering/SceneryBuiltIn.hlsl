@@ -56,11 +56,11 @@ float4 ShadeScenery(SceneryFragment i) : SV_Target
     float3 normal = normalize(i.normal);
     float3 view = normalize(_WorldSpaceCameraPos.xyz - i.world);
     float visible = SHADOW_ATTENUATION(i);
-    float3 colour = SceneryReflection(normal, view, _WorldSpaceLightPos0.xyz) * _LightColor0.rgb * visible;
+    float3 colour = SceneryReflection(SceneryColour(i.world), normal, view, _WorldSpaceLightPos0.xyz) * _LightColor0.rgb * visible;
 #if defined(VERTEXLIGHT_ON)
-    colour += SceneryDiffuse(i.vertexLight);
+    colour += SceneryDiffuse(SceneryColour(i.world), i.vertexLight);
 #endif
-    return float4(colour + SceneryAmbientReflection(normal, view), 1.0);
+    return float4(colour + SceneryAmbientReflection(SceneryColour(i.world), normal, view), 1.0);
 }
 
 float4 AddLight(SceneryFragment i) : SV_Target
@@ -69,7 +69,7 @@ float4 AddLight(SceneryFragment i) : SV_Target
     float3 view = normalize(_WorldSpaceCameraPos.xyz - i.world);
     float3 light = normalize(UnityWorldSpaceLightDir(i.world));
     UNITY_LIGHT_ATTENUATION(visible, i, i.world);
-    return float4(SceneryReflection(normal, view, light) * _LightColor0.rgb * visible, 1.0);
+    return float4(SceneryReflection(SceneryColour(i.world), normal, view, light) * _LightColor0.rgb * visible, 1.0);
 }
 
 struct ShadowFragment

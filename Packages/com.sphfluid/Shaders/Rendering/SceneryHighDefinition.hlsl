@@ -5,10 +5,10 @@
 
 #define FLUID_HDRP 1
 #include "FluidShading.hlsl"
+#include "SceneryTiles.hlsl"
 
 float4x4 unity_ObjectToWorld;
 float4x4 unity_WorldToObject;
-float4 _Color;
 
 #define OWN_LIGHT float3(-0.36, 0.8, -0.48) // a unit vector
 #define SHADOWED 0.35
@@ -23,6 +23,7 @@ struct SceneryFragment
 {
     float4 clipPosition : SV_Position;
     float3 normal : TEXCOORD0;
+    float3 world : TEXCOORD1;
 };
 
 SceneryFragment PlaceScenery(SceneryVertex input)
@@ -30,6 +31,7 @@ SceneryFragment PlaceScenery(SceneryVertex input)
     SceneryFragment output;
     float3 world = mul(unity_ObjectToWorld, float4(input.position, 1.0)).xyz;
     output.clipPosition = FluidClipPosition(world);
+    output.world = world;
     output.normal = normalize(mul(input.normal, (float3x3)unity_WorldToObject));
     return output;
 }
@@ -38,7 +40,7 @@ SceneryFragment PlaceScenery(SceneryVertex input)
 float4 ShadeScenery(SceneryFragment input) : SV_Target
 {
     float lit = 0.5 + 0.5 * dot(normalize(input.normal), OWN_LIGHT);
-    return float4(_Color.rgb * lerp(SHADOWED, 1.0, lit), 1.0);
+    return float4(SceneryColour(input.world) * lerp(SHADOWED, 1.0, lit), 1.0);
 }
 
 float4 ShowNothing() : SV_Target

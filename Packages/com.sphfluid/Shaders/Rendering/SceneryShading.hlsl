@@ -1,15 +1,16 @@
-// How a body of one colour reflects light: Lambert's diffuse light and a highlight by GGX (Walter et al. 2007), Smith's visibility and
+// How a body reflects light: Lambert's diffuse light and a highlight by GGX (Walter et al. 2007), Smith's visibility and
 // Schlick's Fresnel term. The file that includes it declares or includes unity_SHAr ... unity_SHC, which every pipeline sets.
 #ifndef SPHFLUID_SCENERY_SHADING_INCLUDED
 #define SPHFLUID_SCENERY_SHADING_INCLUDED
 
-float4 _Color;
+#include "SceneryTiles.hlsl"
+
 float _Smoothness;
 
 #define SCENERY_REFLECTANCE 0.04 // of plastic, glass and wood, seen straight on
 
 // The share of a light of colour 1 that goes to the viewer; pi is left out, as in Unity's light colours.
-float3 SceneryReflection(float3 normal, float3 view, float3 light)
+float3 SceneryReflection(float3 colour, float3 normal, float3 view, float3 light)
 {
     float3 between = normalize(light + view);
     float lit = saturate(dot(normal, light));
@@ -22,13 +23,13 @@ float3 SceneryReflection(float3 normal, float3 view, float3 light)
     float visibility = 0.5 / (lit * (seen * (1.0 - roughness) + roughness) + seen * (lit * (1.0 - roughness) + roughness) + 1e-5);
     float grazing = 1.0 - saturate(dot(light, between));
     float fresnel = SCENERY_REFLECTANCE + (1.0 - SCENERY_REFLECTANCE) * grazing * grazing * grazing * grazing * grazing;
-    return (_Color.rgb * (1.0 - SCENERY_REFLECTANCE) + fresnel * visibility * distribution) * lit;
+    return (colour * (1.0 - SCENERY_REFLECTANCE) + fresnel * visibility * distribution) * lit;
 }
 
 // What the body scatters of light that has its cosine already.
-float3 SceneryDiffuse(float3 light)
+float3 SceneryDiffuse(float3 colour, float3 light)
 {
-    return _Color.rgb * (1.0 - SCENERY_REFLECTANCE) * light;
+    return colour * (1.0 - SCENERY_REFLECTANCE) * light;
 }
 
 // Ambient light from a direction: spherical harmonics of order 2 as Unity lays them out.
@@ -47,14 +48,14 @@ float3 SceneryAmbient(float3 direction)
 }
 
 // What the body sends back of the ambient light; what it mirrors of it is blurred by its roughness.
-float3 SceneryAmbientReflection(float3 normal, float3 view)
+float3 SceneryAmbientReflection(float3 colour, float3 normal, float3 view)
 {
     float rough = 1.0 - _Smoothness;
     float grazing = 1.0 - saturate(dot(normal, view));
     float edge = SCENERY_REFLECTANCE
         + (max(_Smoothness, SCENERY_REFLECTANCE) - SCENERY_REFLECTANCE) * grazing * grazing * grazing * grazing * grazing;
     float3 mirrored = SceneryAmbient(normalize(lerp(normal, reflect(-view, normal), _Smoothness)));
-    return _Color.rgb * (1.0 - SCENERY_REFLECTANCE) * SceneryAmbient(normal) + mirrored * (edge / (1.0 + rough * rough));
+    return colour * (1.0 - SCENERY_REFLECTANCE) * SceneryAmbient(normal) + mirrored * (edge / (1.0 + rough * rough));
 }
 
 #endif

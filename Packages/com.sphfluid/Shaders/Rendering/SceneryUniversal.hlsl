@@ -106,8 +106,8 @@ float4 ShadeScenery(SceneryFragment input) : SV_Target
     float3 normal = normalize(input.normal);
     float3 view = normalize(_WorldSpaceCameraPos - input.world);
     float visible = MainLightVisible(input.world, input.clipPosition);
-    float3 colour = SceneryReflection(normal, view, _MainLightPosition.xyz) * _MainLightColor.rgb * visible;
-    return float4(colour + SceneryAmbientReflection(normal, view), 1.0);
+    float3 colour = SceneryReflection(SceneryColour(input.world), normal, view, _MainLightPosition.xyz) * _MainLightColor.rgb * visible;
+    return float4(colour + SceneryAmbientReflection(SceneryColour(input.world), normal, view), 1.0);
 }
 
 float4 PlaceSceneryShadow(SceneryVertex input) : SV_Position

@@ -48,6 +48,8 @@ namespace SphFluid
         // per cent.
         const float LowDensity = 0.9f;
 
+        const string SprayKeyword = "SURFACE_SPRAY";
+
         static readonly int FieldWeight = Id("_FieldWeight");
         static readonly int Smoothing = Id("_Smoothing");
         static readonly int LongestShift = Id("_LongestShift");
@@ -70,7 +72,7 @@ namespace SphFluid
             thesis = Kernel("PrepareThesisParticles");
         }
 
-        public void Record(CommandBuffer cmd, in SurfaceInput input, SurfaceParticles particles)
+        public void Record(CommandBuffer cmd, in SurfaceInput input, SurfaceParticles particles, SprayParticles spray)
         {
             ComputeKernel kernel = input.Field.IsThesis ? thesis : smooth;
             using (Sample(cmd))
@@ -83,6 +85,9 @@ namespace SphFluid
                 kernel.SetFloat(cmd, MarkReachId, MarkReach * input.Field.Spacing);
                 kernel.SetFloat(cmd, HighDensityId, HighDensity);
                 kernel.SetOut(cmd, particles.Kernels);
+                kernel.SetKeyword(cmd, SprayKeyword, input.Field.HasSpray);
+                if (input.Field.HasSpray)
+                    kernel.SetOut(cmd, spray.Spray);
                 if (input.Field.IsAnisotropic)
                     kernel.SetOut(cmd, particles.Shapes);
                 kernel.Set(cmd, input.Blocks.Table);

@@ -66,6 +66,12 @@ namespace SphFluid
         /// <summary>Bytes of GPU memory.</summary>
         public long GpuBytes => passes.Bytes + blocks.Bytes + triangles.Bytes;
 
+        /// <summary>The particles that left the surface as spray.</summary>
+        internal SprayParticles Spray => passes.Spray;
+
+        /// <summary>Vertices that a particle of the spray is drawn with.</summary>
+        internal int SprayVertices { get => passes.SprayVertices; set => passes.SprayVertices = value; }
+
         internal SurfaceBlocks Blocks => blocks;
 
         internal SurfaceTriangles Triangles => triangles;

@@ -34,6 +34,13 @@ namespace SphFluid
             IsoValue = isoValue;
             this.kind = kind;
             WallCompletion = wallCompletion;
+            HasSpray = false;
+        }
+
+        SurfaceFieldSettings(in SurfaceFieldSettings other, bool hasSpray)
+        {
+            this = other;
+            HasSpray = hasSpray;
         }
 
         /// <summary>Particle spacing dx [m].</summary>
@@ -70,6 +77,14 @@ namespace SphFluid
 
         /// <summary>Whether walls of the domain count as liquid, so that the surface is level at them.</summary>
         public bool WallCompletion { get; }
+
+        /// <summary>
+        /// Whether particles without company leave the surface, bit by bit, to be drawn as spray; of the smooth field only.
+        /// </summary>
+        internal bool HasSpray { get; }
+
+        /// <summary>The same field with particles leaving it as spray, or with all of them in the surface.</summary>
+        internal SurfaceFieldSettings WithSpray(bool on) => new SurfaceFieldSettings(this, on && kind == FieldKind.Smooth);
 
         /// <summary>Farthest that a particle's kernel reaches from the particle [m].</summary>
         internal float KernelReach => LongestShift + KernelExtent * SupportRadius;

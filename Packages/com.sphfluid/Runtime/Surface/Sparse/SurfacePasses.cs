@@ -75,6 +75,7 @@ namespace SphFluid
     {
         readonly ClearSurfaceBlocksPass clear;
         readonly PrepareSurfaceParticlesPass prepare;
+        readonly ListSprayPass listSpray;
         readonly ListSurfaceBlocksPass list;
         readonly SampleBlocksPass sample;
         readonly CountBlocksPass count;
@@ -87,6 +88,7 @@ namespace SphFluid
         {
             clear = new ClearSurfaceBlocksPass(shaders);
             prepare = new PrepareSurfaceParticlesPass(shaders);
+            listSpray = new ListSprayPass(shaders);
             list = new ListSurfaceBlocksPass(shaders);
             sample = new SampleBlocksPass(shaders);
             count = new CountBlocksPass(shaders);
@@ -98,8 +100,14 @@ namespace SphFluid
         /// <summary>The particles as the field reads them.</summary>
         public SurfaceParticles Particles { get; } = new SurfaceParticles();
 
+        /// <summary>The particles that left the surface, where the field lets them.</summary>
+        public SprayParticles Spray { get; } = new SprayParticles();
+
+        /// <summary>Vertices that a particle of the spray is drawn with.</summary>
+        public int SprayVertices { get; set; }
+
         /// <summary>Bytes of GPU memory besides the blocks' and the triangles'.</summary>
-        public long Bytes => GpuBuffers.Size(tables) + Particles.Bytes;
+        public long Bytes => GpuBuffers.Size(tables) + Particles.Bytes + Spray.Bytes;
 
         /// <summary>
         /// Records everything from the particles' present positions to the arguments of the draw. Where more blocks are
@@ -117,8 +125,12 @@ namespace SphFluid
 
         /// <summary>Makes the buffers for the particles large enough.</summary>
         /// <exception cref="FluidDeviceException">The device has too little memory.</exception>
-        public void Reserve(FluidSolver solver, in SurfaceFieldSettings field) =>
+        public void Reserve(FluidSolver solver, in SurfaceFieldSettings field)
+        {
             Particles.Reserve(solver.ParticleCount, field.IsAnisotropic);
+            if (field.HasSpray)
+                Spray.Reserve(solver.ParticleCount);
+        }
 
         /// <summary>From the particles to the samples of the blocks that they mark.</summary>
         public void RecordField(CommandBuffer cmd, in SurfaceInput input)
@@ -126,7 +138,9 @@ namespace SphFluid
             Reserve(input.Solver, input.Field);
             input.Solver.RecordNeighbourSetup(cmd);
             clear.Record(cmd, input.Blocks, input.Number);
-            prepare.Record(cmd, input, Particles);
+            prepare.Record(cmd, input, Particles, Spray);
+            if (input.Field.HasSpray)
+                listSpray.Record(cmd, input.Solver, Spray, SprayVertices);
             list.Record(cmd, input.Blocks);
             RecordSamples(cmd, input);
         }
@@ -156,6 +170,7 @@ namespace SphFluid
         {
             tables.Dispose();
             Particles.Dispose();
+            Spray.Dispose();
         }
 
         void RecordRound(CommandBuffer cmd, in SurfaceInput input, bool late)

@@ -14,6 +14,7 @@ namespace SphFluid.Tests
         FluidSolver solver;
         SurfaceSource source;
         FluidSurfaceOptions options;
+        int drops;
 
         [SetUp]
         public void SetUp()
@@ -23,6 +24,7 @@ namespace SphFluid.Tests
             solver = new FluidSolver(TestSettings.ByRule(Domain, Spacing), shaders, particles);
             source = new SurfaceSource(shaders);
             options = new FluidSurfaceOptions();
+            drops = 0;
         }
 
         [TearDown]
@@ -86,7 +88,7 @@ namespace SphFluid.Tests
             Settle();
             using (var other = new FluidSolver(solver.Settings, shaders, particles))
             {
-                Assert.IsTrue(source.Request(other, options, shaders, out _));
+                Assert.IsTrue(source.Request(other, options, 0, shaders, out _));
                 Assert.IsTrue(source.Make());
             }
             Assert.IsFalse(source.Make(), "of a liquid that is gone");
@@ -126,7 +128,7 @@ namespace SphFluid.Tests
 
         bool Make()
         {
-            Assert.IsTrue(source.Request(solver, options, shaders, out _));
+            Assert.IsTrue(source.Request(solver, options, drops, shaders, out _));
             return source.Make();
         }
     }

@@ -15,6 +15,7 @@ namespace SphFluid.Tests
         readonly FluidSolverSettings settings;
         readonly Double3[] centres;
         readonly double[] volumes; // in dx³
+        readonly double[] sprays;
         readonly Covariance[] shapes; // of stretched kernels; null where all are round
         readonly Dictionary<Vector3Int, double> raw = new Dictionary<Vector3Int, double>();
 
@@ -26,6 +27,7 @@ namespace SphFluid.Tests
             this.settings = settings;
             centres = new Double3[particles.Count];
             volumes = new double[particles.Count];
+            sprays = new double[particles.Count];
             for (int i = 0; i < particles.Count; i++)
             {
                 centres[i] = particles[i].Position;
@@ -43,6 +45,9 @@ namespace SphFluid.Tests
 
         /// <summary>What a particle gives to the field at the centre of its kernel.</summary>
         public double Weight(int particle) => volumes[particle] * Kernel(0.0);
+
+        /// <summary>Which part of a particle left the surface.</summary>
+        public double Spray(int particle) => sprays[particle];
 
         /// <summary>The value at a sample, -1 to cells + 1 along each axis.</summary>
         public double Value(Vector3Int s)
@@ -129,6 +134,11 @@ namespace SphFluid.Tests
                 double longest = field.Smoothing * settings.Spacing;
                 centres[i] = position + Math.Min(1.0, longest / Math.Max(shift.Length, 1e-30)) * shift;
                 volumes[i] = KernelPartInside(position) / density;
+                if (field.HasSpray)
+                {
+                    sprays[i] = SprayOf(density, position);
+                    volumes[i] *= 1.0 - sprays[i];
+                }
                 if (shapes == null)
                     continue;
                 moments.Add(-1.0 / weights, mean);
@@ -136,6 +146,14 @@ namespace SphFluid.Tests
                 shapes[i] = lone ? Covariance.Ball(0.5) : moments.Stretched(4.0);
                 volumes[i] = lone ? 8.0 : 1.0;
             }
+        }
+
+        // Of the neighbours, what walls cut off is made up for up to a half.
+        double SprayOf(double density, Double3 position)
+        {
+            double company = Kernel(0.0) + (density - Kernel(0.0)) / Math.Max(KernelPartInside(position), 0.5);
+            double t = Math.Min(Math.Max((company - 0.38) / (0.60 - 0.38), 0.0), 1.0);
+            return 1.0 - t * t * (3.0 - 2.0 * t);
         }
 
         double Kernel(double r) => ThesisReference.Poly6(r, field.SupportRadius) * Math.Pow(settings.Spacing, 3.0);

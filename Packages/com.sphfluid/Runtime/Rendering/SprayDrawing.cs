@@ -1,0 +1,72 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Draws particles that left the surface as clusters of small drops (Shaders/Rendering/SprayDrops.hlsl): once after the water, and, where the
+    /// package copies the scene for the water to refract, into that copy, so that a sheet of water in front does not hide them.
+    /// </summary>
+    sealed class SprayDrawing : IDisposable
+    {
+        readonly MaterialPropertyBlock block = new MaterialPropertyBlock();
+        readonly SceneLighting lighting = new SceneLighting();
+        Material front;
+        Material behind;
+        SprayBuffers spray;
+        DrawPlacement placement;
+        int preparedAt = -1;
+
+        /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
+        public SprayDrawing(FluidShaderSet shaders)
+        {
+            try
+            {
+                front = DrawMaterial.Create(shaders, "Hidden/SPH Fluid/Spray");
+                behind = DrawMaterial.Create(shaders, "Hidden/SPH Fluid/Spray Behind Water");
+            }
+            catch (FluidDeviceException)
+            {
+                Dispose();
+                throw;
+            }
+        }
+
+        /// <summary>Draws this frame's spray for every camera, after the water.</summary>
+        /// <param name="drawn">The spray.</param>
+        /// <param name="shutter">How long the shutter is open [s].</param>
+        /// <param name="where">Where it is.</param>
+        public void Draw(in SprayBuffers drawn, float shutter, in DrawPlacement where)
+        {
+            spray = drawn;
+            placement = where;
+            preparedAt = Time.frameCount;
+            block.SetBuffer(RenderShaderIds.SprayParticles, spray.Particles);
+            block.SetInteger(RenderShaderIds.DropsPerParticle, spray.DropsPerParticle);
+            block.SetFloat(RenderShaderIds.SprayShutter, shutter);
+            block.SetFloat(RenderShaderIds.SpraySpacing, spray.Spacing);
+            block.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
+            lighting.Apply(block);
+            DrawPipeline.Apply(block, placement.Pipeline);
+            DrawPipeline.Prepare(front, placement.Pipeline);
+            RenderParams parameters = placement.Parameters(front, block);
+            parameters.shadowCastingMode = ShadowCastingMode.Off;
+            Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, spray.Arguments);
+        }
+
+        /// <summary>Whether there is spray in this frame that a camera may show.</summary>
+        public bool IsSeenBy(Camera camera) => preparedAt == Time.frameCount && (camera.cullingMask & (1 << placement.Layer)) != 0 &&
+            new ViewVolume(camera).Touches(placement.WorldBounds);
+
+        /// <summary>Records the spray into the scene's copy, which is the render target, with the camera's matrices.</summary>
+        public void RecordBehindWater(CommandBuffer cmd) =>
+            cmd.DrawProceduralIndirect(Matrix4x4.identity, behind, 0, MeshTopology.Triangles, spray.Arguments, 0, block);
+
+        public void Dispose()
+        {
+            DrawMaterial.Destroy(ref front);
+            DrawMaterial.Destroy(ref behind);
+        }
+    }
+}

@@ -1,0 +1,165 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>
+    /// Particles that leave the surface as spray: how much of each, against sums over all particles in double precision, and their list.
+    /// </summary>
+    public sealed class ListSprayTests
+    {
+        const float Spacing = 0.05f;
+        static readonly Vector3 Domain = new Vector3(1.5f, 1.2f, 0.9f);
+
+        FluidShaderSet shaders;
+
+        [SetUp]
+        public void SetUp() => shaders = SurfaceTestScene.LoadShaders();
+
+        [TestCase(1, FluidAxes.None)]
+        [TestCase(255, FluidAxes.X | FluidAxes.Y)]
+        [TestCase(256, FluidAxes.None)]
+        [TestCase(257, FluidAxes.Z)]
+        [TestCase(1009, FluidAxes.None)]
+        [TestCase(4099, FluidAxes.None)]
+        public void AsMuchLeavesTheSurfaceAsTheReferenceHas(int count, FluidAxes periodic)
+        {
+            FluidSolverSettings settings = Settings(periodic);
+            SurfaceFieldSettings field = Field(settings);
+            SurfaceGrid grid = SurfaceGrid.OverDomain(Domain, field.CellSize);
+            using (var rig = new BlockFieldRig(shaders, settings, ParticleSets.Random(count, Domain, 0f, count)))
+            {
+                rig.Record(field, grid);
+                FluidParticle[] particles = GpuTest.Read<FluidParticle>(rig.Solver.Particles, count);
+                Vector4[] kernels = GpuTest.Read<Vector4>(rig.Passes.Particles.Kernels, count);
+                float[] spray = GpuTest.Read<float>(rig.Passes.Spray.Spray, count);
+                var reference = new SurfaceFieldReference(particles, settings, field, grid);
+                for (int i = 0; i < count; i++)
+                {
+                    Assert.AreEqual(reference.Spray(i), spray[i], 1e-4, $"spray of particle {i} of {count}");
+                    Assert.AreEqual(reference.Weight(i), kernels[i].w, 1e-4, $"weight of particle {i} of {count}");
+                }
+            }
+        }
+
+        [TestCase(1, 1, 1, 1f)]
+        [TestCase(2, 1, 1, 1f)]
+        [TestCase(9, 1, 1, 1f)]
+        [TestCase(2, 2, 2, 0.3f)]
+        [TestCase(9, 9, 1, 0f)]
+        [TestCase(9, 9, 5, 0f)]
+        public void ClumpsLeaveAndFilmsStay(int x, int y, int z, float expected)
+        {
+            Vector3[] positions = Lattice(x, y, z).ToArray();
+            int middle = Array.IndexOf(positions, Spacing * new Vector3(x / 2, y / 2, 0f));
+            SprayOf(positions, out float[] spray, out _);
+            Assert.AreEqual(expected, spray[middle], 0.15f);
+        }
+
+        [TestCase(1, 0.5)]
+        [TestCase(255, 1.0)]
+        [TestCase(256, 0.3)]
+        [TestCase(257, 0.0)]
+        [TestCase(1009, 0.5)]
+        [TestCase(70001, 0.1)]
+        public void SprayIsListedInTheLiquidsOrder(int count, double part)
+        {
+            const int vertices = 84;
+            var random = new System.Random(count);
+            using (var solver = new FluidSolver(Settings(FluidAxes.None), shaders, ParticleSets.Random(count, Domain, 1f, count)))
+            using (var spray = new SprayParticles())
+            {
+                float[] amounts = Enumerable.Range(0, count).Select(_ => random.NextDouble() < part ? (float)random.NextDouble() + 1e-3f : 0f).ToArray();
+                spray.Reserve(count);
+                spray.Spray.SetData(amounts);
+                GpuTest.Run(cmd => new ListSprayPass(shaders).Record(cmd, solver, spray, vertices));
+                FluidParticle[] particles = GpuTest.Read<FluidParticle>(solver.Particles, count);
+                int[] leaving = Enumerable.Range(0, count).Where(i => amounts[i] > 0f).ToArray();
+                CollectionAssert.AreEqual(new[] { (uint)(leaving.Length * vertices), 1u, 0u, 0u }, GpuTest.Read<uint>(spray.DrawArguments, 4));
+                float[] listed = GpuTest.Read<float>(spray.Particles, count * 8);
+                for (int k = 0; k < leaving.Length; k++)
+                {
+                    FluidParticle particle = particles[leaving[k]];
+                    Assert.AreEqual(particle.Position, new Vector3(listed[8 * k], listed[8 * k + 1], listed[8 * k + 2]), $"entry {k}");
+                    Assert.AreEqual(amounts[leaving[k]], listed[8 * k + 3], $"entry {k}");
+                    Assert.AreEqual(particle.VelT1, new Vector3(listed[8 * k + 4], listed[8 * k + 5], listed[8 * k + 6]), $"entry {k}");
+                    Assert.AreEqual(particle.Id, BitConverter.ToUInt32(BitConverter.GetBytes(listed[8 * k + 7]), 0), $"entry {k}");
+                }
+            }
+        }
+
+        // A drop falls into a pool: what the surface lost of it is drawn as spray, in each of a hundred frames, and nothing jumps.
+        [Test]
+        public void ADropIsShownOnceInEachOfAHundredFrames()
+        {
+            const int frames = 100;
+            Vector3[] pool = Lattice(9, 9, 5).ToArray();
+            float last = 1f;
+            bool left = false, joined = false;
+            for (int frame = 0; frame < frames; frame++)
+            {
+                float height = Mathf.Lerp(4f, 0f, frame / (frames - 1f));
+                Vector3 drop = Spacing * new Vector3(4.3f, 4.4f, 4f + height);
+                SprayOf(pool.Append(drop).ToArray(), out float[] spray, out float[] kept);
+                float shown = spray[pool.Length];
+                Assert.AreEqual(1f, shown + kept[pool.Length], 1e-4f, $"frame {frame}: the part drawn as drops and the part in the surface");
+                Assert.AreEqual(last, shown, 0.2f, $"frame {frame}");
+                last = shown;
+                left |= shown == 1f;
+                joined |= shown == 0f;
+            }
+            Assert.IsTrue(left && joined, "The drop comes from spray and ends in the surface.");
+        }
+
+        // By place in the array: which part is spray, and which part of its weight in a surface without spray a particle still has.
+        void SprayOf(Vector3[] positions, out float[] spray, out float[] kept)
+        {
+            FluidSolverSettings settings = Settings(FluidAxes.None);
+            SurfaceFieldSettings field = Field(settings);
+            SurfaceGrid grid = SurfaceGrid.OverDomain(Domain, field.CellSize);
+            Vector3 middle = 0.5f * positions.Aggregate((a, b) => a + b) / positions.Length;
+            var liquid = new FluidParticle[positions.Length];
+            for (int i = 0; i < liquid.Length; i++)
+                liquid[i] = new FluidParticle { Position = positions[i] - middle, Id = (uint)i };
+            using (var rig = new BlockFieldRig(shaders, settings, liquid))
+            {
+                rig.Record(field.WithSpray(false), grid);
+                float[] whole = ById(rig, GpuTest.Read<Vector4>(rig.Passes.Particles.Kernels, liquid.Length).Select(kernel => kernel.w));
+                rig.Record(field, grid);
+                float[] rest = ById(rig, GpuTest.Read<Vector4>(rig.Passes.Particles.Kernels, liquid.Length).Select(kernel => kernel.w));
+                spray = ById(rig, GpuTest.Read<float>(rig.Passes.Spray.Spray, liquid.Length));
+                kept = rest.Select((weight, i) => weight / whole[i]).ToArray();
+            }
+        }
+
+        static float[] ById(BlockFieldRig rig, IEnumerable<float> values)
+        {
+            float[] ordered = values.ToArray();
+            FluidParticle[] particles = GpuTest.Read<FluidParticle>(rig.Solver.Particles, ordered.Length);
+            var byId = new float[ordered.Length];
+            for (int i = 0; i < ordered.Length; i++)
+                byId[particles[i].Id] = ordered[i];
+            return byId;
+        }
+
+        static IEnumerable<Vector3> Lattice(int x, int y, int z) =>
+            from k in Enumerable.Range(0, z)
+            from j in Enumerable.Range(0, y)
+            from i in Enumerable.Range(0, x)
+            select Spacing * new Vector3(i, j, k);
+
+        static SurfaceFieldSettings Field(in FluidSolverSettings settings) =>
+            SurfaceFieldSettings.For(FluidSurfaceQuality.Default, settings).WithSpray(true);
+
+        static FluidSolverSettings Settings(FluidAxes periodic)
+        {
+            FluidSolverSettings settings = TestSettings.ByRule(Domain, Spacing);
+            settings.OctantSearch = false;
+            settings.Boundaries.Periodic = periodic;
+            return settings;
+        }
+    }
+}
