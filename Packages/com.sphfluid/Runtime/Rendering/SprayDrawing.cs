@@ -37,7 +37,8 @@ namespace SphFluid
         /// <param name="drawn">The spray.</param>
         /// <param name="shutter">How long the shutter is open [s].</param>
         /// <param name="where">Where it is.</param>
-        public void Draw(in SprayBuffers drawn, float shutter, in DrawPlacement where)
+        /// <param name="thickness">Of the water.</param>
+        public void Draw(in SprayBuffers drawn, float shutter, in DrawPlacement where, ThicknessPass thickness)
         {
             spray = drawn;
             placement = where;
@@ -47,6 +48,7 @@ namespace SphFluid
             block.SetFloat(RenderShaderIds.SprayShutter, shutter);
             block.SetFloat(RenderShaderIds.SpraySpacing, spray.Spacing);
             block.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
+            thickness.Apply(block);
             lighting.Apply(block);
             DrawPipeline.Apply(block, placement.Pipeline);
             DrawPipeline.Prepare(front, placement.Pipeline);

@@ -5,12 +5,15 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// How much water lies behind each pixel of a camera: the closed surface drawn with additive blending into a texture of two half floats,
+    /// How much water lies behind each pixel of a camera: the closed surface drawn with additive blending into a texture of four half floats,
     /// Shaders/Rendering/WaterThickness.hlsl. One texture serves all cameras of a frame, one after the other; smaller ones fill its lower left part.
     /// </summary>
     sealed class ThicknessPass : IDisposable
     {
-        const RenderTextureFormat Format = RenderTextureFormat.RGHalf;
+        const RenderTextureFormat Format = RenderTextureFormat.ARGBHalf;
+
+        // Alpha where no far face is; Shaders/Rendering/WaterThickness.hlsl.
+        const float NoFarFace = -1000f;
 
         readonly MaterialPropertyBlock block = new MaterialPropertyBlock();
         Material material;
@@ -32,7 +35,8 @@ namespace SphFluid
             material = DrawMaterial.Create(shaders, "Hidden/SPH Fluid/Water Thickness");
         }
 
-        /// <summary>Red: sum of far depths minus sum of near ones [m]; green: number of far faces minus number of near ones.</summary>
+        /// <summary>Red: sum of far depths minus sum of near ones [m]; green: number of far faces minus number of near ones;
+        /// alpha: minus the depth of the nearest far face [m].</summary>
         public RenderTexture Texture => texture;
 
         /// <summary>Layer of the liquid: cameras that do not see it are skipped.</summary>
@@ -77,7 +81,7 @@ namespace SphFluid
                 return;
             Vector2Int part = ViewSize(size);
             cmd.SetRenderTarget(texture);
-            cmd.ClearRenderTarget(false, true, Color.clear);
+            cmd.ClearRenderTarget(false, true, new Color(0f, 0f, 0f, NoFarFace));
             cmd.SetViewport(new Rect(0f, 0f, Mathf.Min(part.x, texture.width), Mathf.Min(part.y, texture.height)));
             cmd.SetViewProjectionMatrices(view, projection);
             cmd.DrawProceduralIndirect(surface.Indices, Matrix4x4.identity, material, 0, MeshTopology.Triangles, surface.Arguments, 0, block);

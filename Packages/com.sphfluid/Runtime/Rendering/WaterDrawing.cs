@@ -54,7 +54,7 @@ namespace SphFluid
         /// <param name="drawn">The spray.</param>
         /// <param name="shutter">How long the camera's shutter is open [s].</param>
         /// <param name="placement">Where it is.</param>
-        public void DrawSpray(in SprayBuffers drawn, float shutter, in DrawPlacement placement) => spray.Draw(drawn, shutter, placement);
+        public void DrawSpray(in SprayBuffers drawn, float shutter, in DrawPlacement placement) => spray.Draw(drawn, shutter, placement, thickness);
 
         public override void Draw(in SurfaceBuffers surface, Material ownMaterial, in DrawPlacement placement)
         {

@@ -132,13 +132,20 @@ float3 FluidDiffuse(float3 albedo, float3 normal)
 }
 
 // Blinn-Phong with its energy factor (n + 8) / 8; smoothness 0...1 stands for exponents 2...2048.
-float3 FluidHighlight(float smoothness, float3 normal, float3 view)
+// variance: of the normal over a pixel; it lowers the exponent, so that highlights smaller than a pixel do not sparkle (Kaplanyan et al. 2016).
+float3 FluidHighlight(float smoothness, float3 normal, float3 view, float variance)
 {
     float3 light = _FluidLightDirection.xyz;
     float exponent = exp2(1.0 + 10.0 * smoothness);
+    exponent /= 1.0 + exponent * variance;
     float facing = saturate(dot(normal, normalize(light + view)));
     float lit = saturate(dot(normal, light));
     return FluidLampColour() * (lit * WATER_REFLECTANCE * (exponent + 8.0) / 8.0 * pow(facing, exponent));
+}
+
+float3 FluidHighlight(float smoothness, float3 normal, float3 view)
+{
+    return FluidHighlight(smoothness, normal, view, 0.0);
 }
 
 // Schlick's approximation: how much of the light from the mirror direction a smooth water surface reflects.

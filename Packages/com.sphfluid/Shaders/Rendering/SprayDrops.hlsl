@@ -109,10 +109,12 @@ float4 ShadeDrop(DropFragment input) : SV_Target
     return input.colour * (rest * rest);
 }
 
-// Into the picture of the scene that the water refracts, which has no depth of its own.
+// Into the picture of the scene that the water refracts, which has no depth of its own: nothing behind the scene, nothing before the water.
 float4 ShadeDropBehindWater(DropFragment input) : SV_Target
 {
-    clip(SceneEyeDepth(WaterScreen(input.world)) - WaterEyeDepth(input.world));
+    float2 screen = WaterScreen(input.world);
+    float depth = WaterEyeDepth(input.world);
+    clip(min(SceneEyeDepth(screen) - depth, depth - FirstLayerEnd(screen)));
     return ShadeDrop(input);
 }
 

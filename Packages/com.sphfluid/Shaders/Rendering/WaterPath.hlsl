@@ -8,7 +8,7 @@ float4 _ProjectionParams; // x: -1 where the picture is drawn upside down
 float4 _ZBufferParams;
 float4 unity_OrthoParams; // w: 1 for an orthographic camera
 
-Texture2D<float2> _FluidThickness;  // WaterThickness.hlsl
+Texture2D<float4> _FluidThickness;  // WaterThickness.hlsl
 Texture2D<float> _CameraDepthTexture;
 SamplerState sampler_LinearClamp;
 SamplerState sampler_PointClamp;
@@ -82,6 +82,7 @@ struct WaterRay
 {
     float4 clipStart;
     float4 clipStep;
+    float3 direction; // world space
     float front;      // depth of its start, metres along the camera's axis
     float depthStep;  // depth a metre
 };
@@ -90,6 +91,7 @@ WaterRay StartRay(float3 world, float3 direction)
 {
     WaterRay ray;
     ray.clipStart = FluidClipPosition(world);
+    ray.direction = direction;
     ray.clipStep = mul(unity_MatrixVP, float4(direction, 0.0));
     ray.front = WaterEyeDepth(world);
     ray.depthStep = -dot(unity_MatrixV[2].xyz, direction);
@@ -102,6 +104,12 @@ float2 RayScreen(WaterRay ray, float metres)
     return clipPosition.xy / clipPosition.w * float2(0.5, 0.5 * _ProjectionParams.x) + 0.5;
 }
 
+// How far the scene lies behind a place of such a line, metres along the camera's axis; negative: in front.
+float GapBehind(WaterRay ray, float metres)
+{
+    return SceneEyeDepth(RayScreen(ray, metres)) - (ray.front + ray.depthStep * metres);
+}
+
 // Whether the scene shows there what such a line sees: neither a thing in front of the water nor one that it has run into before.
 bool IsSeen(WaterRay ray, float metres)
 {
@@ -109,7 +117,8 @@ bool IsSeen(WaterRay ray, float metres)
     return scene >= ray.front && scene >= ray.front + ray.depthStep * metres;
 }
 
-// How far a line runs, halving the last doubt each time: to a thirty-second of the longest path.
+// How far a line runs: the doubt is halved five times, what is left of it is settled by the gaps at its two ends where these belong to one
+// thing, so that no steps are seen.
 float RayLength(WaterRay ray, float longest)
 {
     float clear = 0.0;
@@ -125,7 +134,10 @@ float RayLength(WaterRay ray, float longest)
         else
             doubtful = middle;
     }
-    return clear;
+    float gap = GapBehind(ray, clear);
+    float fall = gap - GapBehind(ray, doubtful);
+    bool isOneThing = gap > 0.0 && fall > gap && fall < 4.0 * ray.depthStep * (doubtful - clear);
+    return isOneThing ? lerp(clear, doubtful, gap / fall) : clear;
 }
 
 // Where the line of sight enters and leaves the domain, metres along the camera's axis.
@@ -143,14 +155,26 @@ float2 DomainSpan(float3 world, float3 view, float alongAxis)
     return max(WaterEyeDepth(world) + float2(entry, exit) * alongAxis, 0.0);
 }
 
+// Where a place of the picture lies in the thickness picture, whose lower left part this camera fills.
+float2 ThicknessPlace(float2 screen)
+{
+    float2 part = ceil(_FluidThicknessView.xy / _FluidThicknessSize.z);
+    float2 used = min(part / _FluidThicknessSize.xy, 1.0);
+    return min(screen * used, used - 0.5 / _FluidThicknessSize.xy);
+}
+
+// Where the nearest layer of water ends, metres along the camera's axis; negative where there is none.
+float FirstLayerEnd(float2 screen)
+{
+    float nearest = _FluidThickness.SampleLevel(sampler_PointClamp, ThicknessPlace(screen), 0.0).w;
+    return nearest > -999.0 ? WaterEyeDepth(FluidWorldPosition(0.0)) - nearest : -1.0;
+}
+
 // Water behind a point of the surface, metres along the camera's axis. A surface that is open at the walls, or a camera within the water, leaves
 // faces without a partner: the domain's wall, or the camera, takes its place.
 float WaterBehind(float3 world, float3 view, float alongAxis)
 {
-    float2 part = ceil(_FluidThicknessView.xy / _FluidThicknessSize.z);
-    float2 used = min(part / _FluidThicknessSize.xy, 1.0);
-    float2 uv = min(WaterScreen(world) * used, used - 0.5 / _FluidThicknessSize.xy);
-    float2 sums = _FluidThickness.SampleLevel(sampler_LinearClamp, uv, 0.0);
+    float2 sums = _FluidThickness.SampleLevel(sampler_LinearClamp, ThicknessPlace(WaterScreen(world)), 0.0).xy;
     float2 span = DomainSpan(world, view, alongAxis);
     float unpaired = sums.y > 0.0 ? span.x : span.y;
     return max(sums.x + sums.y * (WaterEyeDepth(FluidWorldPosition(0.0)) - unpaired), 0.0);

@@ -56,6 +56,30 @@ float3 WaterMirror(float3 direction)
     return colour;
 }
 
+// How thick the nearest layer is, metres along the camera's axis.
+float FirstLayer(float2 screen, float front)
+{
+    float end = FirstLayerEnd(screen);
+    return end > front ? end - front : NOTHING_BEHIND;
+}
+
+// Where the scene is seen by light that left a layer and goes on as it came: at the depth that it has straight ahead, unless something stands
+// before that. A thin layer shifts the picture little.
+float2 BehindLayer(float3 exit, float3 view, float alongAxis, float scene, float2 screen)
+{
+    float left = WaterEyeDepth(exit);
+    float2 place = WaterScreen(exit - view * (max(scene - left, 0.0) / alongAxis));
+    return NearestSceneDepth(place) < left ? screen : place;
+}
+
+// Variance of the normal over a pixel.
+float NormalVariance(float3 normal)
+{
+    float3 across = ddx(normal);
+    float3 along = ddy(normal);
+    return min(0.5 * (dot(across, across) + dot(along, along)), 0.25);
+}
+
 float4 ShadeWater(SurfaceFragment input) : SV_Target
 {
     float3 view = WaterView(input.world);
@@ -65,15 +89,20 @@ float4 ShadeWater(SurfaceFragment input) : SV_Target
     float2 screen = WaterScreen(input.world);
     float behind = WaterBehind(input.world, view, alongAxis);
 
-    float longest = max(min(behind, SceneEyeDepth(screen) - front), 0.0) / alongAxis;
+    float scene = SceneEyeDepth(screen);
+    float water = max(min(behind, scene - front), 0.0);
+    float layer = min(water, FirstLayer(screen, front));
+    float longest = layer / alongAxis;
     WaterRay ray = StartRay(input.world, normalize(lerp(-view, refract(-view, normal, AIR_TO_WATER), _Refraction)));
     float2 shifted = RayScreen(ray, RayLength(ray, longest));
-    float path = clamp((SceneEyeDepth(shifted) - front) / ray.depthStep, 0.0, longest);
+    float path = clamp((SceneEyeDepth(shifted) - front) / ray.depthStep, 0.0, longest) + (water - layer) / alongAxis;
+    if (layer < scene - front && layer < water)
+        shifted = BehindLayer(input.world + ray.direction * longest, view, alongAxis, scene, screen);
 
     float3 transmitted = exp(-_FluidExtinction.rgb * path);
     float3 body = _FluidScattering.rgb * (1.0 - transmitted) * WaterInnerLight();
     float mirrored = FluidFresnel(normal, view);
-    float3 surface = WaterMirror(reflect(-view, normal)) * mirrored + FluidHighlight(_Smoothness, normal, view);
+    float3 surface = WaterMirror(reflect(-view, normal)) * mirrored + FluidHighlight(_Smoothness, normal, view, NormalVariance(normal));
     float3 colour = FluidExposed(body * (1.0 - mirrored) + surface);
     float cover = 1.0;
     if (_FluidScene.x == WATER_SCENE_NONE)

@@ -11,6 +11,7 @@ Shader "Hidden/SPH Fluid/Water Thickness"
             ZWrite Off
             ZTest Always
             Blend One One
+            BlendOp Add, Max
 
             HLSLPROGRAM
             #pragma target 4.5
