@@ -1,6 +1,7 @@
 using Headless.Checks;
 using Headless.Checks.Api;
 using Headless.Checks.Cross;
+using Headless.Checks.Documents;
 using Headless.Checks.Dxc;
 using Headless.Checks.Form;
 using Headless.Checks.Format;
@@ -8,7 +9,7 @@ using Headless.Checks.Fxc;
 using Headless.Checks.Gpu;
 using Headless.Checks.Shaders;
 
-string[] names = ["api", "surface", "fxc", "dxc", "cross", "gpu", "uniform", "form", "format"];
+string[] names = ["api", "surface", "fxc", "dxc", "cross", "gpu", "uniform", "form", "docs", "format"];
 var usage = $"usage: sphchecks PROJECT [--stand-in FOLDER] [--cache FOLDER] [--only {string.Join('|', names)}] [--update]";
 string? project = null, standIn = null, only = null, family = null, shaderCache = null;
 var update = false;
@@ -47,6 +48,7 @@ Add("cross", () => new CrossCheck(packages, shaderCache).Run());
 Add("gpu", () => new GpuCheck(packages, shaderCache, Path.Combine(project, "Headless", "Checks", "Gpu", "Data")).Run(update));
 Add("uniform", () => [new UniformBranchCheck(packages, shaderCache).Run()]);
 Add("form", () => FormChecks.Run(packages));
+Add("docs", () => DocumentChecks.Run(packages));
 Add("format", () => [new CodeFormatCheck(project).Run(), new TextFormatCheck(project).Run()]);
 
 var failed = reports.Count(r => !r.Passed && r.SkippedBecause is null);

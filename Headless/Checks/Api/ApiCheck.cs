@@ -18,7 +18,8 @@ internal sealed class ApiCheck(ProjectPackages packages)
     // Unity ships NUnit 3.5; the oldest framework on NuGet is 3.6, which added these.
     private static readonly string[] laterNUnit = ["M:NUnit.Framework.Assert.Multiple", "M:NUnit.Framework.Assert.Warn", "T:NUnit.Framework.Warn", "M:NUnit.Framework.Warn."];
 
-    private static readonly string[] obsolete = ["CS0612", "CS0618", "CS0619", "CS0672"];
+    /// <summary>Compiler messages about members that a Unity line marks obsolete.</summary>
+    internal static readonly string[] Obsolete = ["CS0612", "CS0618", "CS0619", "CS0672"];
 
     // Serialised fields are assigned by the Editor.
     private static readonly string[] ignored = ["CS0649", "CS0414", "CS1701", "CS1702"];
@@ -61,11 +62,28 @@ internal sealed class ApiCheck(ProjectPackages packages)
         return report;
     }
 
-    private static CSharpCompilation CreateCompilation(PackageAssembly assembly, string line, ReferenceAssemblies references, bool editor, bool modules,
-        Dictionary<string, CSharpCompilation> built, List<string> findings)
+    /// <summary>What a script of a user's is compiled with in the Editor: Unity, NUnit and the packages' runtime assemblies that are referenced without asking.</summary>
+    public static (IReadOnlyList<MetadataReference> References, CSharpParseOptions Options) ReferencesForUsers(ProjectPackages packages, string line)
+    {
+        var unity = ReferenceAssemblies.Of(line);
+        var built = new Dictionary<string, CSharpCompilation>();
+        foreach (var assembly in packages.All.SelectMany(PackageAssembly.FindAll).Where(a => !a.EditorOnly && !a.IsTest && !a.IsOptional))
+            built[assembly.Name] = CreateCompilation(assembly, line, unity, editor: true, modules: true, built, []);
+        return ([.. ReferenceAssemblies.NetStandard, unity.Engine, unity.Editor, unity.EngineTestRunner, ReferenceAssemblies.NUnit, .. unity.Packages.Values, .. built.Values.Select(b => b.ToMetadataReference())],
+            new CSharpParseOptions(LanguageVersion.CSharp9, preprocessorSymbols: Defines(line, editor: true)));
+    }
+
+    private static List<string> Defines(string line, bool editor)
     {
         var defines = new List<string>(lineDefines[line]) { "UNITY_STANDALONE", "UNITY_STANDALONE_WIN", "NET_STANDARD_2_1", "NET_STANDARD", "ENABLE_MONO" };
         if (editor) defines.AddRange(["UNITY_EDITOR", "UNITY_EDITOR_WIN", "UNITY_INCLUDE_TESTS"]);
+        return defines;
+    }
+
+    private static CSharpCompilation CreateCompilation(PackageAssembly assembly, string line, ReferenceAssemblies references, bool editor, bool modules,
+        Dictionary<string, CSharpCompilation> built, List<string> findings)
+    {
+        var defines = Defines(line, editor);
         if (modules) defines.AddRange(assembly.ModuleDefines);
         var metadata = new List<MetadataReference>(ReferenceAssemblies.NetStandard) { references.Engine };
         if (editor) metadata.Add(references.Editor);
@@ -84,7 +102,7 @@ internal sealed class ApiCheck(ProjectPackages packages)
 
     private static bool IsFinding(Diagnostic diagnostic, PackageAssembly assembly)
     {
-        if (diagnostic.Severity == DiagnosticSeverity.Error || obsolete.Contains(diagnostic.Id)) return true;
+        if (diagnostic.Severity == DiagnosticSeverity.Error || Obsolete.Contains(diagnostic.Id)) return true;
         if (diagnostic.Severity != DiagnosticSeverity.Warning || ignored.Contains(diagnostic.Id)) return false;
         return !(assembly.IsTest && diagnostic.Id == "CS1591");
     }

@@ -11,8 +11,6 @@ internal static class FormChecks
         new GetterCheck(packages).Run(),
         new InspectorCheck(packages).Run(),
         new StrippingCheck(packages).Run(),
-        new MenuPathCheck(packages).Run(),
-        new DocumentCheck(packages).Run(),
         new MaterialCheck(packages).Run(),
         new SceneLightCheck(packages).Run(),
         new ProjectSettingsCheck(packages).Run(),

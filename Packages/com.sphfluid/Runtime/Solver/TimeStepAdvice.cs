@@ -24,14 +24,29 @@ namespace SphFluid
         /// <summary>Displacement of a particle in a step over the spacing that is advised: it comes near each wall before it is through.</summary>
         public const double SpeedLimit = 0.4;
 
-        /// <summary>Largest stable step by each limit [s]; infinite where it does not act.</summary>
-        public readonly double Acoustic, Speed, Viscosity, Walls;
+        /// <summary>Largest stable step by the speed of sound [s]; infinite where it does not act.</summary>
+        public readonly double Acoustic;
+
+        /// <summary>Largest step that is advised by the fastest particle [s]; infinite for liquid at rest.</summary>
+        public readonly double Speed;
+
+        /// <summary>Largest stable step by viscosity [s]; infinite where it does not act.</summary>
+        public readonly double Viscosity;
+
+        /// <summary>Largest stable step by the stiffness of walls [s]; infinite where it does not act.</summary>
+        public readonly double Walls;
 
         /// <summary>Step at the border of stability that viscosity sets [s]; <see cref="Viscosity"/> keeps about half of it.</summary>
         public readonly double ViscosityBorder;
 
-        /// <summary>What the limits are of: effective speed of sound and fastest speed [m/s], kinematic viscosity [m²/s].</summary>
-        public readonly double SoundSpeed, MaxSpeed, KinematicViscosity;
+        /// <summary>The effective speed of sound that the limits are of [m/s].</summary>
+        public readonly double SoundSpeed;
+
+        /// <summary>The fastest speed that the limits are of [m/s].</summary>
+        public readonly double MaxSpeed;
+
+        /// <summary>The kinematic viscosity that the limits are of [m²/s].</summary>
+        public readonly double KinematicViscosity;
 
         /// <summary>The limits of a liquid, each the largest step that it allows [s].</summary>
         internal TimeStepAdvice(double acoustic, double speedStep, double viscous, double viscousBorder, double walls, double sound, double maxSpeed, double kinematic)

@@ -1,40 +1,34 @@
 using System.Text.RegularExpressions;
 
-namespace Headless.Checks.Form;
+namespace Headless.Checks.Documents;
 
 /// <summary>
 /// Relative links and pictures of the project's documents lead to files that are there, and a part of a page that is named (#heading) to a
 /// heading. The index.md of each manual lists every page beside it.
 /// </summary>
-internal sealed partial class DocumentCheck(ProjectPackages packages)
+internal sealed partial class LinkCheck(ProjectPackages packages)
 {
     private const string Index = "index.md";
     private readonly Dictionary<string, HashSet<string>> headings = [];
 
     public CheckReport Run()
     {
-        var report = new CheckReport("documents");
-        var documents = Documents().Order().ToList();
+        var report = new CheckReport("links");
+        var documents = MarkdownFile.FindAll(packages);
         var links = 0;
         foreach (var document in documents)
-            foreach (Match link in Link().Matches(WithoutCode(File.ReadAllText(document))))
+            foreach (var target in Targets(WithoutCode(document.Text)))
             {
-                var target = link.Groups[1].Value;
                 if (target.Contains("://", StringComparison.Ordinal) || target.StartsWith("mailto:", StringComparison.Ordinal)) continue;
                 links++;
-                if (Problem(document, Uri.UnescapeDataString(target)) is { } problem) report.Findings.Add($"{Shown(document)}: the link to '{target}' {problem}");
+                if (Problem(document.Path, Uri.UnescapeDataString(target)) is { } problem) report.Findings.Add($"{document.Shown}: the link to '{target}' {problem}");
             }
         foreach (var package in packages.All) CheckIndex(Path.Combine(package, "Documentation~"), report);
         report.Figures = $"{documents.Count} documents, {links} relative links";
         return report;
     }
 
-    private IEnumerable<string> Documents()
-    {
-        var folders = new[] { "Headless", "benchmarks", "Assets" }.Select(f => Path.Combine(packages.Project, f)).Where(Directory.Exists);
-        return Directory.GetFiles(packages.Project, "*.md").Concat(folders.SelectMany(f => Directory.GetFiles(f, "*.md", SearchOption.AllDirectories)))
-            .Concat(packages.Files().Where(f => f.EndsWith(".md", StringComparison.Ordinal)));
-    }
+    private static IEnumerable<string> Targets(string text) => Link().Matches(text).Concat(HtmlLink().Matches(text)).Select(m => m.Groups[1].Value);
 
     private string? Problem(string document, string target)
     {
@@ -67,6 +61,7 @@ internal sealed partial class DocumentCheck(ProjectPackages packages)
     private string Shown(string path) => Path.GetRelativePath(packages.Project, path);
 
     [GeneratedRegex(@"\]\(([^()\s]+)(?:\s+""[^""]*"")?\)")] private static partial Regex Link();
+    [GeneratedRegex(@"<(?:img|a|source)\b[^>]*\b(?:src|href|srcset)=""([^""]+)""")] private static partial Regex HtmlLink();
     [GeneratedRegex(@"^#{1,6} +(.+?)\s*$", RegexOptions.Multiline)] private static partial Regex Heading();
     [GeneratedRegex(@"[^\w\- ]")] private static partial Regex NotInAnAnchor();
     [GeneratedRegex(@"^```.*?^```", RegexOptions.Multiline | RegexOptions.Singleline)] private static partial Regex Fence();

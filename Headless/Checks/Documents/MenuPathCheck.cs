@@ -4,7 +4,7 @@ using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
 using System.Text.RegularExpressions;
 
-namespace Headless.Checks.Form;
+namespace Headless.Checks.Documents;
 
 /// <summary>Menu paths in documents, messages and comments are those of [MenuItem], [AddComponentMenu] and [CreateAssetMenu].</summary>
 internal sealed partial class MenuPathCheck(ProjectPackages packages)

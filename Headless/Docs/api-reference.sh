@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Writes the manual and the API reference of com.sphfluid as pages for a browser: Build/docs/index.html. Needs Doxygen (Debian: doxygen).
+# A warning about a page or a comment of ours is an error: it names file and line.
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+if ! command -v doxygen > /dev/null; then
+    sudo=()
+    if ! command -v apt-get > /dev/null; then
+        echo "Doxygen is missing: https://www.doxygen.nl/download.html" >&2
+        exit 1
+    fi
+    if ((EUID != 0)); then
+        command -v sudo > /dev/null || { echo "as root: apt-get install doxygen" >&2; exit 1; }
+        sudo=(sudo)
+    fi
+    echo "installing doxygen" >&2
+    "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends doxygen > /dev/null
+fi
+rm -rf Build/docs
+mkdir -p Build/docs
+doxygen Headless/Docs/Doxyfile
+if [[ -s Build/docs-warnings.log ]]; then
+    cat Build/docs-warnings.log >&2
+    echo "$(wc -l < Build/docs-warnings.log) warnings of $(doxygen --version)" >&2
+    exit 1
+fi
+echo Build/docs/index.html
