@@ -35,8 +35,10 @@ internal sealed partial class CommandHelp
         return flags[verb].Contains(flag);
     }
 
-    private string[] Ask(params string[] verb) =>
-        Tool.Run("bash", [script, .. verb, "--help"]) is (0, var text) ? text.Split('\n') : throw new InvalidOperationException($"'{script} --help' failed.");
+    // A verb's program may answer --help with its usage and an exit code that is not 0.
+    private string[] Ask(params string[] verb) => Tool.Run("bash", [script, .. verb, "--help"]) is { } answer && (answer.Code == 0 || verb.Length > 0)
+        ? answer.Output.Split('\n')
+        : throw new InvalidOperationException($"'{script} --help' failed.");
 
     private void Add(string verb, string line)
     {

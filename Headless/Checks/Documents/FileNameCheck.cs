@@ -23,7 +23,7 @@ internal sealed partial class FileNameCheck(ProjectPackages packages)
             {
                 if (!IsFile(code) || IsMadeUp(code)) continue;
                 count++;
-                if (!Exists(document, code.TrimEnd('/'))) report.Findings.Add($"{document.Shown}({line}): there is no '{code}'");
+                if (!Exists(document, code)) report.Findings.Add($"{document.Shown}({line}): there is no '{code}'");
             }
         report.Figures = $"{count} names of files";
         return report;
@@ -54,7 +54,7 @@ internal sealed partial class FileNameCheck(ProjectPackages packages)
         if (!code.Contains('/')) return names.Contains(code) || written.Contains(code);
         var folder = Path.GetDirectoryName(document.Path)!;
         return roots.Prepend(folder).Any(r => Path.Combine(r, code) is var path && (File.Exists(path) || Directory.Exists(path)))
-            || code.StartsWith("Packages/", StringComparison.Ordinal) && PackageCache().IsMatch(code) || written.Contains(Path.GetFileName(code));
+            || code.StartsWith("Packages/", StringComparison.Ordinal) && PackageCache().IsMatch(code) || written.Contains(code) || written.Contains(Path.GetFileName(code));
     }
 
     private const string Kinds = "cs|csv|json|ply|obj|png|svg|gp|mp4|gif|webp|md|txt|sh|hlsl|cginc|compute|shader|asset|unity|prefab|mat|asmdef|slnx|csproj|gz|c|h|log";
@@ -63,6 +63,6 @@ internal sealed partial class FileNameCheck(ProjectPackages packages)
     [GeneratedRegex($@"^[\w.-]+\.(?:{Kinds})$")] private static partial Regex NameAlone();
     [GeneratedRegex(@"^[A-Z]\w+Tests(?:\.\w+)?$")] private static partial Regex TestClass();
     [GeneratedRegex(@"(?:^|/)(?:DIR|NAME|FILE|DEVICE|X|name|case|frame)\b|NAME|DEVICE|DAY|(?:^|/)X(?:Pass|Tests)?\.|…")] private static partial Regex MadeUp();
-    [GeneratedRegex($@"[\w-]+\.(?:{Kinds})\b")] private static partial Regex Written();
+    [GeneratedRegex($@"[\w-]+\.(?:{Kinds})\b|(?<="")[\w-]+/(?=\{{)")] private static partial Regex Written();
     [GeneratedRegex(@"^Packages/(?!com\.sphfluid)")] private static partial Regex PackageCache();
 }

@@ -49,7 +49,8 @@ internal sealed partial class Snippet(MarkdownFile document, Fence fence)
             return (unit.Usings.Count > 0 ? "" : Usings) + code;
         var members = statements.All(s => s is LocalFunctionStatementSyntax or LocalDeclarationStatementSyntax) && statements.Exists(s => s is LocalFunctionStatementSyntax);
         var result = unit.DescendantNodes().OfType<YieldStatementSyntax>().Any() ? "IEnumerator" : "void";
-        return $"{Usings}class Snippet : SnippetScene {{ {given}\n{(members ? code : $"{result} Run() {{\n{code}}}")}}}";
+        var laboratory = document.Shown.Contains("validation", StringComparison.Ordinal) ? "using SphFluid.Validation; " : "";
+        return $"{laboratory}{Usings}class Snippet : SnippetScene {{ {given}\n{(members ? code : $"{result} Run() {{\n{code}}}")}}}";
     }
 
     [GeneratedRegex(@"<!-- *given:([\s\S]*?)-->")] private static partial Regex Given();
