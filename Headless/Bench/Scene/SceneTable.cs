@@ -7,10 +7,13 @@ internal static class SceneTable
 {
     public const string FileName = "scene.csv", FramesFileName = "scene-frames.csv";
 
-    private const string Head =
+    public const string Head =
         "table,device,scene,phase,build,commit,particles,frames,steps,rebuilds,dispatches,solver_ms,surface_ms,drawing_ms,cpu_ms,"
         + "against,solver_ratio,solver_ratio_median,solver_ratio_low,solver_ratio_high,"
         + "surface_ratio,surface_ratio_median,surface_ratio_low,surface_ratio_high,drawing_ratio,cpu_ratio,cpu_ratio_median,cpu_ratio_low,cpu_ratio_high,date";
+
+    /// <summary>Behind these come two columns a pass.</summary>
+    public const string FramesHead = "build,phase,frame,steps,dispatches,cpu_ms,";
 
     public static void Write(SceneOptions options, IReadOnlyList<SceneRow> rows, string against)
     {
@@ -63,7 +66,7 @@ internal static class SceneTable
     private static void WriteFrames(SceneOptions options, IReadOnlyList<SceneRow> rows)
     {
         string[] scopes = [.. rows.SelectMany(r => r.Player.Frames.Values).SelectMany(f => f.Scopes.Keys).Distinct().Order(StringComparer.Ordinal)];
-        var lines = new List<string> { "build,phase,frame,steps,dispatches,cpu_ms," + string.Join(',', scopes.SelectMany(s => new[] { "ms." + s, "times." + s })) };
+        var lines = new List<string> { FramesHead + string.Join(',', scopes.SelectMany(s => new[] { "ms." + s, "times." + s })) };
         foreach (SceneRow row in rows)
         {
             foreach (int number in row.Numbers)

@@ -1,3 +1,4 @@
+using Headless.Checks.Documents;
 using Headless.Checks.Form;
 using NUnit.Framework;
 

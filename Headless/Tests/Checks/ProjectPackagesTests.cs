@@ -1,5 +1,6 @@
 using Headless.Checks;
 using Headless.Checks.Api;
+using Headless.Checks.Documents;
 using Headless.Checks.Form;
 using NUnit.Framework;
 
@@ -79,7 +80,7 @@ public sealed class ProjectPackagesTests
             .Write("Documentation~/unlisted.md", "# U")
             .Write("../com.a.tools/Documentation~/b.md", "# B\n## Part Two (2)\n");
 
-        Assert.That(new DocumentCheck(package.Packages).Run().Findings, Is.EqualTo(new[]
+        Assert.That(new LinkCheck(package.Packages).Run().Findings, Is.EqualTo(new[]
         {
             "Packages/com.sphfluid/Documentation~/a.md: the link to 'gone.md' leads nowhere",
             "Packages/com.sphfluid/Documentation~/a.md: the link to '#no-part' names no heading of that page",

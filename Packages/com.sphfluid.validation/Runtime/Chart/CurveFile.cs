@@ -7,6 +7,9 @@ namespace SphFluid.Validation
     /// <summary>The curves of a run, kept for the picture of its case: curves/CASE.METHOD.csv.</summary>
     public static class CurveFile
     {
+        /// <summary>The first line of each file.</summary>
+        internal static string FirstLine => FormatOf("", "").FirstLine;
+
         /// <summary>The file of a case and a method.</summary>
         internal static ResultFile Of(string caseName, string method) => FormatOf(caseName, method).File;
 

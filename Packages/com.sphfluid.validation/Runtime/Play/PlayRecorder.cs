@@ -10,10 +10,15 @@ namespace SphFluid.Validation
     [DefaultExecutionOrder(200)]
     sealed class PlayRecorder : MonoBehaviour
     {
+        /// <summary>Columns of --record behind the frame's number.</summary>
+        internal static readonly string[] RecordColumns =
+        {
+            "time_s", "simulation", "steps", "max_speed_m_s", "rms_speed_m_s", "density_error_mean", "density_error_max", "kinetic_energy_j",
+            "centre_x_m", "centre_y_m", "centre_z_m", "close_share", "nearest_over_dx",
+        };
+
         readonly FrameTable frames = new FrameTable("steps", "particles");
-        readonly FrameTable record = new FrameTable("time_s", "simulation", "steps", "max_speed_m_s", "rms_speed_m_s",
-            "density_error_mean", "density_error_max", "kinetic_energy_j", "centre_x_m", "centre_y_m", "centre_z_m",
-            "close_share", "nearest_over_dx");
+        readonly FrameTable record = new FrameTable(RecordColumns);
         readonly Dictionary<FluidSimulation, SurfaceCaps> surfaces = new Dictionary<FluidSimulation, SurfaceCaps>();
         readonly Dictionary<FluidSimulation, ColliderSides> sides = new Dictionary<FluidSimulation, ColliderSides>();
         PlayArguments arguments;
