@@ -1,0 +1,24 @@
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+
+namespace Headless.Tests.Structure;
+
+/// <summary>The code of the README is that of a test, so that it does what the README says.</summary>
+public sealed partial class ReadmeTests
+{
+    [Test]
+    public void TheFirstLinesAreThoseOfATest()
+    {
+        string root = Conformance.ReleaseBuildTests.FindUp("Headless/Play.slnx");
+        string code = Code().Match(File.ReadAllText(Path.Combine(root, "README.md")).ReplaceLineEndings("\n")).Groups[1].Value;
+        string[] printed = Lines(code), tested = Lines(File.ReadAllText(Path.Combine(root, "Packages/com.sphfluid/Tests/Runtime/FirstLinesTests.cs")));
+        Assert.That(printed, Has.Length.EqualTo(5));
+        int first = Array.IndexOf(tested, printed[0]);
+        Assert.That(first, Is.Not.Negative, $"no test has the line '{printed[0]}'");
+        Assert.That(tested.Skip(first).Take(printed.Length), Is.EqualTo(printed));
+    }
+
+    private static string[] Lines(string text) => [.. text.Split('\n').Select(l => l.Trim()).Where(l => l.Length > 0)];
+
+    [GeneratedRegex("^```csharp\n([\\s\\S]*?)^```", RegexOptions.Multiline)] private static partial Regex Code();
+}
