@@ -25,4 +25,9 @@ if [[ -s Build/docs-warnings.log ]]; then
     echo "$(wc -l < Build/docs-warnings.log) warnings of $(doxygen --version)" >&2
     exit 1
 fi
+# Where Doxygen loses its way in a page, its own commands are left in the text, without a warning.
+if grep -lE '@(ref|section|code|endcode)\b' Build/docs/*.html >&2; then
+    echo "these pages show commands of Doxygen" >&2
+    exit 1
+fi
 echo Build/docs/index.html

@@ -4,13 +4,12 @@ use strict;
 use warnings;
 use File::Basename;
 
-my $file = $ARGV[0];
-my $page = basename($file, '.md');
-my $folder = dirname($file);
-my $fenced = 0;
+my %languages = (csharp => '.cs', hlsl => '.c', json => '.js');
+my $page = basename($ARGV[0], '.md');
 
+# As GitHub names them: "Force Times Mass (6.3.3)" is force-times-mass-633.
 sub label {
-    my ($page, $heading) = @_;
+    my ($heading) = @_;
     $heading = lc $heading;
     $heading =~ s/[^\w\- ]//g;
     $heading =~ s/ /-/g;
@@ -19,23 +18,28 @@ sub label {
 
 sub target {
     my ($link) = @_;
-    return $link if $link =~ m{://};
     return "\@ref $page-$1" if $link =~ /^#(.+)$/;
-    return "\@ref page-$1" . (defined $2 ? "" : "") if $link =~ /^([\w-]+)\.md$/;
+    return "\@ref page-$1" if $link =~ /^([\w-]+)\.md$/;
     return "\@ref $1-$2" if $link =~ /^([\w-]+)\.md#(.+)$/;
     return $link;
 }
 
-while (<>) {
-    if (/^ *```/) {
-        $fenced = !$fenced;
-        s/^( *```)(csharp|hlsl|json)\s*$/"$1\{" . ($2 eq "csharp" ? ".cs" : $2 eq "hlsl" ? ".c" : ".js") . "}\n"/e;
-    }
-    elsif (!$fenced) {
-        next if /^<!-- (?:given|not compiled):/ .. /-->/;
-        if (/^# (.+?)\s*$/) { $_ = $page eq "index" ? "# $1\n" : "# $1 {#page-$page}\n"; }
-        elsif (/^(#{2,6}) (.+?)\s*$/) { $_ = "$1 $2 {#" . label($page, $2) . "}\n"; }
-        s{(?<!\!)\]\(([^()\s]+)\)}{"](" . target($1) . ")"}ge;
-    }
-    print;
+sub prose {
+    my ($text) = @_;
+    $text =~ s/^<!-- (?:given|not compiled):.*?-->\n//gms;
+    $text =~ s/^# (.+?)[ \t]*$/$page eq 'index' ? "# $1" : "# $1 {#page-$page}"/gme;
+    $text =~ s/^(#{2,6}) (.+?)[ \t]*$/"$1 $2 {#" . label($2) . "}"/gme;
+    # Doxygen does not find the end of a link whose words go over the end of a line.
+    $text =~ s/(?<=\[)([^\[\]\n]*)\n([^\[\]\n]*\]\()/$1 $2/g;
+    $text =~ s{(?<!\!)\[([^\[\]]*)\]\(([^()\s]+)\)}{"[$1](" . target($2) . ")"}ge;
+    return $text;
 }
+
+local $/;
+my $text = <>;
+my @parts = split /^( *```[^\n]*\n.*?^ *```[ \t]*\n)/ms, $text;
+for my $i (0 .. $#parts) {
+    if ($i % 2) { $parts[$i] =~ s/^( *```)(csharp|hlsl|json)\s*\n/"$1\{$languages{$2}}\n"/e; }
+    else { $parts[$i] = prose($parts[$i]); }
+}
+print @parts;
