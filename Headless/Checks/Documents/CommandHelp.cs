@@ -15,14 +15,7 @@ internal sealed partial class CommandHelp
     public CommandHelp(string project)
     {
         script = Path.Combine(project, "run");
-        var section = "";
-        foreach (var line in Ask())
-        {
-            if (Usage().Match(line) is { Success: true } usage) Add(section = usage.Groups[1].Value is { Length: > 0 } verb ? verb : "play", line);
-            else if (SectionName().Match(line) is { Success: true } name && flags.ContainsKey(name.Groups[1].Value)) section = name.Groups[1].Value;
-            else if (line.Length == 0 || line[0] == ' ') Add(section, line);
-            else section = "";
-        }
+        Read(Ask());
     }
 
     public IReadOnlyCollection<string> Verbs => flags.Keys;
@@ -30,8 +23,7 @@ internal sealed partial class CommandHelp
     public bool HasFlag(string verb, string flag)
     {
         if (flag == "--help" || flags[verb].Contains(flag)) return true;
-        if (asked.Add(verb))
-            foreach (var line in Ask(verb)) Add(verb, line);
+        if (asked.Add(verb)) Read(Ask(verb));
         return flags[verb].Contains(flag);
     }
 
@@ -39,6 +31,18 @@ internal sealed partial class CommandHelp
     private string[] Ask(params string[] verb) => Tool.Run("bash", [script, .. verb, "--help"]) is { } answer && (answer.Code == 0 || verb.Length > 0)
         ? answer.Output.Split('\n')
         : throw new InvalidOperationException($"'{script} --help' failed.");
+
+    private void Read(string[] lines)
+    {
+        var section = "";
+        foreach (var line in lines)
+        {
+            if (Usage().Match(line) is { Success: true } usage) Add(section = usage.Groups[1].Value is { Length: > 0 } verb ? verb : "play", line);
+            else if (SectionName().Match(line) is { Success: true } name && flags.ContainsKey(name.Groups[1].Value)) section = name.Groups[1].Value;
+            else if (line.Length == 0 || line[0] == ' ') Add(section, line);
+            else section = "";
+        }
+    }
 
     private void Add(string verb, string line)
     {

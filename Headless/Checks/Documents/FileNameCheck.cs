@@ -62,7 +62,7 @@ internal sealed partial class FileNameCheck(ProjectPackages packages)
     [GeneratedRegex(@"^\.{0,2}/?(?:[\w.~-]+/)+(?:[\w.~-]+)?$")] private static partial Regex PathName();
     [GeneratedRegex($@"^[\w.-]+\.(?:{Kinds})$")] private static partial Regex NameAlone();
     [GeneratedRegex(@"^[A-Z]\w+Tests(?:\.\w+)?$")] private static partial Regex TestClass();
-    [GeneratedRegex(@"(?:^|/)(?:DIR|NAME|FILE|DEVICE|X|name|case|frame)\b|NAME|DEVICE|DAY|(?:^|/)X(?:Pass|Tests)?\.|…")] private static partial Regex MadeUp();
+    [GeneratedRegex(@"(?:^|/)(?:DIR|NAME|FILE|DEVICE|CASE|OWNER|X|name|case|frame)\b|NAME|DEVICE|DAY|(?:^|/)X(?:Pass|Tests)?\.|…")] private static partial Regex MadeUp();
     [GeneratedRegex($@"[\w-]+\.(?:{Kinds})\b|(?<="")[\w-]+/(?=\{{)")] private static partial Regex Written();
     [GeneratedRegex(@"^Packages/(?!com\.sphfluid)")] private static partial Regex PackageCache();
 }

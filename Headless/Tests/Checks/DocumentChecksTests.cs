@@ -8,7 +8,7 @@ public sealed class DocumentChecksTests
 {
     private const string Help = """
         #!/bin/bash
-        [[ $1 == paint ]] && { echo '  --brush NAME   the brush'; exit 0; }
+        [[ $1 == paint ]] && { printf './run paint [flags]\n  --brush NAME   the brush\n'; exit 0; }
         cat << 'END'
         ./run                   plays the scene
         ./run play [flags]      plays a scene
