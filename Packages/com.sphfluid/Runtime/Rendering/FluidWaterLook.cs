@@ -31,6 +31,9 @@ namespace SphFluid
         [SerializeField, Range(0f, 1f), Tooltip("How dark its shadow is: water lets most of the light through.")]
         float shadow = 0.25f;
 
+        [SerializeField, Tooltip("How closely light is followed through the water. Fast: bent once. Balanced: followed to what it meets. Fine: in small steps, and mirrored by the walls of a tank.")]
+        FluidWaterQuality quality = FluidWaterQuality.Fine;
+
         [SerializeField, Tooltip("Whether its thickness is measured at half the picture's resolution: cheaper, a little softer at edges.")]
         bool halfResolution;
 
@@ -61,6 +64,9 @@ namespace SphFluid
         /// <summary>How much of the light its shadow takes away, 0 to 1.</summary>
         public float Shadow { get => shadow; set => shadow = value; }
 
+        /// <summary>How closely light is followed through the water.</summary>
+        public FluidWaterQuality Quality { get => quality; set => quality = value; }
+
         /// <summary>Whether its thickness is measured at half the picture's resolution.</summary>
         public bool HalfResolution { get => halfResolution; set => halfResolution = value; }
 
@@ -69,6 +75,23 @@ namespace SphFluid
 
         /// <summary>How long the camera's shutter is open for spray [s], 0 or more: drops are streaked by the way they go in it.</summary>
         public float SprayShutter { get => sprayShutter; set => sprayShutter = Mathf.Max(value, 0f); }
+
+        /// <summary>Steps through the water, steps behind it, and whether walls mirror; Shaders/Rendering/WaterRefraction.hlsl.</summary>
+        internal Vector4 RefractionSteps
+        {
+            get
+            {
+                switch (quality)
+                {
+                    case FluidWaterQuality.Fast:
+                        return Vector4.zero;
+                    case FluidWaterQuality.Balanced:
+                        return new Vector4(6f, 3f, 0f, 0f);
+                    default:
+                        return new Vector4(12f, 6f, 1f, 0f);
+                }
+            }
+        }
 
         /// <summary>Light absorbed or scattered a metre [1/m], in the colours that shaders use.</summary>
         internal Vector4 Extinction

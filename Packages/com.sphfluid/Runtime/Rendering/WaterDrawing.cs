@@ -40,6 +40,7 @@ namespace SphFluid
             reflection.Apply(Block, placement.WorldBounds, look.Smoothness);
             Block.SetVector(RenderShaderIds.FluidExtinction, look.Extinction);
             Block.SetVector(RenderShaderIds.FluidScattering, look.Albedo);
+            Block.SetVector(RenderShaderIds.FluidRefractionSteps, look.RefractionSteps);
         }
 
         /// <summary>Sets refraction, smoothness and shadow, where no material of the user's does.</summary>
