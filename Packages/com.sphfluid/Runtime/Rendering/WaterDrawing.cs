@@ -10,6 +10,7 @@ namespace SphFluid
         readonly SprayDrawing spray;
         readonly SceneReflection reflection = new SceneReflection();
         Material depth;
+        Material within;
 
         /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
         public WaterDrawing(FluidShaderSet shaders)
@@ -18,6 +19,7 @@ namespace SphFluid
             try
             {
                 depth = DrawMaterial.Create(shaders, "Hidden/SPH Fluid/Water Depth");
+                within = DrawMaterial.Create(shaders, "Hidden/SPH Fluid/Water From Within");
                 thickness = new ThicknessPass(shaders);
                 spray = new SprayDrawing(shaders);
             }
@@ -59,16 +61,19 @@ namespace SphFluid
 
         public override void Draw(in SurfaceBuffers surface, Material ownMaterial, in DrawPlacement placement)
         {
+            // Where water is blended, so that only its nearest layer is.
             if (!WaterRoute.Active.IsComplete)
-                DrawDepth(surface, placement);
+                DrawUnlit(depth, surface, placement);
             base.Draw(surface, ownMaterial, placement);
+            if (WaterCameras.AnyIsNear(thickness))
+                DrawUnlit(within, surface, placement);
         }
 
-        // Where water is blended, so that only its nearest layer is.
-        void DrawDepth(in SurfaceBuffers surface, in DrawPlacement placement)
+        // One of the passes beside the water's own, which alone casts its shadow.
+        void DrawUnlit(Material material, in SurfaceBuffers surface, in DrawPlacement placement)
         {
-            DrawPipeline.Prepare(depth, placement.Pipeline);
-            RenderParams parameters = placement.Parameters(depth, Block);
+            DrawPipeline.Prepare(material, placement.Pipeline);
+            RenderParams parameters = placement.Parameters(material, Block);
             parameters.shadowCastingMode = ShadowCastingMode.Off;
             Render(parameters, surface);
         }
@@ -82,6 +87,7 @@ namespace SphFluid
             }
             spray?.Dispose();
             DrawMaterial.Destroy(ref depth);
+            DrawMaterial.Destroy(ref within);
             base.Dispose();
         }
     }

@@ -100,6 +100,12 @@ float2 ThicknessPlace(float2 screen)
     return min(screen * used, used - 0.5 / _FluidThicknessSize.xy);
 }
 
+// Far faces less near faces on a line of sight: 1 where it starts in water.
+float UnpairedFaces(float2 screen)
+{
+    return _FluidThickness.SampleLevel(sampler_PointClamp, ThicknessPlace(screen), 0.0).y;
+}
+
 // Where the nearest layer of water ends, metres along the camera's axis; negative where there is none.
 float FirstLayerEnd(float2 screen)
 {

@@ -94,10 +94,7 @@ namespace SphFluid.Tests
             Color[] flat = Render();
             Assert.AreEqual((Size / 2 + 0.5f) / Size * (1f - Reflectance), Centre(flat).r, 2e-3f);
 
-            surface.Dispose();
-            var sloping = new Vector3(Mathf.Sin(0.5f), 0f, -Mathf.Cos(0.5f));
-            surface = new UploadedSurface().Box(Vector3.zero, new Vector3(4f, 4f, 0.4f))
-                .Quad(new Vector3(0f, 0f, -0.2f), Vector3.up * 2f, Vector3.right * 2f, sloping).Quad(new Vector3(0f, 0f, -0.2f), Vector3.right * 2f, Vector3.up * 2f, sloping);
+            Slope(new Vector3(Mathf.Sin(0.5f), 0f, -Mathf.Cos(0.5f)));
             // 0.5 rad to the normal in air, asin(0.75 sin 0.5) in water.
             float turned = 0.5f - Mathf.Asin(0.75f * Mathf.Sin(0.5f));
             float shift = 0.4f * Mathf.Sin(turned) / (2f * HalfWidth);
