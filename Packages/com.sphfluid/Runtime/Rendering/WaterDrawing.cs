@@ -31,6 +31,9 @@ namespace SphFluid
             WaterCameras.Add(thickness, spray);
         }
 
+        /// <summary>What draws its spray.</summary>
+        public SprayDrawing Spray => spray;
+
         /// <summary>What draws the water for a camera in it.</summary>
         public Material Within => within;
 
