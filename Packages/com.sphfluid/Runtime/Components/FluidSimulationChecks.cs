@@ -8,7 +8,7 @@ namespace SphFluid
         /// <summary>Checks a simulation with its liquid and its colliders, of a prefab asset only the settings; changes nothing.</summary>
         /// <param name="simulation">The simulation.</param>
         /// <returns>What is wrong or worth knowing, errors first.</returns>
-        public static List<FluidMessage> Validate(FluidSimulation simulation) => Preview(simulation, out _);
+        public static List<FluidMessage> Validate(FluidSimulation simulation) => Preview(simulation, out FluidSolverSettings? _);
 
         /// <summary>Whether any message says that the simulation cannot run.</summary>
         /// <param name="messages">The messages.</param>
@@ -21,5 +21,12 @@ namespace SphFluid
         /// <returns>The messages, errors first.</returns>
         internal static List<FluidMessage> Preview(FluidSimulation simulation, out FluidSolverSettings? constants) =>
             FluidChecks.Preview(simulation.Spec, FluidScene.Volumes(simulation), out constants);
+
+        /// <summary>Checks like <see cref="Validate"/> and says what the simulation would start with.</summary>
+        /// <param name="simulation">The simulation.</param>
+        /// <param name="preview">Null when there is an error.</param>
+        /// <returns>The messages, errors first.</returns>
+        internal static List<FluidMessage> Preview(FluidSimulation simulation, out FluidPreview preview) =>
+            FluidChecks.Preview(simulation.Spec, FluidScene.Volumes(simulation), out preview);
     }
 }

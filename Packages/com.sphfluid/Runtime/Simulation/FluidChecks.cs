@@ -25,6 +25,21 @@ namespace SphFluid
             }
         }
 
+        /// <summary>Checks like the other and says what the simulation would start with.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="volumes">Its liquid volumes, in hierarchy order.</param>
+        /// <param name="preview">What it would start with; null when there is an error.</param>
+        /// <returns>What is wrong or worth knowing, errors first.</returns>
+        public static List<FluidMessage> Preview(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, out FluidPreview preview)
+        {
+            using (var collision = new CollisionScene())
+            {
+                List<FluidMessage> messages = Check(spec, volumes, collision, FluidSpawner.Measure, out FluidStart start);
+                preview = start == null ? null : new FluidPreview(spec, start, collision);
+                return messages;
+            }
+        }
+
         /// <summary>Checks a simulation and, when nothing speaks against it, gives its start.</summary>
         /// <param name="spec">The simulation.</param>
         /// <param name="volumes">Its liquid volumes, in hierarchy order.</param>

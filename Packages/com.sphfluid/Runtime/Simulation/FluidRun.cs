@@ -35,8 +35,7 @@ namespace SphFluid
             Key = FluidStartKey.Of(spec);
             live = FluidLiveKey.Of(spec);
             (position, rotation) = (spec.Position, spec.Rotation);
-            Solver = new FluidSolver(start.Constants, spec.Profile.Shaders, particles,
-                spec.CapacityPolicy == FluidCapacityPolicy.Fixed && spec.Capacity > 0 ? spec.MostParticles : 0);
+            Solver = new FluidSolver(start.Constants, spec.Profile.Shaders, particles, spec.FixedSlots);
             flows = new FluidFlows(Solver, report);
             zones = new FluidZones(Solver, report);
             commands = new CommandBuffer { name = "SPH Fluid" };
