@@ -60,6 +60,8 @@ namespace SphFluid.Editor
                     return Change(simulation, "Coarsen Spacing", () => simulation.Spacing = CellChecks.FittingSpacing(simulation.Spec));
                 case FluidIssue.VolumeSizeInvalid when context is FluidVolume volume && !(Smallest(volume.Size) > 0f):
                     return Change(volume, "Make Positive", () => volume.Size = Positive(volume.Size));
+                case FluidIssue.VolumeChanged when Application.isPlaying:
+                    return new FluidFix("Restart", () => simulation.ResetSimulation());
                 case FluidIssue.MeshNotReadable when context is MeshCollider collider:
                     return MakeReadable(collider.sharedMesh);
                 default:

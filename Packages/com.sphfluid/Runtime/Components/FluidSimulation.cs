@@ -103,7 +103,7 @@ namespace SphFluid
         FluidQueries queries;
         IFluidFrames frames;
         bool requested;
-        int singleSteps, failedSources;
+        int singleSteps, failedSources, timings;
         (FluidStartKey, FluidLiveKey)? failed;
         readonly List<FluidMessage> messages = new List<FluidMessage>();
 
@@ -324,6 +324,24 @@ namespace SphFluid
 
         internal CollisionScene Collision => run?.Collision;
 
+        /// <summary>GPU time of the steps, between <see cref="BeginTiming"/> and <see cref="EndTiming"/>; else null.</summary>
+        internal StepTimer Timer { get; private set; }
+
+        /// <summary>Someone wants to know the steps' GPU time; costs two timestamps a frame.</summary>
+        internal void BeginTiming()
+        {
+            if (timings++ == 0) Timer = new StepTimer();
+        }
+
+        /// <summary>They do not any more.</summary>
+        internal void EndTiming()
+        {
+            if (--timings > 0) return;
+            if (run != null) run.Timer = null;
+            Timer?.Dispose();
+            Timer = null;
+        }
+
         /// <summary>Starts the liquid from its volumes, again if it runs already.</summary>
         /// <returns>Whether it runs; if not, the messages say why.</returns>
         public bool StartSimulation()
@@ -543,7 +561,12 @@ namespace SphFluid
             Release();
         }
 
-        void OnDestroy() => queries?.Dispose();
+        void OnDestroy()
+        {
+            queries?.Dispose();
+            Timer?.Dispose();
+            Timer = null;
+        }
 
         void FixedUpdate()
         {
@@ -559,6 +582,7 @@ namespace SphFluid
                 if (failed == null || !failed.Value.Equals(KeysOf(spec)) || failedSources != CountSources()) StartSimulation();
                 return;
             }
+            run.Timer = Timer;
             FluidScene.Own(this, volumes);
             volumeWatch.Follow(spec, run, volumes, Report);
             if (TryAdvance(spec, out FluidMessage failure))
@@ -608,7 +632,8 @@ namespace SphFluid
 
         static (FluidStartKey, FluidLiveKey) KeysOf(in FluidSpec spec) => (FluidStartKey.Of(spec), FluidLiveKey.AsGiven(spec));
 
-        StartWatch Watch
+        /// <summary>Watches a start, and may end it.</summary>
+        internal StartWatch Watch
         {
             get
             {

@@ -21,12 +21,5 @@ namespace SphFluid
         /// <returns>The messages, errors first.</returns>
         internal static List<FluidMessage> Preview(FluidSimulation simulation, out FluidSolverSettings? constants) =>
             FluidChecks.Preview(simulation.Spec, FluidScene.Volumes(simulation), out constants);
-
-        /// <summary>Checks like <see cref="Validate"/> and says what the simulation would start with.</summary>
-        /// <param name="simulation">The simulation.</param>
-        /// <param name="preview">Null when there is an error.</param>
-        /// <returns>The messages, errors first.</returns>
-        internal static List<FluidMessage> Preview(FluidSimulation simulation, out FluidPreview preview) =>
-            FluidChecks.Preview(simulation.Spec, FluidScene.Volumes(simulation), out preview);
     }
 }

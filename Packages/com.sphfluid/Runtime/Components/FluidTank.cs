@@ -55,6 +55,11 @@ namespace SphFluid
             mesh = null;
         }
 
+        void OnTransformParentChanged()
+        {
+            if (mesh != null) Update();
+        }
+
         void Update()
         {
             FluidSimulation owner = Simulation;

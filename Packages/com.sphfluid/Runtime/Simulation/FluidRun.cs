@@ -58,6 +58,10 @@ namespace SphFluid
         }
 
         public FluidSolver Solver { get; }
+
+        /// <summary>Takes the GPU time of the steps; null: nobody asks for it.</summary>
+        public StepTimer Timer { get; set; }
+
         public FluidStartKey Key { get; }
         public float TimeStep => (float)pace.Clock.TimeStep;
         public long CapHits => substeps.CapHits;
@@ -259,9 +263,11 @@ namespace SphFluid
         void Execute(int steps)
         {
             commands.Clear();
+            Timer?.Begin(commands, steps, Solver.LiveCount);
             Solver.RecordSteps(commands, steps, (float)pace.Clock.TimeStep);
             Solver.RecordNeighbourSetup(commands);
             if (steps > 0) pace.Record(commands);
+            Timer?.End(commands, steps);
             Graphics.ExecuteCommandBuffer(commands);
         }
     }
