@@ -7,6 +7,7 @@ namespace Headless.Engine;
 struct PhysicsRay(Vector3 origin, Vector3 direction, float reach)
 {
     const float Parallel = 1e-12f;
+    const float Edge = 1e-5f; // of a triangle: rays meet edges that two share
 
     /// <summary>Distance of the nearest hit so far; the reach before there is one.</summary>
     public float Distance { get; private set; } = reach;
@@ -76,7 +77,7 @@ struct PhysicsRay(Vector3 origin, Vector3 direction, float reach)
         Vector3 offset = origin - a, q = Vector3.Cross(offset, ab);
         float u = Vector3.Dot(offset, p) / determinant, v = Vector3.Dot(direction, q) / determinant;
         float distance = Vector3.Dot(ac, q) / determinant;
-        if (!(u >= 0f && v >= 0f && u + v <= 1f && distance >= 0f)) return;
+        if (!(u >= -Edge && v >= -Edge && u + v <= 1f + Edge && distance >= 0f)) return;
         Take(distance, MathF.Sign(determinant) * Vector3.Cross(ab, ac).normalized);
     }
 

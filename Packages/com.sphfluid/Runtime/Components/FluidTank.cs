@@ -30,14 +30,34 @@ namespace SphFluid
         public FluidSimulation Simulation
         {
             get => simulation != null ? simulation : GetComponentInParent<FluidSimulation>();
-            set => simulation = value;
+            set
+            {
+                simulation = value;
+                Refresh();
+            }
         }
 
         /// <summary>Thickness of the bars along the edges [m]; 0: no bars.</summary>
-        public float Edge { get => edge; set => edge = value; }
+        public float Edge
+        {
+            get => edge;
+            set
+            {
+                edge = value;
+                Refresh();
+            }
+        }
 
         /// <summary>Whether there is a pane above the liquid.</summary>
-        public bool Lid { get => lid; set => lid = value; }
+        public bool Lid
+        {
+            get => lid;
+            set
+            {
+                lid = value;
+                Refresh();
+            }
+        }
 
         void OnEnable()
         {
@@ -45,7 +65,7 @@ namespace SphFluid
             GetComponent<MeshFilter>().sharedMesh = mesh;
             shown = default;
             reported = false;
-            Update();
+            Refresh();
         }
 
         void OnDisable()
@@ -55,13 +75,13 @@ namespace SphFluid
             mesh = null;
         }
 
-        void OnTransformParentChanged()
-        {
-            if (mesh != null) Update();
-        }
+        void OnTransformParentChanged() => Refresh();
 
-        void Update()
+        void Update() => Refresh();
+
+        void Refresh()
         {
+            if (mesh == null) return; // it is disabled
             FluidSimulation owner = Simulation;
             if (owner == null) ReportMissing();
             Vector3 size = owner != null && AffineMath.IsFinite(owner.DomainSize) ? Vector3.Max(owner.DomainSize, Vector3.zero) : Vector3.zero;

@@ -18,8 +18,6 @@ namespace SphFluid.Tests
         {
             rig = new SimulationRig();
             simulation = rig.Create(liquid: false);
-            simulation.UseSceneGravity = false;
-            simulation.Gravity = Vector3.zero;
             simulation.StartJitter = 0f;
             Add("First", new Vector3(-0.1f, 0f, 0f));
         }
