@@ -24,11 +24,13 @@ namespace SphFluid.Editor
         /// <returns>The text.</returns>
         public static TimeStepText Before(FluidSimulation simulation, in FluidSolverSettings constants)
         {
-            double step = simulation.TimeStepMode == FluidTimeStepMode.Adaptive
-                ? FluidRules.Advise(constants, constants.MaxSpeed).Step(simulation.Profile.TimeStepFraction)
-                : constants.TimeStep;
-            return Of(constants, constants.MaxSpeed, step);
+            return Of(constants, constants.MaxSpeed, StepOf(simulation, constants));
         }
+
+        /// <summary>The time step of a simulation that would start with these constants, at the fastest speed that they are made for [s].</summary>
+        internal static double StepOf(FluidSimulation simulation, in FluidSolverSettings constants) => simulation.TimeStepMode == FluidTimeStepMode.Adaptive
+            ? FluidRules.Advise(constants, constants.MaxSpeed).Step(simulation.Profile.TimeStepFraction)
+            : constants.TimeStep;
 
         /// <summary>Of a running simulation at its measured speed.</summary>
         /// <param name="simulation">The simulation.</param>
