@@ -12,6 +12,7 @@ namespace SphFluid
     [AddComponentMenu("SPH Fluid/Fluid Simulation")]
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(50)]
+    [ManualPage("getting-started", "choose-the-size")]
     public sealed class FluidSimulation : MonoBehaviour
     {
         static readonly List<FluidSimulation> ActiveList = new List<FluidSimulation>();
@@ -550,8 +551,10 @@ namespace SphFluid
                 if (failed == null || !failed.Value.Equals(KeysOf(spec))) StartSimulation();
                 return;
             }
+            long steps = StepCount, capped = CapHits;
             if (TryAdvance(spec, out FluidMessage failure))
             {
+                FluidProfiler.AddLiquid(run.Solver.LiveCount, StepCount - steps, CapHits - capped, GpuBytes);
                 queries?.Ask(run.Solver, spec.Profile.Shaders, run.SimulatedTime, spec.Position, spec.Rotation);
                 Updated?.Invoke(this);
                 return;

@@ -8,6 +8,7 @@ namespace SphFluid
     /// velocity.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Volume")]
+    [ManualPage("filling", "add-liquid")]
     public sealed class FluidVolume : MonoBehaviour
     {
         [SerializeField, Tooltip("What is filled. Box and Sphere: of the size below. Mesh: the inside of a closed mesh. Vessel: the hollow of the " +

@@ -33,7 +33,7 @@ namespace SphFluid.Tests
         public void SetUp()
         {
             water = new WaterDrawing(SurfaceTestScene.LoadShaders());
-            look = new FluidWaterLook { ColourAtOneMetre = new Color(0.3f, 0.6f, 0.8f), Visibility = 8f, Refraction = 1f };
+            look = new FluidWaterLook { ColorAtOneMetre = new Color(0.3f, 0.6f, 0.8f), Visibility = 8f, Refraction = 1f };
             scene = NewTexture((x, y) => new Color(0.7f, 0.5f, 0.3f));
             depth = NewTexture((x, y) => Color.clear);
         }
@@ -88,7 +88,7 @@ namespace SphFluid.Tests
         public void FlatWaterShiftsNothingAndSlopingWaterByTheLawOfRefraction()
         {
             ReplaceScene((x, y) => new Color((x + 0.5f) / Size, (y + 0.5f) / Size, 0f));
-            look.ColourAtOneMetre = Color.white;
+            look.ColorAtOneMetre = Color.white;
             look.Visibility = 1e6f;
             Box(0.4f);
             Color[] flat = Render();
@@ -110,7 +110,7 @@ namespace SphFluid.Tests
         [Test]
         public void ThingsInFrontOfTheWaterAreNotRefracted()
         {
-            look.ColourAtOneMetre = Color.white;
+            look.ColorAtOneMetre = Color.white;
             look.Visibility = 1e6f;
             ReplaceScene((x, y) => x < Size / 2 ? Color.red : Color.green);
             SetDepth((x, y) => x < Size / 2 ? 0.5f : Far);
