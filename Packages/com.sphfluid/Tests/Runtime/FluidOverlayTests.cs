@@ -27,7 +27,7 @@ namespace SphFluid.Tests
             Assert.That(overlay.Text, Does.Contain(" steps a frame of ").And.Contain("real time x 1.00").And.Contain("limited by speed of sound; "));
             Assert.That(overlay.Text, Does.Contain(" ms a frame"));
             tank.Paused = true;
-            yield return Frames(30);
+            yield return Frames(60); // two texts: the first is also of frames before
             Assert.That(overlay.Text, Does.Contain("\nTank   paused\n").And.Contain("\n  0.0 steps a frame of "));
             tank.StopSimulation();
             yield return Frames(30);

@@ -79,6 +79,18 @@ namespace SphFluid.Tests
             Assert.That(ProfileViscosity.Find(profile), Does.StartWith("'Tank': 0.0011 m²/s acts, the least"), "a fall of 0.75 m");
         }
 
+        // 0.035 M R²/ν meets 0.675 R/(c/M + c/5), M = 0.976, at ν = 0.062 c R; the least viscosity is 0.001 c R.
+        [Test]
+        public void UpToSixtyTimesTheLeastTheStepsStayAsLong()
+        {
+            FluidSimulation tank = Tank(0.01f);
+            float water = Constants(tank).TimeStep, least = Constants(tank).Viscosity / Constants(tank).RestDensity;
+            profile.KinematicViscosity = 60f * least;
+            Assert.That(Constants(tank).TimeStep, Is.EqualTo(water));
+            profile.KinematicViscosity = 124f * least;
+            Assert.That(Constants(tank).TimeStep, Is.EqualTo(0.5f * water).Within(0.01f * water));
+        }
+
         // Largest spacing at which the viscosity acts as typed, for a fall of 20 cm: 0.01 m ν / (0.001 · 9.905 m/s · 0.0225 m).
         [TestCase("OliveOilProfile", 911f, 9.2e-5f, 4.13e-3)]
         [TestCase("GlycerolProfile", 1258f, 7.4e-4f, 33.2e-3)]
@@ -97,7 +109,6 @@ namespace SphFluid.Tests
         FluidSimulation Tank(float spacing)
         {
             scene = new GameObject("Tank");
-            scene.SetActive(false);
             var tank = scene.AddComponent<FluidSimulation>();
             tank.Profile = profile;
             tank.Spacing = spacing;
