@@ -51,7 +51,7 @@ namespace SphFluid.Editor
                 ("Viscosity ν", FormattableString.Invariant($"{settings.Viscosity / settings.RestDensity:G3} m²/s")),
                 ("Time step", TimeStepAdvice.Milliseconds(step)),
                 ("Largest stable step", FormattableString.Invariant($"{TimeStepAdvice.Milliseconds(advice.Largest)} at {speed:G3} m/s")),
-                ("Limited by", Name(advice.Limit)),
+                ("Limited by", TimeStepAdvice.NameOf(advice.Limit)),
                 ("Share in use", FormattableString.Invariant($"{100.0 * step / advice.Largest:0} %")),
             };
             return new TimeStepText(lines, advice.Explain(step));
@@ -62,17 +62,6 @@ namespace SphFluid.Editor
         {
             double mach = settings.MaxSpeed / (double)settings.SoundSpeed;
             return mach * mach;
-        }
-
-        static string Name(TimeStepLimit limit)
-        {
-            switch (limit)
-            {
-                case TimeStepLimit.Acoustic: return "speed of sound";
-                case TimeStepLimit.Speed: return "fastest particle";
-                case TimeStepLimit.Viscosity: return "viscosity";
-                default: return "stiffness of walls";
-            }
         }
     }
 }

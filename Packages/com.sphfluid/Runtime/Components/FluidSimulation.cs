@@ -12,6 +12,7 @@ namespace SphFluid
     [AddComponentMenu("SPH Fluid/Fluid Simulation")]
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(50)]
+    [ManualPage("getting-started", "choose-the-size")]
     public sealed class FluidSimulation : MonoBehaviour
     {
         static readonly List<FluidSimulation> ActiveList = new List<FluidSimulation>();
@@ -585,8 +586,10 @@ namespace SphFluid
             run.Timer = Timer;
             FluidScene.Own(this, volumes);
             volumeWatch.Follow(spec, run, volumes, Report);
+            long steps = StepCount, capped = CapHits;
             if (TryAdvance(spec, out FluidMessage failure))
             {
+                FluidProfiler.AddLiquid(run.Solver.LiveCount, StepCount - steps, CapHits - capped, GpuBytes);
                 queries?.Ask(run.Solver, spec.Profile.Shaders, run.SimulatedTime, spec.Position, spec.Rotation);
                 Updated?.Invoke(this);
                 return;

@@ -8,6 +8,7 @@ namespace SphFluid
     /// velocity. Enabled while the liquid runs, a volume adds its liquid then (method Standard), where there is a place for it. Moved or changed while the liquid runs, a volume moves no liquid; disabled, it takes none away.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Volume")]
+    [ManualPage("filling", "add-liquid")]
     public sealed class FluidVolume : MonoBehaviour, IFluidPart<VolumeSpec>
     {
         [SerializeField, Tooltip("What is filled at the start, or when the volume is enabled while the liquid runs. Box and Sphere: of the size below. " +

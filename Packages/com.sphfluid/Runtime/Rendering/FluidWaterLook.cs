@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using UnityEngine.Serialization;
 
 namespace SphFluid
 {
@@ -13,8 +14,8 @@ namespace SphFluid
         // A channel that a metre of water swallows whole would have an infinite coefficient.
         const float LeastTransmittance = 1e-3f;
 
-        [SerializeField, Tooltip("Colour that white light has after one metre of water.")]
-        Color colourAtOneMetre = new Color(0.1f, 0.52f, 0.83f);
+        [SerializeField, FormerlySerializedAs("colourAtOneMetre"), Tooltip("Colour that white light has after one metre of water.")]
+        Color colorAtOneMetre = new Color(0.1f, 0.52f, 0.83f);
 
         [SerializeField, Min(0.01f), Tooltip("How far one sees in it [m]. Small: milky.")]
         float visibility = 8f;
@@ -47,7 +48,7 @@ namespace SphFluid
         public const int MostDrops = 32;
 
         /// <summary>Colour that white light has after one metre of water.</summary>
-        public Color ColourAtOneMetre { get => colourAtOneMetre; set => colourAtOneMetre = value; }
+        public Color ColorAtOneMetre { get => colorAtOneMetre; set => colorAtOneMetre = value; }
 
         /// <summary>How far one sees in it [m]: at that distance 2 % of the contrast is left.</summary>
         public float Visibility { get => visibility; set => visibility = value; }
@@ -99,7 +100,7 @@ namespace SphFluid
             get
             {
                 Vector4 scattered = ScatteringCoefficient;
-                Color left = InShaderColours(colourAtOneMetre);
+                Color left = InShaderColours(colorAtOneMetre);
                 return new Vector4(Absorption(left.r) + scattered.x, Absorption(left.g) + scattered.y, Absorption(left.b) + scattered.z, 0f);
             }
         }
@@ -128,6 +129,6 @@ namespace SphFluid
 
         static float Share(float part, float whole) => whole > 0f ? part / whole : 0f;
 
-        static Color InShaderColours(Color colour) => QualitySettings.activeColorSpace == ColorSpace.Linear ? colour.linear : colour;
+        static Color InShaderColours(Color color) => QualitySettings.activeColorSpace == ColorSpace.Linear ? color.linear : color;
     }
 }

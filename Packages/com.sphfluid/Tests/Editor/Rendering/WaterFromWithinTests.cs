@@ -55,7 +55,7 @@ namespace SphFluid.Tests
         public void BeyondTheCriticalAngleTheSurfaceMirrors()
         {
             rig.ReplaceScene((x, y) => x > Size / 2 + 1 ? Color.red : Color.green);
-            rig.Look.ColourAtOneMetre = Color.white;
+            rig.Look.ColorAtOneMetre = Color.white;
             rig.Look.Visibility = 1e6f;
             rig.SetDepth((x, y) => x > Size / 2 + 1 ? 2.05f : WaterRig.Far);
             Fill(Normal(1.2f));

@@ -73,7 +73,7 @@ namespace SphFluid.Tests
         [Test]
         public void AllLayersAbsorb()
         {
-            rig.Look.ColourAtOneMetre = new Color(0.3f, 0.6f, 0.8f);
+            rig.Look.ColorAtOneMetre = new Color(0.3f, 0.6f, 0.8f);
             rig.ReplaceScene((x, y) => Color.white);
             rig.Surface = new UploadedSurface().Box(Vector3.zero, new Vector3(4f, 4f, 0.4f)).Box(new Vector3(0f, 0f, 1.4f), new Vector3(4f, 4f, 0.3f));
             Color seen = WaterRig.Centre(rig.Render());

@@ -32,7 +32,7 @@ namespace SphFluid.Tests
             depth = NewTexture((x, y) => Color.clear);
         }
 
-        public FluidWaterLook Look { get; } = new FluidWaterLook { ColourAtOneMetre = new Color(0.3f, 0.6f, 0.8f), Visibility = 8f, Refraction = 1f };
+        public FluidWaterLook Look { get; } = new FluidWaterLook { ColorAtOneMetre = new Color(0.3f, 0.6f, 0.8f), Visibility = 8f, Refraction = 1f };
 
         /// <summary>The picture behind the water.</summary>
         public Texture2D Scene { get; private set; }
@@ -67,7 +67,7 @@ namespace SphFluid.Tests
         public void ShowPlaces()
         {
             ReplaceScene((x, y) => new Color((x + 0.5f) / Size, (y + 0.5f) / Size, 0f));
-            Look.ColourAtOneMetre = Color.white;
+            Look.ColorAtOneMetre = Color.white;
             Look.Visibility = 1e6f;
         }
 

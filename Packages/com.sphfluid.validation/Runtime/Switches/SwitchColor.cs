@@ -1,7 +1,7 @@
 namespace SphFluid.Validation
 {
     /// <summary>What the picture of a <see cref="SwitchExperiment"/> shows by colour, from blue to red.</summary>
-    public enum SwitchColour
+    public enum SwitchColor
     {
         /// <summary>Density, from ρ0 and below to 1.3 ρ0.</summary>
         Density = 0,
