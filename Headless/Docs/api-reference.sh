@@ -3,6 +3,10 @@
 # A warning about a page or a comment of ours is an error: it names file and line.
 set -euo pipefail
 
+if (($#)); then
+    echo "docs: '$1' is not understood; it takes no words." >&2
+    exit 2
+fi
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 if ! command -v doxygen > /dev/null; then
     sudo=()

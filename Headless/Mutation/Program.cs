@@ -2,11 +2,6 @@ using Headless.Mutation;
 
 try
 {
-    if (args.Contains("--help") || args.Contains("-h"))
-    {
-        Console.WriteLine(Options.Usage);
-        return 0;
-    }
     return new Campaign(Options.Parse(args)).Run();
 }
 catch (UsageException e)

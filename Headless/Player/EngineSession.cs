@@ -45,7 +45,7 @@ internal sealed class EngineSession : IDisposable
     {
         IReadOnlyList<string> messages = GraphicsDevice.Device.ValidationMessages;
         foreach (string message in messages.Distinct()) Console.Error.WriteLine("[Validation] " + message);
-        if (messages.Count > 0) Console.Error.WriteLine($"sphplayer: the validation layers had {messages.Count} message(s).");
+        if (messages.Count > 0) Console.Error.WriteLine(Message.Of($"the validation layers had {messages.Count} message(s)."));
         IReadOnlyList<string> outside = GraphicsDevice.Device.TakeOutOfBounds();
         foreach (string line in outside) Console.Error.WriteLine("[Bounds] " + line);
         return messages.Count == 0 && outside.Count == 0;

@@ -30,6 +30,9 @@ internal sealed class Interruption : IDisposable
 
     public bool Requested => requested;
 
+    /// <summary>Says at once that the signal was heard; called on another thread.</summary>
+    public Action? Heard { get; set; }
+
     /// <summary>Ends the files when the main thread does not come back; called at most once, on another thread.</summary>
     public Action? EndFiles { get; set; }
 
@@ -63,6 +66,7 @@ internal sealed class Interruption : IDisposable
             {
                 requested = true;
                 deadline = new Timer(_ => Abandon(), null, Grace, Timeout.InfiniteTimeSpan);
+                ThreadPool.QueueUserWorkItem(_ => Heard?.Invoke());
                 // Scripts and the package's long starts look at it.
                 ThreadPool.QueueUserWorkItem(_ => Application.RequestExit());
                 return;
@@ -81,7 +85,7 @@ internal sealed class Interruption : IDisposable
             }
             catch (Exception e)
             {
-                Console.Error.WriteLine("sphplayer: " + OneLine.Message(e.Message));
+                Console.Error.WriteLine(Message.Of(OneLine.Message(e.Message)));
             }
         }
         End();

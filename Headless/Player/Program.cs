@@ -1,3 +1,4 @@
+using System.Text;
 using Headless.Files;
 using Headless.Player.Commands;
 using Headless.Shaders;
@@ -10,15 +11,13 @@ public static class Program
     private const int Failed = 1;
     private const int WrongUsage = 2;
 
-    private const string Usage = """
-        sphplayer play --project DIR --scene FILE.unity [--assemblies DIR] [--seconds S] [--fps F] [--size WxH] [--out DIR]
-                       [--device NAME|INDEX] [--no-images] [--validate] [--executeMethod Class.Method] [-- words for the project]
-        sphplayer test --project DIR [--assemblies DIR] [--mode edit|play|all] [--filter TEXT | --tests FILE]
-                       [--stop-on-fail] [--again] [--coverage FILE] [--compiler glslang|fxc] [--device NAME|INDEX] [--validate]
-                       [--poison] [--check-bounds]
-        sphplayer exec --project DIR --executeMethod Class.Method [--assemblies DIR] [--device NAME|INDEX] [--validate] [-- words]
-        sphplayer devices
-        """;
+    private static readonly (string Name, string Summary, IReadOnlyList<Flag> Flags)[] commands =
+    [
+        ("play", "plays a scene; --project and --scene are needed; words behind a lone -- are the project's", PlayOptions.Flags),
+        ("test", "runs the project's tests; --project is needed", TestOptions.Flags),
+        ("exec", "calls a static method of the project; --project and --executeMethod are needed", ExecOptions.Flags),
+        ("devices", "lists the graphics devices", []),
+    ];
 
     public static int Main(string[] words)
     {
@@ -33,9 +32,11 @@ public static class Program
                 case "exec": return ExecCommand.Run(ExecOptions.Parse(rest));
                 case "devices": return DevicesCommand.Run(rest);
                 case "help" or "--help" or "-h":
-                    Console.WriteLine(Usage);
+                    Console.Write(Usage());
                     return 0;
-                default: throw new UsageException($"'{words[0]}' is not a command: play, test, exec and devices are.");
+                default:
+                    string[] names = [.. commands.Select(c => c.Name)];
+                    throw new UsageException($"'{OneLine.Value(words[0])}' is not a command{Suggestion.Question(words[0], names)} {string.Join(", ", names)} are.");
             }
         }
         catch (Exception e) when (e is UsageException or UnknownAdapterException or BadFileException)
@@ -52,9 +53,20 @@ public static class Program
         }
     }
 
+    private static string Usage()
+    {
+        var text = new StringBuilder();
+        foreach (var (name, summary, flags) in commands)
+        {
+            HelpColumns.Entry(text, "sphplayer " + name, summary);
+            foreach (Flag flag in flags) HelpColumns.Flag(text, flag);
+        }
+        return text.ToString();
+    }
+
     private static int Fail(string message, int code)
     {
-        Console.Error.WriteLine("sphplayer: " + OneLine.Message(message));
+        Console.Error.WriteLine(Message.Of(OneLine.Message(message)));
         return code;
     }
 }

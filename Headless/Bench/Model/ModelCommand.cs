@@ -7,12 +7,19 @@ internal static class ModelCommand
 {
     private const string WaveHead = "state,particles,radius_m,lanes,candidates,neighbours,candidate_turns,rows,neighbour_turns";
 
+    internal static readonly IReadOnlyList<Flag> Flags =
+    [
+        new("--state", "FILE.ply", "counts the turns of waves anew, of what play --state wrote"),
+        new("--radius", "R", "radius of neighbours in that file, in metres"),
+    ];
+
     public static int Run(string root, IReadOnlyList<string> words)
     {
         string folder = Path.Combine(root, "benchmarks/model"), waveFile = Path.Combine(folder, "waves.csv");
-        if (words is ["--state", var state, "--radius", var text] && float.TryParse(text, CultureInfo.InvariantCulture, out float radius) && radius > 0)
-            return Measure(state, radius, waveFile);
-        if (words.Count > 0) throw new UsageException($"model takes no '{words[0]}': give --state FILE.ply --radius R to measure waves anew, or nothing.");
+        var arguments = new Arguments("model", words, Flags);
+        if (arguments.Has("--state") != arguments.Has("--radius"))
+            throw new UsageException("--state and --radius go together: a file of particles and the radius of their neighbours.");
+        if (arguments.Text("--state") is { } state) return Measure(state, (float)arguments.Number("--radius", 0, 1e-6, 1e6, "metres"), waveFile);
         var compiled = CompiledLoops.Read(Path.Combine(root, "Headless/Checks/Gpu/Data/loops.csv"));
         string[][] measured = Rows(waveFile);
         var waves = measured.Select(r => new WaveStatistics(

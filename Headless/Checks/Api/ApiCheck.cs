@@ -76,7 +76,7 @@ internal sealed class ApiCheck(ProjectPackages packages)
     private static List<string> Defines(string line, bool editor)
     {
         var defines = new List<string>(lineDefines[line]) { "UNITY_STANDALONE", "UNITY_STANDALONE_WIN", "NET_STANDARD_2_1", "NET_STANDARD", "ENABLE_MONO" };
-        if (editor) defines.AddRange(["UNITY_EDITOR", "UNITY_EDITOR_WIN", "UNITY_INCLUDE_TESTS"]);
+        if (editor) defines.AddRange(["UNITY_EDITOR", "UNITY_EDITOR_WIN", "UNITY_INCLUDE_TESTS", "ENABLE_PROFILER"]);
         return defines;
     }
 
@@ -97,7 +97,7 @@ internal sealed class ApiCheck(ProjectPackages packages)
         }
         if (assembly.IsTest) metadata.Add(ReferenceAssemblies.NUnit);
         return CSharpCompilation.Create(assembly.Name, assembly.Parse(defines), metadata,
-            new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, warningLevel: 4));
+            new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, warningLevel: 4, allowUnsafe: assembly.AllowsUnsafe));
     }
 
     private static bool IsFinding(Diagnostic diagnostic, PackageAssembly assembly)

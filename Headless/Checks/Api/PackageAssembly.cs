@@ -5,7 +5,7 @@ using System.Text.Json;
 namespace Headless.Checks.Api;
 
 /// <summary>An assembly definition of the package and its sources. An optional one is compiled only in projects with another package.</summary>
-internal sealed record PackageAssembly(string Name, string Folder, IReadOnlyList<string> References, bool EditorOnly, bool IsTest, bool IsOptional, IReadOnlyList<string> ModuleDefines)
+internal sealed record PackageAssembly(string Name, string Folder, IReadOnlyList<string> References, bool EditorOnly, bool IsTest, bool IsOptional, IReadOnlyList<string> ModuleDefines, bool AllowsUnsafe = false)
 {
     public static List<PackageAssembly> FindAll(string packageRoot)
     {
@@ -22,7 +22,8 @@ internal sealed record PackageAssembly(string Name, string Folder, IReadOnlyList
                 root.GetProperty("includePlatforms").EnumerateArray().Any(p => p.GetString() == "Editor"),
                 Constraints(root).Contains("UNITY_INCLUDE_TESTS"),
                 Constraints(root).Intersect(VersionDefines(root, "")).Any(),
-                [.. VersionDefines(root, "com.unity.modules.")]));
+                [.. VersionDefines(root, "com.unity.modules.")],
+                root.TryGetProperty("allowUnsafeCode", out JsonElement allowed) && allowed.GetBoolean()));
         }
         return InDependencyOrder(found);
     }

@@ -5,7 +5,7 @@ namespace Headless.Checks.Form;
 
 /// <summary>
 /// Materials and renderers of the samples and of Assets use shaders of the packages that have a SubShader for each render pipeline:
-/// those of the Built-in pipeline are magenta in URP and HDRP.
+/// those of the Built-in pipeline are magenta in URP and HDRP. A skybox's SubShader is drawn by Built-in and URP alike, and HDRP draws no skyboxes.
 /// </summary>
 internal sealed partial class MaterialCheck(ProjectPackages packages)
 {
@@ -42,13 +42,18 @@ internal sealed partial class MaterialCheck(ProjectPackages packages)
         {
             try
             {
-                found[MetaGuid().Match(File.ReadAllText(file + ".meta")).Groups[1].Value] = ShaderLabSource.Parse(file, includes).SubShaders
-                    .Select(s => s.Tags.FirstOrDefault(t => t.Key.Equals("RenderPipeline", StringComparison.OrdinalIgnoreCase)).Value ?? "").ToList();
+                var parts = ShaderLabSource.Parse(file, includes).SubShaders;
+                var served = parts.Select(s => Tag(s, "RenderPipeline")).ToList();
+                if (served.Contains("") && parts.All(s => Tag(s, "PreviewType") == "Skybox")) served = [.. pipelines];
+                found[MetaGuid().Match(File.ReadAllText(file + ".meta")).Groups[1].Value] = served;
             }
             catch (ShaderCompileException e) { report.Findings.Add(e.Message); }
         }
         return found;
     }
+
+    private static string Tag(SubShader part, string name) =>
+        part.Tags.FirstOrDefault(t => t.Key.Equals(name, StringComparison.OrdinalIgnoreCase)).Value ?? "";
 
     private List<string> Files(string extension) => packages.SceneFolders()
         .SelectMany(f => Directory.GetFiles(f, "*" + extension, SearchOption.AllDirectories)).Order().ToList();

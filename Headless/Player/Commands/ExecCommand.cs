@@ -10,7 +10,10 @@ internal static class ExecCommand
     public static int Run(ExecOptions options)
     {
         var console = new ConsoleLines();
-        using var interruption = new Interruption { EndFiles = () => Console.Error.WriteLine("sphplayer: interrupted; what was finished before is in the files.") };
+        using var interruption = new Interruption
+        {
+            Heard = () => Console.Error.WriteLine("\n" + Message.Of("stopping; what is finished is in the files. Ctrl-C again ends at once.")),
+            EndFiles = () => Console.Error.WriteLine(Message.Of("interrupted; what was finished before is in the files.")) };
         using EngineSession session = EngineSession.Start(options.Project, options.Assemblies, options.Device, options.Validate, console.Write);
         PlaySession.Begin(null, session.Assemblies);
         int code = MethodRunner.Run(session.Scripts.FindMethod("--executeMethod", options.ExecuteMethod)) ?? RunLoop(interruption);

@@ -3,6 +3,12 @@ namespace Headless.Player.Commands;
 /// <summary>Flags of <c>sphplayer exec</c>.</summary>
 public sealed record ExecOptions
 {
+    internal static readonly IReadOnlyList<Flag> Flags =
+    [
+        CommonFlags.Project, CommonFlags.Assemblies, CommonFlags.ExecuteMethod("called once; what it leaves runs until it quits"), CommonFlags.Device,
+        CommonFlags.Validate,
+    ];
+
     public required string Project { get; init; }
     public required string ExecuteMethod { get; init; }
     public string? Assemblies { get; init; }
@@ -11,7 +17,7 @@ public sealed record ExecOptions
 
     public static ExecOptions Parse(IReadOnlyList<string> words)
     {
-        var arguments = new Arguments("exec", words, ["--project", "--assemblies", "--executeMethod", "--device"], ["--validate"]);
+        var arguments = new Arguments("exec", words, Flags);
         return new ExecOptions
         {
             Project = arguments.Folder("--project"),

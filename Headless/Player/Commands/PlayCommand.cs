@@ -74,7 +74,7 @@ internal sealed class PlayCommand : IDisposable
         }
         timings = new TimingsFile(Path.Combine(folder.Path, TimingsFile.FileName));
         if (options.Images) film = new Film(folder.Path, options.Fps);
-        using (writer = new FrameWriter(folder.Path, film)) return Play(session, activity);
+        using (writer = new FrameWriter(folder.Path, film, path => activity.Say("first frame: " + Shown(path)))) return Play(session, activity);
     }
 
     private int Play(EngineSession session, ActivityLine activity)
@@ -82,6 +82,8 @@ internal sealed class PlayCommand : IDisposable
         clock.Start();
         ExceptionDispatchInfo? stopped = null;
         interruption.EndFiles = EndFilesElsewhere;
+        interruption.Heard = () => activity.Say(Message.Of(
+            $"stopping after this frame; {(options.Images ? "the film of the frames so far follows" : "the figures so far are kept")}. Ctrl-C again ends at once."));
         try
         {
             activity.Begin("loading the scene");
@@ -117,8 +119,12 @@ internal sealed class PlayCommand : IDisposable
 
     private void PlayFrames(ActivityLine activity)
     {
-        var progress = new ProgressLine(activity, options.Frames);
-        using var timer = new FrameTimer(timings.AddGpu);
+        var progress = new ProgressLine(activity, options.Frames, options.Images ? $" of {options.Width}x{options.Height}" : "");
+        using var timer = new FrameTimer((frame, milliseconds, passes) =>
+        {
+            timings.AddGpu(frame, milliseconds, passes);
+            if (!options.Images) progress.Finished(frame + 1, clock.Elapsed.TotalSeconds);
+        });
         var readback = new ScreenReadback();
         var frameClock = new Stopwatch();
         for (int frame = 0; frame < options.Frames && !interruption.Requested && !EngineState.QuitRequested; frame++)
@@ -133,18 +139,25 @@ internal sealed class PlayCommand : IDisposable
             if (options.Images)
             {
                 readback.Capture(frame);
-                TakeFrames(readback, finish: false);
+                // The first one is to be seen as soon as it is there.
+                TakeFrames(readback, progress, finish: frame == 0);
             }
-            progress.Show(frame + 1, Time.timeAsDouble, frameClock.Elapsed.TotalMilliseconds);
+            progress.Show(Time.timeAsDouble, clock.Elapsed.TotalSeconds);
         }
         interruption.Acknowledge();
-        TakeFrames(readback, finish: true);
+        TakeFrames(readback, progress, finish: true);
         timer.Finish();
+        progress.Finished(frames, clock.Elapsed.TotalSeconds);
+        progress.Show(Time.timeAsDouble, clock.Elapsed.TotalSeconds, last: true);
     }
 
-    private void TakeFrames(ScreenReadback readback, bool finish)
+    private void TakeFrames(ScreenReadback readback, ProgressLine progress, bool finish)
     {
-        while (readback.TryTake(finish, out CapturedFrame captured)) writer!.Add(captured.Frame, captured.Width, captured.Height, captured.Pixels);
+        while (readback.TryTake(finish, out CapturedFrame captured))
+        {
+            progress.Finished(captured.Frame + 1, clock.Elapsed.TotalSeconds);
+            writer!.Add(captured.Frame, captured.Width, captured.Height, captured.Pixels);
+        }
     }
 
     /// <summary>On the interrupting thread, while the main thread is somewhere in a frame.</summary>
@@ -156,7 +169,7 @@ internal sealed class PlayCommand : IDisposable
         WriteSummary();
         console.Activity?.End();
         if (whole) Report(false);
-        else Console.Error.WriteLine($"sphplayer: interrupted; no film: the last frame was still being written. {writer.Written} frames are in {folder.Path}.");
+        else Console.Error.WriteLine(Message.Of($"interrupted; no film: the last frame was still being written. {writer.Written} frames are in {folder.Path}."));
     }
 
     private void WriteSummary()
@@ -174,13 +187,20 @@ internal sealed class PlayCommand : IDisposable
 
     private void Report(bool stopped)
     {
-        string shown = Path.GetRelativePath(Directory.GetCurrentDirectory(), folder.Path);
-        if (shown.StartsWith("..", StringComparison.Ordinal)) shown = folder.Path;
         string? noFilm = FinishFilm(stopped);
         folder.Close(writer!.Written, options.Images && noFilm is null);
-        if (options.Images && noFilm is not null) Console.Error.WriteLine("sphplayer: " + noFilm);
+        if (options.Images && noFilm is not null) Console.Error.WriteLine(Message.Of(noFilm));
         Console.WriteLine(FormattableString.Invariant($"{(interruption.Requested ? "interrupted: " : "")}{frames} frames in {clock.Elapsed.TotalSeconds:0.0} s on {GraphicsDevice.Device.Adapter.Name}"));
-        Console.WriteLine($"{Path.Combine(shown, noFilm is null ? Film.FileName : SummaryFile.FileName)}");
+        string result = Path.Combine(folder.Path, noFilm is null ? Film.FileName : SummaryFile.FileName);
+        Console.WriteLine(Shown(result));
+        if (options.Open && !interruption.Requested && noFilm is null && FilmViewer.Open(result) is { } unseen)
+            Console.Error.WriteLine(Message.Of($"--open: {unseen}; the film is {Shown(result)}."));
+    }
+
+    private static string Shown(string path)
+    {
+        string shown = Path.GetRelativePath(Directory.GetCurrentDirectory(), path);
+        return shown.StartsWith("..", StringComparison.Ordinal) ? path : shown;
     }
 
     private string? FinishFilm(bool stopped)

@@ -11,49 +11,71 @@ public sealed record PlayOptions
     /// <summary>Those of 8K; device and computer hold a picture several times.</summary>
     private const int MaximumPixels = 7680 * 4320;
     private const int MaximumFrames = 1_000_000;
-    private static readonly string[] WithValue = ["--project", "--scene", "--assemblies", "--seconds", "--fps", "--size", "--out", "--device", "--executeMethod"];
-    private static readonly string[] Switches = ["--no-images", "--validate"];
+    private const double DefaultSeconds = 2, DefaultFps = 24;
+    private const string DefaultSize = "960x540", DefaultFolder = "Build/play";
+
+    internal static readonly IReadOnlyList<Flag> Flags =
+    [
+        CommonFlags.Project, CommonFlags.Assemblies,
+        new("--scene", "FILE.unity", "scene to play", "Dam Break, of the samples"),
+        new("--seconds", "S", "simulated seconds", Text(DefaultSeconds)),
+        new("--fps", "F", "frames a simulated second, and of the film", Text(DefaultFps)),
+        new("--size", "WxH", "size of the pictures in pixels", DefaultSize),
+        new("--out", "DIR", "folder for the output", DefaultFolder),
+        CommonFlags.Device,
+        Flag.Switch("--no-images", "no pictures and no film, only figures"),
+        Flag.Switch("--open", "shows the film at the end, with the desktop's program for films"),
+        CommonFlags.Validate,
+        CommonFlags.ExecuteMethod("called before the scene is loaded"),
+    ];
 
     public required string Project { get; init; }
     public required string Scene { get; init; }
     public string? Assemblies { get; init; }
-    public double Seconds { get; init; } = 3;
-    public double Fps { get; init; } = 30;
-    public int Width { get; init; } = 1280;
-    public int Height { get; init; } = 720;
-    public string Out { get; init; } = "Build/play";
+    public double Seconds { get; init; } = DefaultSeconds;
+    public double Fps { get; init; } = DefaultFps;
+    public int Width { get; init; }
+    public int Height { get; init; }
+    public string Out { get; init; } = DefaultFolder;
     public string? Device { get; init; }
     public string? ExecuteMethod { get; init; }
     public bool Images { get; init; } = true;
     public bool Validate { get; init; }
 
-    /// <summary>Frames from time 0 to the last second, both shown: 3 s at 30 frames a second are 91 frames.</summary>
+    /// <summary>Whether the film is shown at the end.</summary>
+    public bool Open { get; init; }
+
+    /// <summary>Frames from time 0 to the last second, both shown: 2 s at 24 frames a second are 49 frames.</summary>
     public int Frames => Math.Max(1, (int)Math.Round(Seconds * Fps)) + 1;
 
     public static PlayOptions Parse(IReadOnlyList<string> words)
     {
-        var arguments = new Arguments("play", words, WithValue, Switches);
-        (int width, int height) = Size(arguments.Text("--size", "1280x720"));
+        var arguments = new Arguments("play", words, Flags);
+        (int width, int height) = Size(arguments.Text("--size", DefaultSize));
         var options = new PlayOptions
         {
             Project = arguments.Folder("--project"),
             Scene = arguments.Required("--scene"),
             Assemblies = arguments.Has("--assemblies") ? arguments.Folder("--assemblies") : null,
-            Seconds = arguments.Number("--seconds", 3, 0.001, 86400, "seconds"),
-            Fps = arguments.Number("--fps", 30, 0.01, 1000, "frames a second"),
+            Seconds = arguments.Number("--seconds", DefaultSeconds, 0.001, 86400, "seconds"),
+            Fps = arguments.Number("--fps", DefaultFps, 0.01, 1000, "frames a second"),
             Width = width,
             Height = height,
-            Out = arguments.Text("--out", "Build/play"),
+            Out = arguments.Text("--out", DefaultFolder),
             Device = arguments.Text("--device"),
             ExecuteMethod = arguments.Text("--executeMethod"),
             Images = !arguments.Has("--no-images"),
             Validate = arguments.Has("--validate"),
+            Open = arguments.Has("--open"),
         };
         if (options.Seconds * options.Fps > MaximumFrames)
             throw new UsageException(string.Create(CultureInfo.InvariantCulture, $"--seconds {options.Seconds} at --fps {options.Fps} are more than {MaximumFrames} frames; play less time or fewer frames a second."));
+        if (options.Open && !options.Images) throw new UsageException("--open shows a film, and --no-images makes none: give one of them.");
         if (!options.Scene.EndsWith(".unity", StringComparison.Ordinal)) throw new UsageException($"--scene must be a .unity file, found '{OneLine.Value(options.Scene)}'.");
         return options;
     }
+
+    private static string Text(double number) => number.ToString(CultureInfo.InvariantCulture);
 
     private static (int, int) Size(string text)
     {

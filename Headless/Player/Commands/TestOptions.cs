@@ -8,7 +8,22 @@ public sealed record TestOptions
         ["edit"] = (true, false), ["play"] = (false, true), ["all"] = (true, true),
     };
 
-    private static readonly Dictionary<string, bool> Compilers = new() { ["glslang"] = false, ["fxc"] = true };
+    private static readonly string[] Compilers = ["glslang", "fxc"];
+
+    internal static readonly IReadOnlyList<Flag> Flags =
+    [
+        CommonFlags.Project, CommonFlags.Assemblies,
+        new("--mode", "NAME", "which tests", "all") { Choices = [.. Modes.Keys] },
+        new("--filter", "TEXT", "tests whose full names match; several with ';'"),
+        new("--tests", "FILE", "tests by full name, one a line, in this order"),
+        Flag.Switch("--stop-on-fail", "ends with the first failure"),
+        Flag.Switch("--again", "then each line of standard input names a file of tests to run next"),
+        new("--coverage", "FILE", "writes what each test took and used"),
+        new("--compiler", "NAME", "what compiles the kernels", "glslang") { Choices = Compilers },
+        CommonFlags.Device, CommonFlags.Validate,
+        Flag.Switch("--poison", "fills what Unity leaves undefined with set bits"),
+        Flag.Switch("--check-bounds", "fails a test whose shader indexes outside a buffer"),
+    ];
 
     public required string Project { get; init; }
     public string? Assemblies { get; init; }
@@ -33,9 +48,7 @@ public sealed record TestOptions
 
     public static TestOptions Parse(IReadOnlyList<string> words)
     {
-        var arguments = new Arguments(
-            "test", words, ["--project", "--assemblies", "--mode", "--filter", "--tests", "--coverage", "--compiler", "--device"],
-            ["--stop-on-fail", "--again", "--validate", "--poison", "--check-bounds"]);
+        var arguments = new Arguments("test", words, Flags);
         if (arguments.Has("--filter") && arguments.Has("--tests"))
             throw new UsageException("--filter and --tests both choose the tests: give one of them.");
         MemoryChecks environment = MemoryChecks.FromEnvironment();
@@ -43,9 +56,9 @@ public sealed record TestOptions
         {
             Project = arguments.Folder("--project"),
             Assemblies = arguments.Has("--assemblies") ? arguments.Folder("--assemblies") : null,
-            Mode = arguments.OneOf("--mode", Modes["all"], Modes),
+            Mode = Modes[arguments.Text("--mode", "all")],
             Filter = arguments.Text("--filter", ""),
-            Direct3D = arguments.OneOf("--compiler", Compilers["glslang"], Compilers),
+            Direct3D = arguments.Text("--compiler") == "fxc",
             Tests = arguments.Has("--tests") ? ReadNames(arguments.Required("--tests")) : null,
             Coverage = arguments.Text("--coverage"),
             Again = arguments.Has("--again"),

@@ -53,6 +53,18 @@ public sealed class ActivityLine : IDisposable
         }
     }
 
+    /// <summary>A whole line, between two live ones.</summary>
+    public void Say(string line)
+    {
+        lock (gate)
+        {
+            if (open) output.Write("\r\x1b[2K");
+            open = false;
+            output.WriteLine(line);
+            output.Flush();
+        }
+    }
+
     /// <summary>Ends the live line, so that what follows begins on its own.</summary>
     public void Break()
     {

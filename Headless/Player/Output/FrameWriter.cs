@@ -12,11 +12,15 @@ public sealed class FrameWriter : IDisposable
     private readonly string folder;
     private readonly Film? film;
     private readonly Task worker;
+    private readonly Action<string>? first;
     private volatile int written;
 
+    /// <param name="folder">Folder of the frames.</param>
     /// <param name="film">Gets each frame when its file is there; null for no film.</param>
-    public FrameWriter(string folder, Film? film = null)
+    /// <param name="first">Called with the path of the first file when it is there, on another thread.</param>
+    public FrameWriter(string folder, Film? film = null, Action<string>? first = null)
     {
+        this.first = first;
         this.folder = folder;
         this.film = film;
         worker = Task.Run(Work);
@@ -72,7 +76,7 @@ public sealed class FrameWriter : IDisposable
                 string partial = path + ".part";
                 await using (FileStream stream = File.Create(partial)) Png.Write(stream, frame.Width, frame.Height, frame.Rgba);
                 File.Move(partial, path, overwrite: true);
-                written++;
+                if (++written == 1) first?.Invoke(path);
                 film?.Add(frame.Width, frame.Height, frame.Rgba);
             }
         }

@@ -2,28 +2,48 @@ using System.Globalization;
 
 namespace Headless.Player.Output;
 
-/// <summary>How many frames are done and how long the rest will take.</summary>
-public sealed class ProgressLine(ActivityLine activity, int frames)
+/// <summary>How many frames are done and how long the rest will take; once that is known, how long the whole does.</summary>
+public sealed class ProgressLine(ActivityLine activity, int frames, string picture)
 {
     private const int BarCells = 24;
-    private double smoothed;
+
+    /// <summary>Shorter plays are over before one has read it.</summary>
+    private static readonly TimeSpan WorthSaying = TimeSpan.FromSeconds(15);
+
+    private readonly RemainingTime remaining = new(frames);
+    private int finished;
+    private bool said;
 
     public void Begin(int frame) => activity.Begin(string.Create(CultureInfo.InvariantCulture, $"frame {frame + 1}/{frames}"));
 
-    public void Show(int done, double simulated, double frameMilliseconds)
+    /// <summary>Takes note of frames that the device has finished.</summary>
+    public void Finished(int count, double seconds)
     {
-        // The first frame also compiles, imports and starts: it says little about the others.
-        smoothed = done <= 2 || smoothed == 0 ? frameMilliseconds : 0.8 * smoothed + 0.2 * frameMilliseconds;
-        activity.Show(Line(done, simulated), done == frames);
+        finished = Math.Max(finished, count);
+        remaining.Add(count, seconds);
     }
 
-    internal string Line(int done, double simulated)
+    /// <param name="simulated">Simulated seconds.</param>
+    /// <param name="seconds">Time since the start of the play.</param>
+    /// <param name="last">Whether it is over.</param>
+    public void Show(double simulated, double seconds, bool last = false)
     {
-        double share = (double)done / frames;
+        if (!said && remaining.Left(seconds) is { } left)
+        {
+            said = true;
+            var whole = TimeSpan.FromSeconds(seconds) + left;
+            if (whole > WorthSaying) activity.Say($"{RemainingTime.About(whole)} for {frames} frames{picture}; {RemainingTime.About(left)} left");
+        }
+        activity.Show(Line(simulated, seconds), last);
+    }
+
+    internal string Line(double simulated, double seconds)
+    {
+        double share = (double)finished / frames;
         int filled = (int)(share * BarCells);
         string bar = activity.IsTerminal ? new string('█', filled) + new string('░', BarCells - filled) + " " : "";
-        var eta = TimeSpan.FromMilliseconds(smoothed * (frames - done));
-        string left = done == 1 && frames > 1 ? "" : string.Create(CultureInfo.InvariantCulture, $"  {(int)eta.TotalMinutes}:{eta.Seconds:00} left");
-        return string.Create(CultureInfo.InvariantCulture, $"{bar}{share,4:P0}  frame {done}/{frames}  {simulated:0.00} s simulated  {smoothed:0} ms/frame{left}");
+        string each = remaining.SecondsPerFrame is { } mean ? $"  {1000 * mean:0} ms/frame" : "";
+        string left = finished < frames && remaining.Left(seconds) is { } time ? $"  {(int)time.TotalMinutes}:{time.Seconds:00} left" : "";
+        return string.Create(CultureInfo.InvariantCulture, $"{bar}{share,4:P0}  frame {finished}/{frames}  {simulated:0.00} s simulated{each}{left}");
     }
 }

@@ -17,7 +17,7 @@ internal static class MethodRunner
         }
         catch (Exception e)
         {
-            Console.Error.WriteLine($"sphplayer: {method.DeclaringType}.{method.Name} ended with an exception: {e}");
+            Console.Error.WriteLine(Message.Of($"{method.DeclaringType}.{method.Name} ended with an exception: {e}"));
             return Failed;
         }
         return EngineState.QuitRequested ? EngineState.ExitCode : null;

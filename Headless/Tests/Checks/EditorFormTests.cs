@@ -114,6 +114,17 @@ public sealed class EditorFormTests
         Assert.That(Materials(), Is.Empty);
     }
 
+    [TestCase("Tags { \"PreviewType\" = \"Skybox\" }", true)]
+    [TestCase("Tags { \"PreviewType\" = \"Plane\" }", false)]
+    [TestCase("Tags { \"PreviewType\" = \"Skybox\" \"RenderPipeline\" = \"UniversalPipeline\" }", false)]
+    public void ASkyboxNeedsOneSubShaderForAll(string tags, bool passes)
+    {
+        WriteShader(tags);
+        package.Write("Samples~/S/M.mat", $"  m_Shader: {{fileID: 4800000, guid: {ShaderGuid}, type: 3}}\n");
+
+        Assert.That(Materials(), passes ? Is.Empty : Is.Not.Empty);
+    }
+
     [Test]
     public void ARendererWithABuiltInMaterialIsFound()
     {

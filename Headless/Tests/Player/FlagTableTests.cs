@@ -19,7 +19,7 @@ public sealed partial class FlagTableTests
     [
         ("play", ["--project", ".", "--scene", "a.unity"], w => PlayOptions.Parse(w),
             [("--seconds", NoNumbers), ("--fps", NoNumbers), ("--size", NoSizes), ("--assemblies", NoFolders), ("--out", Nothing), ("--device", Nothing), ("--executeMethod", Nothing)],
-            ["--no-images", "--validate"]),
+            ["--no-images", "--open", "--validate"]),
         ("play", ["--project", "."], w => PlayOptions.Parse(w), [("--scene", NoScenes)], []),
         ("play", ["--scene", "a.unity"], w => PlayOptions.Parse(w), [("--project", NoFolders)], []),
         ("test", ["--project", "."], w => TestOptions.Parse(w), [("--assemblies", NoFolders), ("--mode", NoModes), ("--filter", Nothing), ("--device", Nothing)], ["--validate"]),
@@ -74,7 +74,7 @@ public sealed partial class FlagTableTests
         string[] all = ["sphplayer play", "sphplayer test", "sphplayer exec", "sphplayer devices"];
         int begin = help.IndexOf("sphplayer " + command, StringComparison.Ordinal);
         int end = all.Select(c => help.IndexOf(c, StringComparison.Ordinal)).Where(i => i > begin).Min();
-        string[] named = [.. Flag().Matches(help[begin..end]).Select(m => m.Value)];
+        string[] named = [.. Flag().Matches(help[begin..end]).Select(m => m.Value).Distinct()];
         Assert.That(flags, Has.Length.GreaterThan(4));
         Assert.That(named, Is.EquivalentTo(flags));
     }

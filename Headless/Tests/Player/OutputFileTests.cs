@@ -67,8 +67,9 @@ public sealed class OutputFileTests
     {
         var output = new StringWriter();
         using var activity = new ActivityLine(output, terminal: false);
-        var progress = new ProgressLine(activity, frames: 90);
-        progress.Show(45, 1.5, 100);
+        var progress = new ProgressLine(activity, frames: 90, "");
+        for (int i = 0; i < 45; i++) progress.Finished(i + 1, 0.1 * (i + 1));
+        progress.Show(simulated: 1.5, seconds: 4.5);
         Assert.That(output.ToString().TrimEnd(), Is.EqualTo("50 %  frame 45/90  1.50 s simulated  100 ms/frame  0:04 left").Or.EqualTo(" 50%  frame 45/90  1.50 s simulated  100 ms/frame  0:04 left"));
     }
 }

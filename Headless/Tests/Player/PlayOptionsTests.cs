@@ -14,7 +14,7 @@ public sealed class PlayOptionsTests
     public void DefaultsAreThoseOfTheContract()
     {
         PlayOptions options = Parse();
-        Assert.That((options.Seconds, options.Fps, options.Width, options.Height, options.Frames, options.Images), Is.EqualTo((3d, 30d, 1280, 720, 91, true)));
+        Assert.That((options.Seconds, options.Fps, options.Width, options.Height, options.Frames, options.Images), Is.EqualTo((2d, 24d, 960, 540, 49, true)));
     }
 
     [Test]
@@ -51,6 +51,10 @@ public sealed class PlayOptionsTests
     [Test]
     public void UnknownFlagsAreNamedWithThoseThatExist() =>
         Assert.That(() => Parse("--speed", "3"), Throws.TypeOf<UsageException>().With.Message.StartsWith("--speed is not a flag of play. Its flags are --assemblies, --device"));
+
+    [Test]
+    public void AFilmThatIsNotMadeCannotBeShown() =>
+        Assert.That(() => Parse("--no-images", "--open"), Throws.TypeOf<UsageException>().With.Message.StartsWith("--open shows a film, and --no-images makes none"));
 
     [Test]
     public void TheSceneIsNeededAndMustBeOne()

@@ -32,6 +32,40 @@ public sealed class ReflectionTests : SceneFixture
         }
         """;
 
+    // Where one looks as red and green, blue where the sun stands.
+    private const string DirectionSky = """
+        Shader "Test/DirectionSky"
+        {
+            SubShader
+            {
+                Tags { "Queue" = "Background" "PreviewType" = "Skybox" }
+                Pass
+                {
+                    Cull Off
+                    ZWrite Off
+                    HLSLPROGRAM
+                    #pragma vertex Vertex
+                    #pragma fragment Fragment
+                    #include "UnityCG.cginc"
+                    struct Varyings { float4 place : SV_POSITION; float3 direction : TEXCOORD0; };
+                    Varyings Vertex(float4 position : POSITION)
+                    {
+                        Varyings o;
+                        o.place = UnityObjectToClipPos(position);
+                        o.direction = mul((float3x3)unity_ObjectToWorld, position.xyz);
+                        return o;
+                    }
+                    float4 Fragment(Varyings i) : SV_Target
+                    {
+                        float3 direction = normalize(i.direction);
+                        return float4(direction.xy * 0.5 + 0.5, dot(direction, _WorldSpaceLightPos0.xyz) > 0.999, 1);
+                    }
+                    ENDHLSL
+                }
+            }
+        }
+        """;
+
     private static readonly Vector3[] Directions = [Vector3.right, Vector3.left, Vector3.up, Vector3.down, Vector3.forward, Vector3.back];
     private static readonly Color[] Colors = [Color.red, Color.green, Color.blue, Color.white, new(1f, 1f, 0f, 1f), new(0f, 1f, 1f, 1f)];
 
@@ -86,6 +120,54 @@ public sealed class ReflectionTests : SceneFixture
         Color32 half = Seen(Vector3.up);
         RenderSettings.reflectionIntensity = 1f;
         Assert.That(((Color)half).linear.b, Is.EqualTo(((Color)Seen(Vector3.up)).linear.b * 0.5f).Within(0.01f));
+    }
+
+    [Test]
+    public void ASkyboxMaterialIsDrawnBehindEverythingAndMirrored()
+    {
+        Sun(new Vector3(0f, -0.6f, -0.8f));
+        RenderSettings.skybox = MaterialOf(DirectionSky);
+        Camera camera = Camera(new Vector3(2f, 1f, -4f), Vector3.zero);
+        camera.clearFlags = CameraClearFlags.Skybox;
+        camera.farClipPlane = 6f;
+        var sun = new Vector3(0f, 0.6f, 0.8f);
+        foreach (Vector3 direction in (Vector3[])[new(0f, 0.5f, 1f), new(0.4f, -0.5f, 1f), new(1f, 0.1f, 0.3f), new(-1f, -0.1f, -2f), new(0.1f, 1f, 0.1f), new(0f, -1f, 0.05f), sun])
+        {
+            Vector3 d = direction.normalized;
+            var expected = new Color((d.x * 0.5f) + 0.5f, (d.y * 0.5f) + 0.5f, Vector3.Dot(d, sun) > 0.999f ? 1f : 0f).gamma;
+            camera.transform.rotation = Quaternion.LookRotation(d);
+            Frame();
+            AssertNear((Color)Picture.OfScreen().At(64, 48), expected, $"seen at {direction}");
+            camera.transform.rotation = Quaternion.LookRotation(-camera.transform.position);
+            AssertNear((Color)Seen(d), expected, $"mirrored at {direction}");
+        }
+
+        // Whatever stands in front hides it, near the far plane too.
+        camera.transform.SetPositionAndRotation(new Vector3(0f, 0f, -5.9f), Quaternion.identity);
+        GameObject quad = GameObject.CreatePrimitive(PrimitiveType.Quad);
+        quad.GetComponent<Renderer>().sharedMaterial = new Material(Shader.Find("Unlit/Color")) { color = Color.red };
+        Frame();
+        Assert.That(IsRed(Picture.OfScreen().At(64, 48)), Is.True, "in front of the sky");
+    }
+
+    [Test]
+    public void WithoutASkyboxTheBackgroundColorIsSeenAndBlackIsMirrored()
+    {
+        Camera camera = Camera(new Vector3(0f, 0f, -5f), Vector3.zero);
+        camera.clearFlags = CameraClearFlags.Skybox;
+        camera.backgroundColor = Color.green;
+        RenderSettings.skybox = null;
+        Frame();
+        Assert.That(IsGreen(Picture.OfScreen().At(64, 48)), Is.True);
+        Assert.That(IsBlack(Seen(Vector3.up)), Is.True);
+    }
+
+    private static void AssertNear(Color seen, Color expected, string what)
+    {
+        for (int c = 0; c < 3; c++)
+        {
+            Assert.That(seen[c], Is.EqualTo(expected[c]).Within(0.02f), $"{what}: {seen}, not {expected}");
+        }
     }
 
     [Test]

@@ -17,6 +17,20 @@ public class LifecycleTests : EngineFixture
     }
 
     [Test]
+    public void AnotherParentIsToldToAllScriptsBelow()
+    {
+        var parent = new GameObject("P");
+        var child = new GameObject("C");
+        child.transform.SetParent(parent.transform);
+        ParentProbe near = parent.AddComponent<ParentProbe>(), below = child.AddComponent<ParentProbe>(), off = child.AddComponent<ParentProbe>();
+        off.enabled = false;
+        parent.transform.SetParent(new GameObject("New").transform);
+        Assert.That((near.Times, below.Times, off.Times), Is.EqualTo((1, 1, 0)));
+        parent.transform.SetParent(null);
+        Assert.That((near.Times, below.Times, off.Times), Is.EqualTo((2, 2, 0)));
+    }
+
+    [Test]
     public void PrivateMessagesOfABaseClassAreFound()
     {
         new GameObject("A").AddComponent<DerivedProbe>();

@@ -54,6 +54,16 @@ public partial class Transform
         Relink(parent);
         if (worldPositionStays) KeepWorld(world, worldRotation);
         OwnerOrNull!.RefreshHierarchy();
+        SendParentChanged();
+    }
+
+    // To the enabled scripts of this object and of all below it.
+    void SendParentChanged()
+    {
+        if (!IsAlive) return;
+        foreach (MonoBehaviour script in gameObject.GetComponents<MonoBehaviour>())
+            if (script.Script.EnableCalled) script.ScriptType.Invoke(script, "OnTransformParentChanged");
+        foreach (Transform child in m_Children.ToArray()) child.SendParentChanged();
     }
 
     /// <summary>Moves below another parent (or to the scene's roots) without touching local values or active state.</summary>

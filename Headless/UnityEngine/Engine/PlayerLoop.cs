@@ -55,6 +55,7 @@ static class PlayerLoop
     {
         Application.SendBeforeRender();
         Guard(EngineHooks.RenderFrame);
+        GuiMessages.Send();
     }
 
     static void EndFrame()

@@ -1,8 +1,9 @@
 using System;
+using Headless.Engine;
 
 namespace UnityEngine;
 
-/// <summary>No window, no input: controls draw nothing and return what they were given.</summary>
+/// <summary>No window, no input: controls return what they were given. Of them labels and textures of one colour are drawn, into what is captured of the screen.</summary>
 public class GUI
 {
     public static bool enabled { get; set; } = true;
@@ -15,9 +16,17 @@ public class GUI
 
     internal GUI() { }
 
-    public static void Label(Rect position, string text) { }
-    public static void Label(Rect position, string text, GUIStyle style) { }
-    public static void Label(Rect position, GUIContent content) { }
+    public static void Label(Rect position, string text) => Label(position, text, GUIStyle.Default);
+    public static void Label(Rect position, string text, GUIStyle style) => GuiPicture.Add(position, text, style);
+    public static void Label(Rect position, GUIContent content) => Label(position, content.text, GUIStyle.Default);
+    public static void Label(Rect position, GUIContent content, GUIStyle style) => Label(position, content.text, style);
+
+    /// <summary>A flat colour: the image has to be <see cref="Texture2D.whiteTexture"/>; others are not drawn.</summary>
+    public static void DrawTexture(Rect position, Texture image, ScaleMode scaleMode, bool alphaBlend, float imageAspect, Color color, float borderWidth, float borderRadius)
+    {
+        if (image == Texture2D.whiteTexture) GuiPicture.Add(position, alphaBlend ? color : new Color(color.r, color.g, color.b, 1f));
+    }
+
     public static void Box(Rect position, GUIContent content) { }
     public static bool Button(Rect position, string text) => false;
     public static bool Button(Rect position, GUIContent content) => false;

@@ -1,4 +1,5 @@
 using System;
+using Headless.Engine;
 
 namespace UnityEngine;
 
@@ -15,7 +16,10 @@ public sealed class GUIStyle
         fontSize = other.fontSize;
         fixedWidth = other.fixedWidth;
         fixedHeight = other.fixedHeight;
+        normal = new GUIStyleState { textColor = other.normal.textColor };
     }
+
+    internal static GUIStyle Default { get; } = new() { normal = { textColor = Color.white } };
 
     public string name { get; set; } = "";
     public bool wordWrap { get; set; }
@@ -23,5 +27,8 @@ public sealed class GUIStyle
     public int fontSize { get; set; }
     public float fixedWidth { get; set; }
     public float fixedHeight { get; set; }
-    public float lineHeight => 15f;
+    public GUIStyleState normal { get; set; } = new();
+    public float lineHeight => GuiFont.LineHeight(fontSize);
+
+    public Vector2 CalcSize(GUIContent content) => GuiFont.SizeOf(content.text, fontSize);
 }

@@ -14,6 +14,7 @@ public class BoxCollider : Collider
     internal override Bounds WorldBounds => Shape.Bounds;
     internal override bool OverlapsBox(in PhysicsBox box) => Shape.Intersects(box);
     internal override bool OverlapsSphere(Vector3 center, float radius) => (Shape.ClosestPoint(center) - center).sqrMagnitude <= radius * radius;
+    internal override void MeetRay(ref PhysicsRay ray) => ray.MeetBox(Shape);
     internal override Vector3 ClosestPointCore(Vector3 position) => Shape.ClosestPoint(position);
 
     internal override void FitToMesh()

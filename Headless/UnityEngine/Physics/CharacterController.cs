@@ -27,5 +27,6 @@ public class CharacterController : Collider
     internal override Bounds WorldBounds => Shape.Bounds;
     internal override bool OverlapsBox(in PhysicsBox box) => Shape.Overlaps(box);
     internal override bool OverlapsSphere(Vector3 center, float radius) => Shape.OverlapsSphere(center, radius);
+    internal override void MeetRay(ref PhysicsRay ray) => ray.MeetCapsule(Shape);
     internal override Vector3 ClosestPointCore(Vector3 position) => Shape.ClosestPoint(position);
 }

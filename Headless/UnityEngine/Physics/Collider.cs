@@ -37,6 +37,7 @@ public class Collider : Component
     internal virtual Bounds WorldBounds => default;
     internal virtual bool OverlapsBox(in PhysicsBox box) => false;
     internal virtual bool OverlapsSphere(Vector3 center, float radius) => false;
+    internal virtual void MeetRay(ref PhysicsRay ray) { }
     internal virtual Vector3 ClosestPointCore(Vector3 position) => position;
 
     /// <summary>Takes over the transform's place: on enabling, at each physics step and in Physics.SyncTransforms.</summary>

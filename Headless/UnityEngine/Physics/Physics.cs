@@ -2,7 +2,7 @@ using Headless.Engine;
 
 namespace UnityEngine;
 
-/// <summary>Overlap queries. Colliders are where they were at the last physics step or SyncTransforms, as with Unity's default settings.</summary>
+/// <summary>Overlap queries and rays. Colliders are where they were at the last physics step or SyncTransforms, as with Unity's default settings.</summary>
 public partial class Physics
 {
     public const int IgnoreRaycastLayer = 1 << 2;

@@ -27,6 +27,13 @@ public struct PhysicsScene : IEquatable<PhysicsScene>
         return PhysicsWorld.Fill(PhysicsWorld.OverlapSphere(position, radius, layerMask, queryTriggerInteraction, m_Handle), results);
     }
 
+    public bool Raycast(Vector3 origin, Vector3 direction, out RaycastHit hitInfo, float maxDistance = float.PositiveInfinity, int layerMask = Physics.DefaultRaycastLayers,
+        QueryTriggerInteraction queryTriggerInteraction = QueryTriggerInteraction.UseGlobal)
+    {
+        RequireValid();
+        return PhysicsWorld.Raycast(origin, direction, maxDistance, layerMask, queryTriggerInteraction, out hitInfo, m_Handle);
+    }
+
     public void Simulate(float step)
     {
         RequireValid();

@@ -66,6 +66,24 @@ static class PhysicsWorld
         return count;
     }
 
+    /// <summary>The first collider on a ray.</summary>
+    public static bool Raycast(Vector3 origin, Vector3 direction, float reach, int layerMask, QueryTriggerInteraction triggers, out RaycastHit hit, int scene = DefaultScene)
+    {
+        hit = default;
+        if (direction.sqrMagnitude == 0f) return false;
+        var ray = new PhysicsRay(origin, direction.normalized, reach);
+        Collider? first = null;
+        foreach (Collider collider in Query(scene, layerMask, triggers, _ => true))
+        {
+            PhysicsRay tried = ray;
+            collider.MeetRay(ref tried);
+            if (!tried.IsHit || first is not null && tried.Distance >= ray.Distance) continue;
+            (ray, first) = (tried, collider);
+        }
+        if (first is not null) hit = new RaycastHit(first, ray.Distance, ray.Point, ray.Normal);
+        return first is not null;
+    }
+
     static List<Collider> Query(int scene, int layerMask, QueryTriggerInteraction triggers, Predicate<Collider> overlaps)
     {
         if (Physics.autoSyncTransforms) Sync();

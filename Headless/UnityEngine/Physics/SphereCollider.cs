@@ -29,6 +29,8 @@ public class SphereCollider : Collider
         return (center - WorldCenter).sqrMagnitude <= reach * reach;
     }
 
+    internal override void MeetRay(ref PhysicsRay ray) => ray.MeetSphere(WorldCenter, WorldRadius);
+
     internal override Vector3 ClosestPointCore(Vector3 position)
     {
         Vector3 offset = position - WorldCenter;

@@ -1,9 +1,15 @@
+using System;
+using System.Collections.Concurrent;
+using System.Threading;
 using UnityEngine;
 
 namespace Unity.Profiling;
 
 public readonly struct ProfilerCategory
 {
+    static readonly ConcurrentDictionary<string, ushort> s_Ids = new(StringComparer.Ordinal);
+    static int s_LastId;
+
     readonly string? m_Name;
 
     public ProfilerCategory(string categoryName) => m_Name = categoryName;
@@ -29,4 +35,6 @@ public readonly struct ProfilerCategory
     public static ProfilerCategory FileIO => new("File IO");
 
     public override string ToString() => Name;
+
+    public static implicit operator ushort(ProfilerCategory category) => s_Ids.GetOrAdd(category.Name, static _ => (ushort)Interlocked.Increment(ref s_LastId));
 }

@@ -31,6 +31,7 @@ static class ProfilerFrames
     public static void EndFrame()
     {
         foreach (ProfilerMarkerData marker in ProfilerMarkerData.All) marker.EndFrame();
+        ProfilerCounterValue.EndFrame();
         lock (s_Lock)
             foreach (ProfilerRecorderData recorder in s_Recorders) recorder.Sample();
     }

@@ -39,7 +39,7 @@ public struct ProfilerRecorder : IDisposable
     public double CurrentValueAsDouble => CurrentValue;
     public long LastValue => m_Data is { Samples.Count: > 0 } data ? data.Samples[^1].Value : 0;
     public double LastValueAsDouble => LastValue;
-    public ProfilerMarkerDataUnit UnitType => m_Data is { IsCounter: false } ? ProfilerMarkerDataUnit.TimeNanoseconds : ProfilerMarkerDataUnit.Undefined;
+    public ProfilerMarkerDataUnit UnitType => m_Data?.Unit ?? ProfilerMarkerDataUnit.Undefined;
 
     public void Start() => m_Data?.Start();
     public void Stop() => m_Data?.Stop();

@@ -15,6 +15,7 @@ sealed class ProfilerRecorderData(string statName, int capacity, ProfilerRecorde
     public bool WrappedAround { get; private set; }
     public bool IsCounter => ProfilerCounters.Has(statName);
     public bool IsValid => IsCounter || ProfilerMarkerData.Find(statName) is not null;
+    public ProfilerMarkerDataUnit Unit => !IsCounter ? ProfilerMarkerDataUnit.TimeNanoseconds : ProfilerCounterValue.Find(statName)?.Unit ?? ProfilerMarkerDataUnit.Undefined;
     bool Gpu => (options & ProfilerRecorderOptions.GpuRecorder) != 0;
 
     public long CurrentValue => IsCounter ? ProfilerCounters.Read(statName) : ProfilerMarkerData.Find(statName)?.CurrentCpuNanoseconds ?? 0;

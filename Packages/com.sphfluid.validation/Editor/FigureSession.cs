@@ -36,7 +36,7 @@ namespace SphFluid.Validation.Editor
             }
             catch (CommandLineException exception)
             {
-                Console.Error.WriteLine(exception.Message);
+                Console.Error.WriteLine("figures: " + exception.Message);
                 EditorApplication.Exit(UsageExitCode);
                 return;
             }

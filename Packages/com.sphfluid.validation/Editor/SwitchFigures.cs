@@ -40,12 +40,12 @@ namespace SphFluid.Validation.Editor
             var value = new float[result.Particles.Length];
             for (int i = 0; i < value.Length; i++)
             {
-                switch (experiment.Colour)
+                switch (experiment.Color)
                 {
-                    case SwitchColour.Pressure:
+                    case SwitchColor.Pressure:
                         value[i] = result.Pressure[i] / (2f * settings.RestDensity * settings.Gravity.magnitude * settings.DomainSize.y);
                         break;
-                    case SwitchColour.Speed:
+                    case SwitchColor.Speed:
                         value[i] = result.Particles[i].VelT1.magnitude / 0.3f;
                         break;
                     default:

@@ -1,23 +1,52 @@
 using System.Collections.Generic;
+using UnityEngine;
 using static System.FormattableString;
 
 namespace SphFluid.Editor
 {
-    /// <summary>What a domain holds and costs, as the inspector shows it.</summary>
+    /// <summary>What a domain holds and costs, before a start by rule and measurement, in play as it is; as the inspector shows it.</summary>
     public readonly struct DomainText
     {
         const double Mebibyte = 1024.0 * 1024.0;
+        const int Frames = 60; // a second
+        const double FrameTime = 1.0 / Frames;
 
         DomainText(List<(string, string)> lines) => Lines = lines;
 
         /// <summary>Labels and values.</summary>
         public IReadOnlyList<(string Label, string Value)> Lines { get; }
 
-        /// <summary>Of a simulation that would start with these constants.</summary>
-        /// <param name="constants">Its constants.</param>
+        /// <summary>Of a simulation that would start so.</summary>
+        /// <param name="simulation">The simulation, with a profile.</param>
+        /// <param name="preview">What it would start with.</param>
         /// <returns>The text.</returns>
-        public static DomainText Before(in FluidSolverSettings constants) =>
-            new DomainText(new List<(string, string)> { Cells(constants) });
+        internal static DomainText Before(FluidSimulation simulation, FluidPreview preview)
+        {
+            double needed = FrameTime / TimeStepText.StepOf(simulation, preview.Constants), most = simulation.MaxSubstepsPerFrame;
+            double steps = System.Math.Min(needed, most);
+            return new DomainText(new List<(string, string)>
+            {
+                ("Particles", Invariant($"{preview.Particles:N0}") + (preview.Particles == 0 ? ", until liquid is poured" : "")),
+                Cells(preview.Constants),
+                ("GPU memory", preview.Lack ?? Invariant($"{preview.GpuBytes / Mebibyte:0.0} MiB, without what draws it")),
+                ("Steps a frame", needed <= most ? Invariant($"{steps:0.#} at {Frames} frames a second")
+                    : Invariant($"{most:0}, the most allowed; {needed:0.#} keep up with time at {Frames} frames a second")),
+                ("GPU time a frame", Estimate(preview.Constants.Method, preview.Particles, steps)),
+            });
+        }
+
+        /// <summary>Time that a number of steps takes, by what was measured on this device.</summary>
+        /// <param name="method">The method.</param>
+        /// <param name="particles">Number of particles.</param>
+        /// <param name="steps">Number of steps.</param>
+        /// <returns>The text.</returns>
+        internal static string Estimate(FluidMethodKind method, long particles, double steps)
+        {
+            if (particles == 0) return "depends on what is poured";
+            return StepCost.TryFind(method, particles, out double nanoseconds, out long with)
+                ? Invariant($"about {1e-6 * nanoseconds * particles * steps:0.00} ms for the steps, by the last run with some {with:N0} particles on {SystemInfo.graphicsDeviceName}")
+                : StepTimer.IsSupported ? "not measured on this device yet: press Play once" : "this device reports no GPU times";
+        }
 
         /// <summary>Of a running simulation.</summary>
         /// <param name="simulation">The simulation.</param>
@@ -26,8 +55,19 @@ namespace SphFluid.Editor
         {
             ("Particles", Particles(simulation.ParticleCount, simulation.RemovedParticles)),
             Cells(simulation.Solver.Settings),
-            ("GPU memory", Invariant($"{simulation.GpuBytes / Mebibyte:0.0} MiB")),
+            ("GPU memory", Invariant($"{simulation.GpuBytes / Mebibyte:0.0} MiB, without what draws it")),
+            ("Steps a frame", simulation.Timer == null || simulation.Timer.FrameCount == 0 ? Invariant($"{FrameTime / simulation.TimeStep:0.#} at {Frames} frames a second")
+                : Invariant($"{simulation.Timer.StepsAFrame:0.#}")),
+            ("GPU time a frame", Measured(simulation.Timer)),
         });
+
+        /// <summary>Measured time of the steps.</summary>
+        /// <param name="timer">What measures it; null: nothing.</param>
+        /// <returns>The text.</returns>
+        internal static string Measured(StepTimer timer) =>
+            !StepTimer.IsSupported ? "this device reports no GPU times"
+            : timer == null || timer.FrameCount == 0 ? "no frame is measured yet"
+            : Invariant($"{timer.MillisecondsAFrame:0.00} ms for the steps, mean of {timer.FrameCount} frames that had some");
 
         /// <summary>A number of particles, of which some may have left.</summary>
         /// <param name="count">Those that are there.</param>
@@ -36,7 +76,8 @@ namespace SphFluid.Editor
         public static string Particles(long count, long removed) =>
             removed == 0 ? Invariant($"{count:N0}") : Invariant($"{count:N0}; {removed:N0} have left");
 
-        static (string, string) Cells(in FluidSolverSettings settings) =>
+        /// <summary>Cells that a domain needs.</summary>
+        internal static (string, string) Cells(in FluidSolverSettings settings) =>
             ("Cells", Invariant($"{CellChecks.Needed(settings):N0} of {CellChecks.Most(settings.Method):N0} at most"));
     }
 }

@@ -60,6 +60,8 @@ namespace SphFluid.Editor
                     return Change(simulation, "Coarsen Spacing", () => simulation.Spacing = CellChecks.FittingSpacing(simulation.Spec));
                 case FluidIssue.VolumeSizeInvalid when context is FluidVolume volume && !(Smallest(volume.Size) > 0f):
                     return Change(volume, "Make Positive", () => volume.Size = Positive(volume.Size));
+                case FluidIssue.VolumeChanged when Application.isPlaying:
+                    return new FluidFix("Restart", () => simulation.ResetSimulation());
                 case FluidIssue.MeshNotReadable when context is MeshCollider collider:
                     return MakeReadable(collider.sharedMesh);
                 default:
@@ -75,13 +77,18 @@ namespace SphFluid.Editor
             PrefabUtility.RecordPrefabInstancePropertyModifications(target);
         });
 
-        // A scaled parent is not ours to change; the object's own scale undoes it when the parent is not skewed.
         static FluidFix? UnitScale(FluidSimulation simulation)
         {
             Transform transform = simulation.transform;
+            return ScaleForOne(transform) is Vector3 scale ? Change(transform, "Set Scale to 1", () => transform.localScale = scale) : (FluidFix?)null;
+        }
+
+        /// <summary>The local scale with which an object has scale 1 in the world; null where its parents allow none. A scaled parent is not ours to change.</summary>
+        internal static Vector3? ScaleForOne(Transform transform)
+        {
             Vector3 parent = transform.parent != null ? transform.parent.lossyScale : Vector3.one;
-            if (!(Smallest(new Vector3(Mathf.Abs(parent.x), Mathf.Abs(parent.y), Mathf.Abs(parent.z))) > 0f)) return null;
-            return Change(transform, "Set Scale to 1", () => transform.localScale = new Vector3(1f / parent.x, 1f / parent.y, 1f / parent.z));
+            bool allows = Smallest(new Vector3(Mathf.Abs(parent.x), Mathf.Abs(parent.y), Mathf.Abs(parent.z))) > 0f;
+            return allows ? new Vector3(1f / parent.x, 1f / parent.y, 1f / parent.z) : (Vector3?)null;
         }
 
         static FluidFix? MakeReadable(Mesh mesh)

@@ -24,6 +24,7 @@ namespace SphFluid.Editor
             Gizmos.color = color;
             Gizmos.DrawWireCube(Vector3.zero, simulation.DomainSize);
             FaceGizmos.Draw(simulation.Boundaries, simulation.DomainSize, color.a);
+            if ((type & GizmoType.Selected) != 0) FillGizmos.Draw(simulation);
         }
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
@@ -38,7 +39,11 @@ namespace SphFluid.Editor
             color.a = Fill;
             Gizmos.color = color;
             if (!Application.isPlaying) DrawShape(volume, true);
+            if (selected) FillGizmos.Draw(OwnerOf(volume));
         }
+
+        /// <summary>The simulation that a volume belongs to; null for none.</summary>
+        internal static FluidSimulation OwnerOf(FluidVolume volume) => FluidScene.Owner(volume, SceneObjects.Find<FluidSimulation>(volume));
 
         /// <summary>Whether a shape is as large as its volume's Size says.</summary>
         internal static bool HasSize(FluidVolumeShape shape) => shape == FluidVolumeShape.Box || shape == FluidVolumeShape.Sphere;

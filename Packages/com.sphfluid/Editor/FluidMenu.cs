@@ -1,77 +1,82 @@
+using System;
 using UnityEditor;
 using UnityEditor.SceneManagement;
 using UnityEngine;
 
 namespace SphFluid.Editor
 {
-    /// <summary>GameObject menu entries that make a working set-up, each one undo step.</summary>
+    /// <summary>
+    /// GameObject menu entries that make a working set-up, each one undo step. What has no parent stands where the Scene view looks, on what lies below.
+    /// </summary>
     public static class FluidMenu
     {
         const string Root = "GameObject/Fluid/";
         const int Priority = 11;
+        const float TankEdge = 0.03f; // m: more than the spacing, so that the floor below is no wall that the liquid tests against
 
-        /// <summary>A tank of water: domain, liquid in a third of it, drawn as particles.</summary>
+        static readonly Vector3 CubicMetre = new Vector3(1f, 1f, 1f);
+        static readonly Vector3 TankSize = new Vector3(1.6f, 0.9f, 0.8f); // m: about 15,000 particles
+
+        /// <summary>A glass tank with a block of water in a third of it.</summary>
         /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
-        [MenuItem(Root + "Fluid Simulation (Particles)", false, Priority)]
+        [MenuItem(Root + "Tank", false, Priority)]
+        public static void CreateTank(MenuCommand command) => InOneStep("Create Fluid Tank", () => AddVolume(Tank("Fluid Tank", command)));
+
+        /// <summary>A domain with a block of water in a third of it, drawn as a surface, and walls that are not to be seen.</summary>
+        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
+        [MenuItem(Root + "Surface", false, Priority + 1)]
+        public static void CreateWithSurface(MenuCommand command) => Create(command, typeof(FluidSurfaceRenderer));
+
+        /// <summary>A domain with a block of water in a third of it, drawn as particles, and walls that are not to be seen.</summary>
+        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
+        [MenuItem(Root + "Particles", false, Priority + 2)]
         public static void CreateWithParticles(MenuCommand command) => Create(command, typeof(FluidParticleRenderer));
 
-        /// <summary>A tank of water: domain, liquid in a third of it, drawn as a surface.</summary>
+        /// <summary>A nozzle that points down, at the top of the simulation that the object belongs to; outside of one in a glass tank of its own.</summary>
         /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
-        [MenuItem(Root + "Fluid Simulation (Surface)", false, Priority + 1)]
-        public static void CreateWithSurface(MenuCommand command) => Create(command, typeof(FluidSurfaceRenderer));
+        [MenuItem(Root + "Emitter", false, Priority + 13)]
+        public static void CreateEmitter(MenuCommand command) => InOneStep("Create Fluid Emitter", () =>
+        {
+            var parent = command.context as GameObject;
+            FluidSimulation simulation = SimulationOf(parent);
+            if (simulation == null) AddEmitter(simulation = Tank("Fluid Tank", command), simulation.gameObject);
+            else AddEmitter(simulation, parent);
+        });
 
         /// <summary>A liquid volume, child of the selected simulation.</summary>
         /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
-        [MenuItem(Root + "Fluid Volume", false, Priority + 2)]
+        [MenuItem(Root + "Volume", false, Priority + 14)]
         public static void CreateVolume(MenuCommand command)
         {
-            var parent = command.context as GameObject;
-            FluidSimulation simulation = parent != null ? parent.GetComponentInParent<FluidSimulation>() : null;
-            if (simulation != null) AddVolume(simulation);
-            else Finish(NewObject("Fluid Volume", parent, typeof(FluidVolume)));
+            FluidSimulation simulation = SimulationOf(command.context as GameObject);
+            if (simulation != null) InOneStep("Create Fluid Volume", () => AddVolume(simulation));
+            else CreateShape(command, "Fluid Volume", FluidVolumeShape.Box);
         }
 
         /// <summary>A sphere of liquid, child of the selected object.</summary>
         /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
-        [MenuItem(Root + "Fluid Volume (Sphere)", false, Priority + 3)]
+        [MenuItem(Root + "Volume (Sphere)", false, Priority + 15)]
         public static void CreateSphere(MenuCommand command) => CreateShape(command, "Fluid Sphere", FluidVolumeShape.Sphere);
 
         /// <summary>Liquid in the hollow of the colliders round it, child of the selected object.</summary>
         /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
-        [MenuItem(Root + "Fluid Volume (Vessel)", false, Priority + 4)]
+        [MenuItem(Root + "Volume (Vessel)", false, Priority + 16)]
         public static void CreateVessel(MenuCommand command) => CreateShape(command, "Fluid Vessel", FluidVolumeShape.Vessel);
-
-        /// <summary>A nozzle that points down, child of the selected object.</summary>
-        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
-        [MenuItem(Root + "Fluid Emitter", false, Priority + 5)]
-        public static void CreateEmitter(MenuCommand command)
-        {
-            GameObject created = NewObject("Fluid Emitter", command.context as GameObject, typeof(FluidEmitter));
-            created.transform.localRotation = Quaternion.LookRotation(Vector3.down, Vector3.forward);
-            Finish(created);
-        }
 
         /// <summary>A place where liquid leaves, child of the selected object.</summary>
         /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
-        [MenuItem(Root + "Fluid Drain", false, Priority + 6)]
-        public static void CreateDrain(MenuCommand command) => Finish(NewObject("Fluid Drain", command.context as GameObject, typeof(FluidDrain)));
+        [MenuItem(Root + "Drain", false, Priority + 17)]
+        public static void CreateDrain(MenuCommand command) => CreatePart(command, "Fluid Drain", typeof(FluidDrain));
 
         /// <summary>A zone in which liquid is pushed or dragged, child of the selected object.</summary>
         /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
-        [MenuItem(Root + "Fluid Force Zone", false, Priority + 7)]
-        public static void CreateForceZone(MenuCommand command) => Finish(NewObject("Fluid Force Zone", command.context as GameObject, typeof(FluidForceZone)));
+        [MenuItem(Root + "Force Zone", false, Priority + 18)]
+        public static void CreateForceZone(MenuCommand command) => CreatePart(command, "Fluid Force Zone", typeof(FluidForceZone));
 
         /// <summary>A place where the liquid is read, child of the selected object.</summary>
         /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
-        [MenuItem(Root + "Fluid Sensor", false, Priority + 8)]
-        public static void CreateSensor(MenuCommand command) => Finish(NewObject("Fluid Sensor", command.context as GameObject, typeof(FluidSensor)));
-
-        static void CreateShape(MenuCommand command, string name, FluidVolumeShape shape)
-        {
-            GameObject created = NewObject(name, command.context as GameObject, typeof(FluidVolume));
-            created.GetComponent<FluidVolume>().Shape = shape;
-            Finish(created);
-        }
+        [MenuItem(Root + "Sensor", false, Priority + 19)]
+        public static void CreateSensor(MenuCommand command) => CreatePart(command, "Fluid Sensor", typeof(FluidSensor));
 
         /// <summary>Adds liquid to a domain: a box over a third of its width, all of its depth and two thirds of its height.</summary>
         /// <param name="simulation">The simulation.</param>
@@ -83,31 +88,85 @@ namespace SphFluid.Editor
             Vector3 domain = simulation.DomainSize;
             volume.Size = new Vector3(domain.x / 3f, domain.y * 2f / 3f, domain.z);
             child.transform.localPosition = new Vector3((volume.Size.x - domain.x) * 0.5f, (volume.Size.y - domain.y) * 0.5f, 0f);
-            Finish(child);
+            Selection.activeGameObject = child;
             return volume;
         }
 
-        static void Create(MenuCommand command, System.Type renderer)
+        // Below the top by two spacings, as layers of particles leave it along its axis.
+        static void AddEmitter(FluidSimulation simulation, GameObject parent)
         {
-            int group = Undo.GetCurrentGroup();
-            GameObject root = NewObject("Fluid", command.context as GameObject, typeof(FluidSimulation), renderer);
+            GameObject child = NewObject("Fluid Emitter", parent, typeof(FluidEmitter));
+            Transform domain = simulation.transform;
+            float drop = Mathf.Min(2f * simulation.Spacing, 0.5f * simulation.DomainSize.y);
+            child.transform.SetPositionAndRotation(
+                simulation.LocalToWorld.MultiplyPoint3x4(new Vector3(0f, 0.5f * simulation.DomainSize.y - drop, 0f)),
+                domain.rotation * Quaternion.LookRotation(Vector3.down, Vector3.forward));
+            Selection.activeGameObject = child;
+        }
+
+        static FluidSimulation Tank(string name, MenuCommand command)
+        {
+            FluidSimulation simulation = Simulation(name, command, typeof(FluidSurfaceRenderer), TankSize, TankEdge);
+            GameObject glass = NewObject("Glass", simulation.gameObject, typeof(MeshFilter), typeof(MeshRenderer), typeof(FluidTank));
+            glass.GetComponent<FluidTank>().Edge = TankEdge;
+            glass.GetComponent<MeshRenderer>().sharedMaterials = new[] { PackageAssets.TankGlass, PackageAssets.TankFrame };
+            return simulation;
+        }
+
+        static void Create(MenuCommand command, Type renderer) => InOneStep("Create Fluid", () =>
+        {
+            FluidSimulation simulation = Simulation("Fluid", command, renderer, CubicMetre, 0f);
+            AddVolume(simulation);
+            Selection.activeGameObject = simulation.gameObject;
+        });
+
+        static FluidSimulation Simulation(string name, MenuCommand command, Type renderer, Vector3 size, float margin)
+        {
+            var parent = command.context as GameObject;
+            GameObject root = NewObject(name, parent, typeof(FluidSimulation), renderer);
             var simulation = root.GetComponent<FluidSimulation>();
             simulation.Profile = PackageAssets.Water;
-            AddVolume(simulation);
-            Finish(root);
+            simulation.DomainSize = size;
+            if (FluidFix.ScaleForOne(root.transform) is Vector3 scale) root.transform.localScale = scale;
+            FluidPlacement.Stand(root.transform, parent != null ? parent.transform.position : FluidPlacement.Pivot, size, margin);
+            Selection.activeGameObject = root;
+            return simulation;
+        }
+
+        static void CreateShape(MenuCommand command, string name, FluidVolumeShape shape) => InOneStep("Create " + name, () =>
+        {
+            GameObject created = NewObject(name, command.context as GameObject, typeof(FluidVolume));
+            var volume = created.GetComponent<FluidVolume>();
+            volume.Shape = shape;
+            if (command.context == null) FluidPlacement.Stand(created.transform, FluidPlacement.Pivot, FluidGizmos.HasSize(shape) ? volume.Size : Vector3.zero);
+            Selection.activeGameObject = created;
+        });
+
+        static void CreatePart(MenuCommand command, string name, Type component) => InOneStep("Create " + name, () =>
+        {
+            GameObject created = NewObject(name, command.context as GameObject, component);
+            if (command.context == null) created.transform.position = FluidPlacement.Pivot;
+            Selection.activeGameObject = created;
+        });
+
+        static FluidSimulation SimulationOf(GameObject parent) => parent != null ? parent.GetComponentInParent<FluidSimulation>() : null;
+
+        static void InOneStep(string name, Action make)
+        {
+            Undo.IncrementCurrentGroup();
+            int group = Undo.GetCurrentGroup();
+            make();
+            Undo.SetCurrentGroupName(name);
             Undo.CollapseUndoOperations(group);
         }
 
-        static GameObject NewObject(string name, GameObject parent, params System.Type[] components)
+        static GameObject NewObject(string name, GameObject parent, params Type[] components)
         {
             GameObject created = ObjectFactory.CreateGameObject(name, components); // registers the undo itself
             if (parent != null) GameObjectUtility.SetParentAndAlign(created, parent);
             else StageUtility.PlaceGameObjectInCurrentStage(created);
             GameObjectUtility.EnsureUniqueNameForSibling(created);
-            Undo.SetCurrentGroupName("Create " + name);
             return created;
         }
-
-        static void Finish(GameObject created) => Selection.activeGameObject = created;
     }
 }

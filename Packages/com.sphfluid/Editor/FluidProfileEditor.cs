@@ -10,6 +10,7 @@ namespace SphFluid.Editor
     public sealed class FluidProfileEditor : UnityEditor.Editor
     {
         static bool showsOthers;
+        ProfileViscosity viscosity;
 
         /// <inheritdoc/>
         public override void OnInspectorGUI()
@@ -19,6 +20,7 @@ namespace SphFluid.Editor
             DrawPropertiesExcluding(serializedObject, unread.Append("m_Script").ToArray());
             if (unread.Length > 0) DrawUnread(unread);
             serializedObject.ApplyModifiedProperties();
+            if (!serializedObject.isEditingMultipleObjects) (viscosity ??= new ProfileViscosity((FluidProfile)target)).Draw();
         }
 
         void DrawUnread(IEnumerable<string> fields)

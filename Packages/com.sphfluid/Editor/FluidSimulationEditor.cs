@@ -13,6 +13,7 @@ namespace SphFluid.Editor
     {
         readonly BoxBoundsHandle handle = new BoxBoundsHandle();
         ValidationGUI validation;
+        FluidSimulation timed; // whose steps are timed while the inspector shows it
 
         FluidSimulation Simulation => (FluidSimulation)target;
 
@@ -42,7 +43,7 @@ namespace SphFluid.Editor
             if (validation.Constants is FluidSolverSettings constants)
             {
                 DrawTimeStep(constants);
-                DrawDomain(constants);
+                DrawDomain();
             }
             if (Application.isPlaying) DrawStatus();
         }
@@ -52,12 +53,18 @@ namespace SphFluid.Editor
             validation = new ValidationGUI(Simulation);
             Undo.undoRedoPerformed += validation.Refresh;
             EditorApplication.hierarchyChanged += validation.Refresh;
+            if (!Application.isPlaying || SceneObjects.IsPrefabAsset(Simulation)) return;
+            timed = Simulation;
+            timed.BeginTiming();
         }
 
         void OnDisable()
         {
             Undo.undoRedoPerformed -= validation.Refresh;
             EditorApplication.hierarchyChanged -= validation.Refresh;
+            validation.Dispose();
+            if (timed != null) timed.EndTiming();
+            timed = null;
         }
 
         void OnSceneGUI()
@@ -106,11 +113,21 @@ namespace SphFluid.Editor
             EditorGUILayout.HelpBox(text.Advice, MessageType.None);
         }
 
-        void DrawDomain(in FluidSolverSettings constants)
+        void DrawDomain()
         {
+            if (!Simulation.IsRunning && validation.Preview == null) return;
             EditorGUILayout.Space();
             EditorGUILayout.LabelField("Domain in Use", EditorStyles.boldLabel);
-            DrawLines((Simulation.IsRunning ? DomainText.Now(Simulation) : DomainText.Before(constants)).Lines);
+            DrawFill();
+            DrawLines((Simulation.IsRunning ? DomainText.Now(Simulation) : DomainText.Before(Simulation, validation.Preview)).Lines);
+        }
+
+        void DrawFill()
+        {
+            if (Application.isPlaying) return;
+            if (FillGizmos.Text(validation.Memory) is string text) EditorGUILayout.HelpBox(text, MessageType.None);
+            bool relaxes = Simulation.StartRelaxation != FluidStartRelaxation.None && FluidMethods.Has(Simulation.Method, FluidMethodFeatures.RelaxedStart);
+            if (relaxes && validation.Preview != null && !validation.Memory.IsRelaxed && GUILayout.Button("Preview Relaxed Start")) validation.Relax();
         }
 
         static void DrawLines(IReadOnlyList<(string Label, string Value)> lines)

@@ -43,7 +43,7 @@ namespace SphFluid.Editor
         public static string[] Hidden(FluidSurfaceLook look)
         {
             var hidden = new List<string> { "m_Script" };
-            hidden.AddRange(look == FluidSurfaceLook.Water ? new[] { "colour", "smoothness" } : new[] { "water" });
+            hidden.AddRange(look == FluidSurfaceLook.Water ? new[] { "color", "smoothness" } : new[] { "water" });
             return hidden.ToArray();
         }
     }

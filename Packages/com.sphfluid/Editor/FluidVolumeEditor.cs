@@ -10,6 +10,8 @@ namespace SphFluid.Editor
     public sealed class FluidVolumeEditor : UnityEditor.Editor
     {
         readonly BoxBoundsHandle handle = new BoxBoundsHandle();
+        FluidSimulation owner;
+        ValidationGUI validation;
 
         /// <inheritdoc/>
         public override void OnInspectorGUI()
@@ -18,6 +20,17 @@ namespace SphFluid.Editor
             DrawPropertiesExcluding(serializedObject, Hidden());
             serializedObject.ApplyModifiedProperties();
             if (targets.Length == 1) DrawOwner((FluidVolume)target);
+            else EditorGUILayout.HelpBox("Select one volume to see its messages.", MessageType.None);
+        }
+
+        void OnDisable() => Follow(null);
+
+        void Follow(FluidSimulation now)
+        {
+            if (validation == null ? now == null : ReferenceEquals(now, owner)) return;
+            validation?.Dispose();
+            owner = now;
+            validation = now != null ? new ValidationGUI(now) : null;
         }
 
         string[] Hidden()
@@ -49,16 +62,33 @@ namespace SphFluid.Editor
             }
         }
 
-        static void DrawOwner(FluidVolume volume)
+        void DrawOwner(FluidVolume volume)
         {
-            FluidSimulation owner = FluidScene.Owner(volume, SceneObjects.Find<FluidSimulation>(volume));
+            if (Event.current.type == EventType.Layout) Follow(FluidGizmos.OwnerOf(volume));
             if (owner == null && SceneObjects.IsPrefabAsset(volume))
                 EditorGUILayout.HelpBox("This is a prefab asset: the simulation that it belongs to is found once it is in a scene.", MessageType.Info);
             else if (owner == null)
                 EditorGUILayout.HelpBox("No simulation's domain holds this liquid. Make it a child of a Fluid Simulation or assign one.", MessageType.Warning);
             else
+            {
                 using (new EditorGUI.DisabledScope(true))
                     EditorGUILayout.ObjectField("Belongs to", owner, typeof(FluidSimulation), true);
+                validation.Draw(volume);
+                if (Application.isPlaying) DrawDifference(volume);
+                else if (FillGizmos.Text(validation.Memory) is string text) EditorGUILayout.HelpBox(text, MessageType.None);
+            }
+        }
+
+        void DrawDifference(FluidVolume volume)
+        {
+            if (!(owner.DifferenceOf(volume) is FluidMessage message)) return;
+            EditorGUILayout.HelpBox($"'{message.Source}': {message.Text} {message.Cure}", MessageType.Info);
+            using (new EditorGUILayout.HorizontalScope())
+            {
+                GUILayout.FlexibleSpace();
+                if (owner.Solver.Exchanges && GUILayout.Button("Add Its Liquid", GUILayout.Width(110f))) owner.AddLiquid(volume);
+                if (GUILayout.Button("Restart", GUILayout.Width(80f))) owner.ResetSimulation();
+            }
         }
     }
 }

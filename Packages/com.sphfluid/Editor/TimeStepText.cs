@@ -24,11 +24,13 @@ namespace SphFluid.Editor
         /// <returns>The text.</returns>
         public static TimeStepText Before(FluidSimulation simulation, in FluidSolverSettings constants)
         {
-            double step = simulation.TimeStepMode == FluidTimeStepMode.Adaptive
-                ? FluidRules.Advise(constants, constants.MaxSpeed).Step(simulation.Profile.TimeStepFraction)
-                : constants.TimeStep;
-            return Of(constants, constants.MaxSpeed, step);
+            return Of(constants, constants.MaxSpeed, StepOf(simulation, constants));
         }
+
+        /// <summary>The time step of a simulation that would start with these constants, at the fastest speed that they are made for [s].</summary>
+        internal static double StepOf(FluidSimulation simulation, in FluidSolverSettings constants) => simulation.TimeStepMode == FluidTimeStepMode.Adaptive
+            ? FluidRules.Advise(constants, constants.MaxSpeed).Step(simulation.Profile.TimeStepFraction)
+            : constants.TimeStep;
 
         /// <summary>Of a running simulation at its measured speed.</summary>
         /// <param name="simulation">The simulation.</param>
@@ -49,7 +51,7 @@ namespace SphFluid.Editor
                 ("Viscosity ν", FormattableString.Invariant($"{settings.Viscosity / settings.RestDensity:G3} m²/s")),
                 ("Time step", TimeStepAdvice.Milliseconds(step)),
                 ("Largest stable step", FormattableString.Invariant($"{TimeStepAdvice.Milliseconds(advice.Largest)} at {speed:G3} m/s")),
-                ("Limited by", Name(advice.Limit)),
+                ("Limited by", TimeStepAdvice.NameOf(advice.Limit)),
                 ("Share in use", FormattableString.Invariant($"{100.0 * step / advice.Largest:0} %")),
             };
             return new TimeStepText(lines, advice.Explain(step));
@@ -60,17 +62,6 @@ namespace SphFluid.Editor
         {
             double mach = settings.MaxSpeed / (double)settings.SoundSpeed;
             return mach * mach;
-        }
-
-        static string Name(TimeStepLimit limit)
-        {
-            switch (limit)
-            {
-                case TimeStepLimit.Acoustic: return "speed of sound";
-                case TimeStepLimit.Speed: return "fastest particle";
-                case TimeStepLimit.Viscosity: return "viscosity";
-                default: return "stiffness of walls";
-            }
         }
     }
 }

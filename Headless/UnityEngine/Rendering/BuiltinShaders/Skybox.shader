@@ -1,4 +1,4 @@
-// A plain gradient behind everything, drawn as one triangle at the far plane.
+// A plain gradient with a small sun.
 Shader "Skybox/Procedural"
 {
     SubShader
@@ -16,34 +16,31 @@ Shader "Skybox/Procedural"
             #pragma fragment Fragment
             #include "UnityCG.cginc"
 
-            float4 _SkyZenith;
-            float4 _SkyHorizon;
-            float4 _SkyGround;
+            // Linear colors.
+            static const float3 Zenith = float3(0.16, 0.27, 0.48);
+            static const float3 Horizon = float3(0.60, 0.68, 0.76);
+            static const float3 Ground = float3(0.20, 0.19, 0.18);
 
             struct Varyings
             {
                 float4 position : SV_POSITION;
-                float2 ndc : TEXCOORD0;
+                float3 direction : TEXCOORD0;
             };
 
-            Varyings Vertex(uint id : SV_VertexID)
+            Varyings Vertex(float4 position : POSITION)
             {
                 Varyings o;
-                float2 corner = float2((id << 1) & 2, id & 2) * 2 - 1;
-                o.position = float4(corner, UNITY_RAW_FAR_CLIP_VALUE, 1);
-                o.ndc = float2(corner.x, corner.y * _ProjectionParams.x);
+                o.position = UnityObjectToClipPos(position);
+                o.direction = mul((float3x3)unity_ObjectToWorld, position.xyz);
                 return o;
             }
 
             float4 Fragment(Varyings i) : SV_Target
             {
-                // An orthographic camera sees one direction everywhere.
-                float4 view = mul(unity_CameraInvProjection, float4(i.ndc, 1, 1));
-                float3 ray = unity_OrthoParams.w > 0.5 ? float3(0, 0, -1) : view.xyz / view.w;
-                float3 direction = normalize(mul((float3x3)unity_MatrixInvV, ray));
+                float3 direction = normalize(i.direction);
                 float up = direction.y;
-                float3 above = lerp(_SkyHorizon.rgb, _SkyZenith.rgb, pow(saturate(up), 0.55));
-                float3 below = lerp(_SkyHorizon.rgb * 0.85, _SkyGround.rgb, saturate(-up * 6));
+                float3 above = lerp(Horizon, Zenith, pow(saturate(up), 0.55));
+                float3 below = lerp(Horizon * 0.85, Ground, saturate(-up * 6));
                 float3 color = lerp(below, above, smoothstep(-0.02, 0.02, up));
                 float sun = pow(saturate(dot(direction, _WorldSpaceLightPos0.xyz)), 900);
                 return float4(color + sun * float3(1.0, 0.95, 0.85), 1);

@@ -8,6 +8,7 @@ public static class ScreenCapture
     public static void CaptureScreenshot(string filename)
     {
         byte[] pixels = GraphicsDevice.Device.ReadTexture(ScreenTarget.Texture);
+        GuiPicture.OfFrame().Paint(pixels, ScreenTarget.Width, ScreenTarget.Height);
         File.WriteAllBytes(filename, PngWriter.Encode(ScreenTarget.Width, ScreenTarget.Height, 4, pixels));
     }
 

@@ -6,6 +6,8 @@ namespace UnityEngine;
 public sealed class RenderSettings : Object
 {
     private static SphericalHarmonicsL2? customProbe;
+    private static Material? ownSkybox;
+    private static bool hasOwnSkybox;
 
     private RenderSettings()
     {
@@ -23,7 +25,6 @@ public sealed class RenderSettings : Object
     public static Color ambientGroundColor { get; set; } = new(0.047f, 0.043f, 0.035f, 1f);
     public static float ambientIntensity { get; set; } = 1f;
     public static Color subtractiveShadowColor { get; set; } = new(0.42f, 0.478f, 0.627f, 1f);
-    public static Material? skybox { get; set; }
     public static Light? sun { get; set; }
     public static float reflectionIntensity { get; set; } = 1f;
     public static int reflectionBounces { get; set; } = 1;
@@ -33,6 +34,13 @@ public sealed class RenderSettings : Object
     public static float haloStrength { get; set; } = 0.5f;
     public static float flareStrength { get; set; } = 1f;
     public static float flareFadeSpeed { get; set; } = 3f;
+
+    /// <summary>A new scene has Default-Skybox; null for none, where cameras clear to their background color.</summary>
+    public static Material? skybox
+    {
+        get => hasOwnSkybox ? ownSkybox : BuiltinResources.DefaultSkybox;
+        set => (ownSkybox, hasOwnSkybox) = (value, true);
+    }
 
     /// <summary>Follows from mode, colors and intensity, but in custom mode is what was set.</summary>
     public static SphericalHarmonicsL2 ambientProbe
@@ -61,7 +69,7 @@ public sealed class RenderSettings : Object
         ambientEquatorColor = new Color(0.114f, 0.125f, 0.133f, 1f);
         ambientGroundColor = new Color(0.047f, 0.043f, 0.035f, 1f);
         ambientIntensity = 1f;
-        (skybox, sun, customProbe) = (null, null, null);
+        (ownSkybox, hasOwnSkybox, sun, customProbe) = (null, false, null, null);
         (defaultReflectionMode, customReflectionTexture) = (DefaultReflectionMode.Skybox, null);
         (reflectionIntensity, defaultReflectionResolution, reflectionBounces) = (1f, 128, 1);
     }

@@ -16,6 +16,8 @@ internal static class BuiltinResources
 
     public static Material DefaultMaterial => Material("Default-Material");
 
+    public static Material DefaultSkybox => Material("Default-Skybox");
+
     /// <summary>Resources.GetBuiltinResource: "Cube.fbx", "Default-Material.mat"...; null for a name that is not there.</summary>
     public static UnityEngine.Object? Find(Type type, string name)
     {

@@ -26,7 +26,6 @@ internal static class ShaderLibrary
         ["Unlit/Transparent"] = "UnlitTransparent.shader",
         ["Sprites/Default"] = "SpritesDefault.shader",
         ["Hidden/BlitCopy"] = "BlitCopy.shader",
-        ["Hidden/Internal-Skybox"] = "Skybox.shader",
         ["Skybox/Procedural"] = "Skybox.shader",
         ["Hidden/InternalErrorShader"] = "Error.shader",
         ["VertexLit"] = "Diffuse.shader",

@@ -5,8 +5,8 @@ namespace Headless.Engine;
 
 /// <summary>What surfaces mirror outside all probes: RenderSettings.customReflectionTexture, or the sky drawn into a small cubemap.</summary>
 /// <remarks>
-/// Its mip levels are box-filtered, where Unity convolves with the lobes of rough surfaces. The sun's disc is left out:
-/// shaders add its highlight from the light itself.
+/// Its mip levels are box-filtered, where Unity convolves with the lobes of rough surfaces. Drawn when first asked for and again when another
+/// skybox is set, as Unity's is when a scene's light is made; later changes of the material or the sun do not show.
 /// </remarks>
 internal static class DefaultReflection
 {
@@ -19,6 +19,7 @@ internal static class DefaultReflection
     ];
 
     private static RenderTexture? sky;
+    private static Material? drawn;
 
     public static Texture Texture => Custom ?? Sky();
 
@@ -30,12 +31,12 @@ internal static class DefaultReflection
             ? custom
             : null;
 
-    public static void Reset() => sky = null;
+    public static void Reset() => (sky, drawn) = (null, null);
 
     private static RenderTexture Sky()
     {
         int resolution = Mathf.Clamp(RenderSettings.defaultReflectionResolution, ReflectionProbe.minBakedCubemapResolution, ReflectionProbe.maxBakedCubemapResolution);
-        if (sky == null || sky.width != resolution)
+        if (sky == null || sky.width != resolution || !ReferenceEquals(drawn, RenderSettings.skybox))
         {
             sky?.Release();
             sky = new RenderTexture(new RenderTextureDescriptor(resolution, resolution, RenderTextureFormat.ARGBHalf)
@@ -48,11 +49,16 @@ internal static class DefaultReflection
                 filterMode = FilterMode.Trilinear,
                 hideFlags = HideFlags.HideAndDontSave,
             };
+            drawn = RenderSettings.skybox;
             Draw(sky);
         }
 
         return sky;
     }
+
+    // The sun of the built-in sky is left out: shaders add its highlight from the light itself.
+    private static Vector4 Sun() =>
+        LightList.Main is { } sun && !ReferenceEquals(RenderSettings.skybox, BuiltinResources.DefaultSkybox) ? -sun.transform.forward : default;
 
     private static void Draw(RenderTexture cube)
     {
@@ -60,7 +66,7 @@ internal static class DefaultReflection
         DrawTarget? before = TargetState.Current;
         (Matrix4x4 view, Matrix4x4 projection) = (ViewState.View, ViewState.Projection);
         (Vector4 sun, Vector4 ortho) = (sheet.GetVector(BuiltinNames.LightPosition), sheet.GetVector(BuiltinNames.OrthoParams));
-        sheet.SetVector(BuiltinNames.LightPosition, default);
+        sheet.SetVector(BuiltinNames.LightPosition, Sun());
         sheet.SetVector(BuiltinNames.OrthoParams, default);
         for (int face = 0; face < Faces.Length; face++)
         {
@@ -68,6 +74,7 @@ internal static class DefaultReflection
             TargetState.Set(new DrawTarget { Colors = [cube.DrawTarget!], Resolves = [null], Slice = face });
             Matrix4x4 toFace = Matrix4x4.Rotate(Quaternion.Inverse(Quaternion.LookRotation(Faces[face].Forward, Faces[face].Up)));
             ViewState.Set(Matrix4x4.Scale(new Vector3(1f, 1f, -1f)) * toFace, Matrix4x4.Perspective(90f, 1f, 0.1f, 10f));
+            TargetState.Clear(true, false, Color.black, 0f);
             Engine.Sky.Draw();
         }
 

@@ -57,7 +57,6 @@ internal static class FrameRenderer
     {
         FinalTarget = null;
         Forward.Reset();
-        Sky.Reset();
         DefaultReflection.Reset();
     }
 }

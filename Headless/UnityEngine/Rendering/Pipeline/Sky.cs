@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Headless.Engine;
 
-/// <summary>The background where a camera clears to the skybox: the scene's skybox material or a plain gradient.</summary>
+/// <summary>The background where a camera clears to the skybox: RenderSettings.skybox on a cube around the viewer, at the far plane.</summary>
 internal static class Sky
 {
     // What surfaces that face up, sideways and down receive from it, linear; about as bright as Unity's default sky.
@@ -10,29 +10,30 @@ internal static class Sky
     public static readonly Color AmbientLevel = new(0.11f, 0.12f, 0.14f);
     public static readonly Color AmbientDown = new(0.05f, 0.045f, 0.04f);
 
-    // Linear colors of the gradient.
-    private static readonly Color Zenith = new(0.16f, 0.27f, 0.48f);
-    private static readonly Color Horizon = new(0.60f, 0.68f, 0.76f);
-    private static readonly Color Ground = new(0.20f, 0.19f, 0.18f);
+    // An orthographic camera sees one direction everywhere.
+    private const float OneDirection = 0.05f;
 
-    private static readonly int ZenithId = ShaderNames.Id("_SkyZenith");
-    private static readonly int HorizonId = ShaderNames.Id("_SkyHorizon");
-    private static readonly int GroundId = ShaderNames.Id("_SkyGround");
-    private static Material? material;
-
+    /// <summary>With the view and the light that are set; without a skybox nothing.</summary>
     public static void Draw()
     {
+        Material? material = RenderSettings.skybox;
         if (material == null)
         {
-            material = new Material(ShaderLibrary.Require("Hidden/Internal-Skybox")) { hideFlags = HideFlags.HideAndDontSave };
+            return;
         }
 
-        var block = new PropertySheet();
-        block.SetVector(ZenithId, Zenith);
-        block.SetVector(HorizonId, Horizon);
-        block.SetVector(GroundId, Ground);
-        Drawer.Draw(material, 0, block, new ProceduralGeometry(MeshTopology.Triangles, 3, 1), Matrix4x4.identity);
-    }
+        Matrix4x4 projection = ViewState.Projection;
+        if (GlobalProperties.Sheet.GetVector(BuiltinNames.OrthoParams).w > 0.5f)
+        {
+            projection = Matrix4x4.Perspective(OneDirection, 1f, 0.1f, 10f);
+        }
 
-    public static void Reset() => material = null;
+        // z = w is the far plane, whatever the distance.
+        projection.SetRow(2, projection.GetRow(3));
+        bool flipped = TargetState.Current?.Flipped ?? false;
+        GlobalProperties.Sheet.SetMatrix(BuiltinNames.MatrixVP, ViewState.Gpu(projection, flipped) * ViewState.View);
+        Matrix4x4 around = Matrix4x4.Translate(ViewState.View.inverse.GetColumn(3));
+        Drawer.Draw(material, -1, null, new MeshGeometry(BuiltinMeshes.Get(PrimitiveType.Cube), 0, 1), around);
+        ViewState.Apply();
+    }
 }

@@ -27,15 +27,16 @@ namespace SphFluid.Validation
 
         static readonly string[] tables = { ThesisTable, SolverTable, SurfaceTable, AllTables };
 
-        BenchArguments() : base("bench", "Build/bench")
+        internal BenchArguments() : base("bench", "Build/bench")
         {
-            Add("--table", flag => Table = flag.OneOf(tables));
-            Add("--particles", flag => Particles = List(flag.Name, flag.Value(), MinimumParticles, FluidProfile.ParticleLimit));
-            Add("--grids", flag => Grids = Cells(flag.Name, flag.Value()));
-            Add("--repeat", flag => Samples = Number(flag.Name, flag.Value(), MinimumSamples, MaximumSamples));
+            Options.Add("--table", "NAME", "what is measured; all is these three", ThesisTable, tables, flag => Table = flag.OneOf(tables));
+            Options.Add("--particles", "LIST", "numbers of particles, with commas", "those of the table", flag => Particles = List(flag.Name, flag.Value(), MinimumParticles, FluidProfile.ParticleLimit));
+            Options.Add("--grids", "LIST", "cells a side of marching cubes, with commas, or none", "those of the table", flag => Grids = Cells(flag.Name, flag.Value()));
+            Options.Add("--repeat", "R", $"samples of each row, {MinimumSamples} or more", $"{MinimumSamples}",
+                flag => Samples = Number(flag.Name, flag.Value(), MinimumSamples, MaximumSamples));
             AddFolder();
-            Add("--sweep", flag => SetSweep(flag.On()));
-            Add("--no-sweep", flag => SetSweep(!flag.On()));
+            Options.Add("--sweep", "with --table thesis: also 4,096 to 1,048,576 particles, as on a real GPU by itself", flag => SetSweep(flag.On()));
+            Options.Add("--no-sweep", "without them", flag => SetSweep(!flag.On()));
         }
 
         /// <summary>The table: <see cref="ThesisTable"/>, <see cref="SolverTable"/>, <see cref="SurfaceTable"/> or <see cref="AllTables"/>.</summary>

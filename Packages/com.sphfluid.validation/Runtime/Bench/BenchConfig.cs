@@ -6,7 +6,8 @@ namespace SphFluid.Validation
         // A frame of 30 a second has more of them; a sort serves fewer.
         const int ManySteps = 24;
 
-        BenchConfig(BenchSolver solver, string name, BenchSurfaceKind kind, int grid = 0, int steps = 1, FluidSurfaceQuality? quality = null)
+        BenchConfig(BenchSolver solver, string name, BenchSurfaceKind kind, int grid = 0, int steps = 1, FluidSurfaceQuality? quality = null,
+            BenchWaterLook? water = null)
         {
             Solver = solver;
             Name = name;
@@ -14,6 +15,7 @@ namespace SphFluid.Validation
             Grid = grid;
             Steps = steps;
             Quality = quality;
+            Water = water;
         }
 
         /// <summary>The thesis's step alone.</summary>
@@ -43,6 +45,9 @@ namespace SphFluid.Validation
         /// <summary>Quality of the sparse surface's own field; null for the thesis's field.</summary>
         public FluidSurfaceQuality? Quality { get; }
 
+        /// <summary>How it is drawn as clear water; null for an opaque body.</summary>
+        public BenchWaterLook? Water { get; }
+
         /// <summary>Whether a surface is drawn.</summary>
         public bool HasSurface => Kind > BenchSurfaceKind.Particles;
 
@@ -70,6 +75,8 @@ namespace SphFluid.Validation
         {
             get
             {
+                if (Water.HasValue)
+                    return $"Water, {Water.Value.Title}";
                 if (!HasStep)
                     return Quality.HasValue ? $"Sparse, {Field}" : $"{Drawing} {Grid}";
                 if (HasSurface)
@@ -112,7 +119,11 @@ namespace SphFluid.Validation
         public static BenchConfig SparseSurface(FluidSurfaceQuality quality) =>
             Still("sparse_" + quality.ToString().ToLowerInvariant(), BenchSurfaceKind.Sparse, 0, quality);
 
-        static BenchConfig Still(string name, BenchSurfaceKind kind, int cells, FluidSurfaceQuality? quality = null) =>
-            new BenchConfig(BenchSolver.ThesisOctant, name, kind, cells, 0, quality);
+        /// <summary>The sparse surface of the default quality as clear water, without a step.</summary>
+        /// <param name="look">How it is drawn.</param>
+        public static BenchConfig WaterSurface(BenchWaterLook look) => Still("water_" + look.Name, BenchSurfaceKind.Water, 0, FluidSurfaceQuality.Default, look);
+
+        static BenchConfig Still(string name, BenchSurfaceKind kind, int cells, FluidSurfaceQuality? quality = null, BenchWaterLook? water = null) =>
+            new BenchConfig(BenchSolver.ThesisOctant, name, kind, cells, 0, quality, water);
     }
 }

@@ -24,19 +24,26 @@ namespace SphFluid.Validation
         /// <summary>Colour of every drawing.</summary>
         public static readonly Color Colour = new Color(0.06f, 0.4f, 0.66f);
 
+        const float Near = 0.1f;
+        const float Far = 10f;
         const float SquareSize = 1.2f; // as FluidParticleRenderer's default
 
         static readonly ProfilerMarker ParticlesMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawParticles);
         static readonly ProfilerMarker SurfaceMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawSurface);
+        static readonly ProfilerMarker ThicknessMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawThickness);
+        static readonly ProfilerMarker SprayMarker = ComputeKernel.CreateMarker(FrameBlocks.DrawSpray);
+        static readonly int ProjectionParameters = Shader.PropertyToID("_ProjectionParams");
+        static readonly int DepthParameters = Shader.PropertyToID("_ZBufferParams");
         static readonly Vector3 Eye = new Vector3(1f, 0.7f, -1.6f);
         static readonly int CameraPosition = Shader.PropertyToID("_WorldSpaceCameraPos");
         static readonly int LightDirection = Shader.PropertyToID("_WorldSpaceLightPos0");
         static readonly int LightColour = Shader.PropertyToID("_LightColor0");
 
         readonly Matrix4x4 view;
-        readonly Matrix4x4 projection = Matrix4x4.Perspective(45f, (float)Width / Height, 0.1f, 10f);
+        readonly Matrix4x4 projection = Matrix4x4.Perspective(45f, (float)Width / Height, Near, Far);
         readonly MeasuredParticles particles;
         RenderTexture target;
+        BenchBackdrop backdrop;
 
         public BenchDrawing(FluidShaderSet shaders)
         {
@@ -50,6 +57,36 @@ namespace SphFluid.Validation
 
         /// <summary>The picture drawn last.</summary>
         public RenderTexture Target => target;
+
+        /// <summary>What clear water is drawn before.</summary>
+        public BenchBackdrop Backdrop => backdrop ?? (backdrop = new BenchBackdrop(view, projection, Near, Far, -0.5f * BenchLiquid.Edge, Width, Height));
+
+        /// <summary>Records how much water lies behind each pixel.</summary>
+        public void RecordThickness(CommandBuffer cmd, MeasuredWater water)
+        {
+            cmd.BeginSample(ThicknessMarker);
+            SetView(cmd);
+            water.RecordThickness(cmd, view, projection);
+            cmd.EndSample(ThicknessMarker);
+        }
+
+        /// <summary>Records the spray that is seen through the water.</summary>
+        public void RecordSprayBehind(CommandBuffer cmd, MeasuredWater water)
+        {
+            cmd.BeginSample(SprayMarker);
+            cmd.SetRenderTarget(backdrop.Colour);
+            SetView(cmd);
+            water.RecordSprayBehind(cmd);
+            cmd.EndSample(SprayMarker);
+        }
+
+        /// <summary>Records the spray over the water.</summary>
+        public void RecordSpray(CommandBuffer cmd, MeasuredWater water)
+        {
+            cmd.BeginSample(SprayMarker);
+            water.RecordSpray(cmd);
+            cmd.EndSample(SprayMarker);
+        }
 
         public void RecordParticles(CommandBuffer cmd, FluidSolver solver)
         {
@@ -72,6 +109,7 @@ namespace SphFluid.Validation
         public void Dispose()
         {
             particles.Dispose();
+            backdrop?.Dispose();
             if (target == null)
                 return;
             target.Release();
@@ -83,7 +121,14 @@ namespace SphFluid.Validation
         {
             cmd.SetRenderTarget(target);
             cmd.ClearRenderTarget(true, true, Color.black);
+            SetView(cmd);
+        }
+
+        void SetView(CommandBuffer cmd)
+        {
             cmd.SetViewProjectionMatrices(view, projection);
+            cmd.SetGlobalVector(ProjectionParameters, new Vector4(-1f, Near, Far, 1f / Far));
+            cmd.SetGlobalVector(DepthParameters, BenchBackdrop.BufferParameters(Near, Far));
             cmd.SetGlobalVector(CameraPosition, Eye);
             cmd.SetGlobalVector(LightDirection, new Vector3(0.4f, 0.8f, -0.45f).normalized);
             cmd.SetGlobalVector(LightColour, Vector4.one);

@@ -13,6 +13,13 @@ namespace SphFluid.Validation
         static readonly int[] SurfaceParticles = { 16384, 65536, 262144, 1048576 };
         static readonly int[] SurfaceGrids = { 32, 64, 128, 256, 512 };
 
+        // Each step of the look against the one before it, and the spray of the default look.
+        static readonly BenchWaterLook[] WaterLooks =
+        {
+            new BenchWaterLook(FluidWaterQuality.Fast, 0), new BenchWaterLook(FluidWaterQuality.Balanced, 0), new BenchWaterLook(FluidWaterQuality.Fine, 0),
+            new BenchWaterLook(FluidWaterQuality.Fine, new FluidWaterLook().Spray),
+        };
+
         // A CPU device takes 1,048,576 on request.
         const int MostOnCpu = 262144;
 
@@ -113,6 +120,7 @@ namespace SphFluid.Validation
                 configs.Add(BenchConfig.SparseSurface(cells));
             }
             configs.AddRange(new[] { FluidSurfaceQuality.Cheap, FluidSurfaceQuality.Default, FluidSurfaceQuality.High }.Select(BenchConfig.SparseSurface));
+            configs.AddRange(WaterLooks.Select(BenchConfig.WaterSurface));
             var plan = new BenchPlan("surface", configs, particles ?? ForDevice(SurfaceParticles), FrameBlocks.Surface,
                 new SurfaceLayout(FrameBlocks.Surface.Select(b => b.Name)))
             { SizeBySize = true };

@@ -189,6 +189,7 @@ namespace SphFluid.Validation
             {
                 case BenchSurfaceKind.Geometry: return new GeometryBenchSurface(shaders, config.Grid);
                 case BenchSurfaceKind.DenseCompute: return new DenseBenchSurface(shaders, config.Grid);
+                case BenchSurfaceKind.Water: return new WaterBenchSurface(shaders, config, solver.Settings);
                 default: return new SparseBenchSurface(shaders, config, solver.Settings);
             }
         }

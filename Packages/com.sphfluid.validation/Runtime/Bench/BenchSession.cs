@@ -1,5 +1,6 @@
 using System.Collections;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using SphFluid.Laboratory;
@@ -15,7 +16,9 @@ namespace SphFluid.Validation
 
         readonly BenchArguments arguments;
         readonly FluidShaderSet shaders;
+        readonly Stopwatch session = new Stopwatch();
         readonly List<(BenchPlan Plan, ResultTable<BenchRow> Table)> tables = new List<(BenchPlan, ResultTable<BenchRow>)>();
+        BenchForecast forecast;
 
         /// <summary>Prepares a benchmark; nothing is measured yet.</summary>
         /// <param name="arguments">What to measure.</param>
@@ -51,10 +54,33 @@ namespace SphFluid.Validation
 
         private protected override IEnumerator Run()
         {
+            var calibration = new DeviceCalibration(shaders);
+            yield return calibration.Run();
+            Forecast(calibration.SecondsPerStep, out int rows);
+            Progress.Say($"{SessionProgress.About(forecast.Left)} for {rows} rows, {arguments.Samples} samples of each.");
+            session.Restart();
             foreach (BenchPlan plan in Plans())
                 yield return Measure(plan);
             foreach ((BenchPlan plan, ResultTable<BenchRow> table) in tables)
                 SayTable(plan.Layout, table);
+        }
+
+        void Forecast(double secondsPerStep, out int rows)
+        {
+            forecast = new BenchForecast(secondsPerStep, 1e-3 * SampleMilliseconds, arguments.Samples);
+            rows = 0;
+            foreach (BenchPlan plan in Plans())
+            {
+                foreach (int particles in plan.Particles)
+                {
+                    forecast.AddFall(plan.Solvers[0], particles);
+                    foreach (BenchConfig config in plan.ConfigsOf(particles))
+                    {
+                        forecast.AddRow(config, particles);
+                        rows++;
+                    }
+                }
+            }
         }
 
         IEnumerable<BenchPlan> Plans()
@@ -83,7 +109,7 @@ namespace SphFluid.Validation
             foreach (IReadOnlyList<int> particles in sizes)
             {
                 using (var sampler = new BenchSampler(shaders, plan.Blocks) { SampleMilliseconds = SampleMilliseconds })
-                using (var run = new BenchTableRun(table, sampler, arguments, Progress))
+                using (var run = new BenchTableRun(table, sampler, arguments, Progress) { Forecast = forecast, Session = session })
                     yield return run.Run(shaders, plan, particles);
             }
         }

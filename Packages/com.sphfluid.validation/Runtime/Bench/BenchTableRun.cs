@@ -16,7 +16,7 @@ namespace SphFluid.Validation
         readonly List<BenchLiquid> liquids = new List<BenchLiquid>();
         readonly List<BenchRow> rows = new List<BenchRow>();
         readonly Dictionary<BenchRow, BenchLiquid> liquidOf = new Dictionary<BenchRow, BenchLiquid>();
-        readonly Dictionary<BenchRow, (double Wall, double Frame)> costs = new Dictionary<BenchRow, (double, double)>();
+        readonly Dictionary<BenchRow, double> frameTimes = new Dictionary<BenchRow, double>();
         readonly ResultTable<BenchRow> table;
         readonly BenchSampler sampler;
         readonly BenchArguments arguments;
@@ -31,6 +31,12 @@ namespace SphFluid.Validation
             this.progress = progress;
         }
 
+        /// <summary>How long the whole benchmark takes.</summary>
+        public BenchForecast Forecast { get; set; }
+
+        /// <summary>Time since it began.</summary>
+        public Stopwatch Session { get; set; }
+
         public IEnumerator Run(FluidShaderSet shaders, BenchPlan plan, IReadOnlyList<int> particles)
         {
             var clock = Stopwatch.StartNew();
@@ -41,19 +47,15 @@ namespace SphFluid.Validation
                 yield return MakeRows(shaders, plan, count);
             for (int i = 0; i < rows.Count; i++)
             {
-                progress.Show(0.0, null, $"warming up row {i + 1} of {rows.Count}, {Title(rows[i])}");
+                Show($"warming up row {i + 1} of {rows.Count}, {Title(rows[i])}");
                 yield return Measure(rows[i], false);
             }
-            TimeSpan estimate = TimeFor(arguments.Samples, 0, 0);
-            progress.Say($"{plan.Name}: about {SessionProgress.Duration(estimate)} for {arguments.Samples} samples of each row, after {SessionProgress.Duration(clock.Elapsed)} of warming up.");
-            clock.Restart();
+            progress.Say($"{plan.Name}: warming up took {SessionProgress.Duration(clock.Elapsed)}; {SessionProgress.About(Forecast.Left)} left.");
             for (int round = 0; round < arguments.Samples; round++)
             {
                 for (int i = 0; i < rows.Count; i++)
                 {
-                    TimeSpan left = TimeFor(arguments.Samples, round, i);
-                    double share = clock.Elapsed.TotalSeconds / (clock.Elapsed + left).TotalSeconds;
-                    progress.Show(share, left, $"round {round + 1} of {arguments.Samples}, {Title(rows[i])}");
+                    Show($"round {round + 1} of {arguments.Samples}, {Title(rows[i])}");
                     yield return Measure(rows[i], true);
                 }
                 table.Write();
@@ -92,13 +94,15 @@ namespace SphFluid.Validation
                 liquidsOfSize.Add(solver, liquid);
                 if (state == null)
                 {
+                    var clock = Stopwatch.StartNew();
                     IEnumerator fall = sampler.Settle(liquid);
                     while (fall.MoveNext())
                     {
-                        progress.Show(0.0, null, $"{liquid.SettledSteps} of {BenchLiquid.SettleSteps} steps of the fall of {count} particles");
+                        Show($"{liquid.SettledSteps} of {BenchLiquid.SettleSteps} steps of the fall of {count} particles");
                         yield return fall.Current;
                     }
                     state = liquid.State;
+                    Forecast.TakeFall(solver, count, clock.Elapsed.TotalSeconds);
                 }
                 liquid.State = state;
             }
@@ -130,15 +134,15 @@ namespace SphFluid.Validation
         IEnumerator Measure(BenchRow row, bool keep)
         {
             var clock = Stopwatch.StartNew();
-            costs.TryGetValue(row, out (double Wall, double Frame) cost);
-            yield return sampler.Sample(liquidOf[row], row.Config, cost.Frame);
+            frameTimes.TryGetValue(row, out double expected);
+            yield return sampler.Sample(liquidOf[row], row.Config, expected);
             row.Dispatches = sampler.Dispatches;
             row.IsListed = liquidOf[row].Solver.ListsNeighbours;
             row.Surface = sampler.FactsOf(row.Config);
             if (keep)
                 Keep(row);
-            double wall = clock.Elapsed.TotalSeconds;
-            costs[row] = (cost.Frame > 0.0 ? 0.7 * cost.Wall + 0.3 * wall : wall, sampler.Last.Frame);
+            Forecast.TakeSample(row.Config, row.Particles, clock.Elapsed.TotalSeconds);
+            frameTimes[row] = sampler.Last.Frame;
         }
 
         void Keep(BenchRow row)
@@ -148,13 +152,10 @@ namespace SphFluid.Validation
                 row.AddNeighbourSetup(milliseconds);
         }
 
-        // Each row costs what its samples did, the last ones more.
-        TimeSpan TimeFor(int rounds, int round, int next)
+        void Show(string what)
         {
-            double seconds = 0;
-            for (int i = 0; i < rows.Count; i++)
-                seconds += costs[rows[i]].Wall * (rounds - round - (i < next ? 1 : 0));
-            return TimeSpan.FromSeconds(seconds);
+            TimeSpan left = Forecast.Left;
+            progress.Show(Session.Elapsed.TotalSeconds / Math.Max(1e-9, (Session.Elapsed + left).TotalSeconds), left, what);
         }
 
         static string Title(BenchRow row) => string.Format(CultureInfo.InvariantCulture, "{0}, {1:N0} particles", row.Config.Title, row.Particles);

@@ -9,6 +9,9 @@ namespace SphFluid.Validation
         public const string DrawParticles = "DrawParticles";
         public const string DrawSurface = "DrawSurface";
 
+        public const string DrawThickness = "DrawThickness";
+        public const string DrawSpray = "DrawSpray";
+
         /// <summary>A whole frame of the benchmark; the parts lie inside.</summary>
         public const string Frame = "BenchFrame";
 
@@ -32,6 +35,8 @@ namespace SphFluid.Validation
             new BenchBlock("count", "CountBlocks", "SurfaceDrawArguments"),
             new BenchBlock("emit", "EmitSurfaceVertices", "EmitBlocks"),
             new BenchBlock("draw", DrawSurface),
+            new BenchBlock("thickness", DrawThickness),
+            new BenchBlock("spray", "ListSpray", DrawSpray),
         };
 
         /// <summary>What a step of every method consists of.</summary>

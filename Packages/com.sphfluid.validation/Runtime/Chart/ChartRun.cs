@@ -29,6 +29,9 @@ namespace SphFluid.Validation
         /// <summary>Seed of the start's jitter.</summary>
         public int Seed { get; }
 
+        /// <summary>Expected work of a step of the Standard method at κ = 2.</summary>
+        internal static double CostOfStandardStep(int particles) => StandardWeight * particles + StepOverhead;
+
         /// <summary>Expected work: particles × steps, weighted so that the thesis method at κ = 2 counts once and at κ = 3 about 2.4 times.</summary>
         public double Cost
         {

@@ -14,6 +14,7 @@ namespace SphFluid.Validation
         /// <summary>Makes the work of a run, which hands over its result.</summary>
         internal delegate IEnumerator Runner(ChartRun run, Action<CaseResult> done);
 
+        readonly FluidShaderSet shaders; // null for runs that are made up
         readonly ChartArguments arguments;
         readonly Runner runner;
         readonly ResultTable<ChartRow> table;
@@ -27,8 +28,9 @@ namespace SphFluid.Validation
         /// <exception cref="FluidDeviceException">The device has no GPU times.</exception>
         public ChartSession(ChartArguments arguments, FluidShaderSet shaders, SessionProgress progress)
             : this(arguments, PlanFor(arguments), new ChartRunner(shaders).Run, progress, SystemInfo.graphicsDeviceName,
-                new SessionRate(FluidSupport.IsSoftwareDevice ? ChartPlan.SoftwareRate : (double?)null))
+                new SessionRate(null))
         {
+            this.shaders = shaders;
         }
 
         internal ChartSession(ChartArguments arguments, ChartPlan plan, Runner runner, SessionProgress progress, string device, SessionRate rate)
@@ -48,6 +50,12 @@ namespace SphFluid.Validation
             if (plan.LeftOut.Count > 0)
                 Progress.Say($"{plan.LeftOut.Count} runs are left out, {(arguments.Quick ? "they do not fit into the short plan's time" : "they take too long on this device")}: {plan.DescribeLeftOut()}.");
             return plan.Runs.Select(Job);
+        }
+
+        private protected override IEnumerator Begin()
+        {
+            if (shaders != null)
+                yield return Calibrate(shaders, ChartRun.CostOfStandardStep);
         }
 
         private protected override void Draw() => new ChartDrawing(Folder, table, arguments.Cases, Progress).Write();

@@ -37,7 +37,7 @@ namespace SphFluid.Validation
             }
             catch (CommandLineException exception)
             {
-                Fail(exception.Message);
+                Fail("play", exception.Message);
             }
         }
 
@@ -46,35 +46,35 @@ namespace SphFluid.Validation
         /// --grids, --repeat, --out, --sweep and --no-sweep; see <see cref="BenchArguments"/>. The program ends with it. A wrong flag ends it with exit code 2.
         /// </summary>
         public static void Bench() =>
-            Measure((words, progress) => new BenchSession(BenchArguments.Parse(words), SessionAssets.FindShaders(), progress));
+            Measure("bench", (words, progress) => new BenchSession(BenchArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         /// <summary>
         /// Measures the accuracy chart: the flags --quick, --case, --method, --out and --slice; see <see cref="ChartArguments"/>. The
         /// program ends with it. A wrong flag, or a folder with another device's chart, ends it with exit code 2.
         /// </summary>
         public static void Chart() =>
-            Measure((words, progress) => new ChartSession(ChartArguments.Parse(words), SessionAssets.FindShaders(), progress));
+            Measure("chart", (words, progress) => new ChartSession(ChartArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         /// <summary>
         /// Measures where the methods are stable: the flags --quick, --map, --method, --out and --slice; see <see cref="StabilityArguments"/>.
         /// The program ends with it. A wrong flag, or a folder with another device's maps, ends it with exit code 2.
         /// </summary>
         public static void Stability() =>
-            Measure((words, progress) => new StabilitySession(StabilityArguments.Parse(words), SessionAssets.FindShaders(), progress));
+            Measure("stability", (words, progress) => new StabilitySession(StabilityArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         /// <summary>
         /// Plays the scenes that nothing may leak from: the flags --scene and --out; see <see cref="LeakArguments"/>. The program ends
         /// with it. A wrong flag ends it with exit code 2.
         /// </summary>
         public static void Leaks() =>
-            Measure((words, progress) => new LeakSession(LeakArguments.Parse(words), SessionAssets.FindShaders(), progress));
+            Measure("leaks", (words, progress) => new LeakSession(LeakArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         /// <summary>
         /// Measures how good surfaces of known liquids are: the flags --quick, --state, --variant and --out; see
         /// <see cref="SurfaceArguments"/>. The program ends with it. A wrong flag ends it with exit code 2.
         /// </summary>
         public static void Surfaces() =>
-            Measure((words, progress) => new SurfaceSession(SurfaceArguments.Parse(words), SessionAssets.FindShaders(), progress));
+            Measure("surfaces", (words, progress) => new SurfaceSession(SurfaceArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         internal static void Prepare(PlayArguments arguments)
         {
@@ -88,7 +88,7 @@ namespace SphFluid.Validation
                 }
                 catch (CommandLineException exception)
                 {
-                    Fail(exception.Message);
+                    Fail("play", exception.Message);
                     return;
                 }
                 if (!begun)
@@ -98,7 +98,7 @@ namespace SphFluid.Validation
         }
 
         // A step a frame until the measurement is done; in the Editor outside play mode by its own update.
-        static void Measure(Func<string[], SessionProgress, IValidationSession> create)
+        static void Measure(string verb, Func<string[], SessionProgress, IValidationSession> create)
         {
             try
             {
@@ -115,21 +115,21 @@ namespace SphFluid.Validation
             }
             catch (CommandLineException exception)
             {
-                Fail(exception.Message);
+                Fail(verb, exception.Message);
             }
             catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException)
             {
-                Fail("--out cannot be written: " + exception.Message);
+                Fail(verb, "--out cannot be written: " + exception.Message);
             }
             catch (FluidDeviceException exception)
             {
-                Fail(exception.Message, FailureExitCode);
+                Fail(verb, exception.Message, FailureExitCode);
             }
         }
 
-        static void Fail(string message, int exitCode = UsageExitCode)
+        static void Fail(string verb, string message, int exitCode = UsageExitCode)
         {
-            Console.Error.WriteLine(message);
+            Console.Error.WriteLine(verb + ": " + message);
 #if UNITY_EDITOR
             UnityEditor.EditorApplication.Exit(exitCode);
 #else

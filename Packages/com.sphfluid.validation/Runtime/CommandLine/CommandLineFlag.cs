@@ -43,7 +43,8 @@ namespace SphFluid.Validation
                 if (Array.IndexOf(known, flag.Name) >= 0)
                     read(flag);
                 else if (separator >= 0)
-                    throw new CommandLineException($"{CommandLineWords.Shown(commandLine[i])} is not a flag of {verb}. Its flags are {string.Join(", ", known)}.");
+                    throw new CommandLineException($"{CommandLineWords.Shown(commandLine[i])} is not a flag of {verb}{NearestWord.Question(flag.Name, known)} " +
+                        $"Its flags are {string.Join(", ", known)}.");
                 i = flag.index;
             }
         }

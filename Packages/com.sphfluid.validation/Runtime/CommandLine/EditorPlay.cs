@@ -35,10 +35,10 @@ namespace SphFluid.Validation
                 return;
             SessionState.EraseBool(PendingKey);
             string[] commandLine = Environment.GetCommandLineArgs();
-            float fps = Number(commandLine, "--fps", 30f);
+            float fps = Number(commandLine, "--fps", 24f);
             Time.captureDeltaTime = 1f / fps;
             CommandLine.Prepare(PlayArguments.Parse(commandLine));
-            int frames = Mathf.Max(1, Mathf.RoundToInt(Number(commandLine, "--seconds", 3f) * fps)) + 1;
+            int frames = Mathf.Max(1, Mathf.RoundToInt(Number(commandLine, "--seconds", 2f) * fps)) + 1;
             EditorApplication.update += LeaveAfter(frames);
         }
 

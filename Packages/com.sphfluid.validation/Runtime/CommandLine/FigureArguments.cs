@@ -5,10 +5,10 @@ namespace SphFluid.Validation
     /// <summary>Which pictures <c>figures</c> makes and where it writes.</summary>
     sealed class FigureArguments : MeasuringArguments
     {
-        FigureArguments(string[] names) : base("figures", null)
+        internal FigureArguments(string[] names) : base("figures", null)
         {
-            Add("--only", flag => Only = flag.OneOf(names));
-            AddFolder();
+            Options.Add("--only", "NAME", "this picture only (a wrong name lists them)", "all", names, flag => Only = flag.OneOf(names));
+            AddFolder("Packages/com.sphfluid.validation/Documentation~/images");
         }
 
         /// <summary>The experiment that is asked for; null for all.</summary>

@@ -12,8 +12,23 @@ namespace SphFluid.Validation
     public sealed class PlayArguments
     {
         const string OutFlag = "--out";
-        static readonly string[] flags = { "--method", "--surface", "--particles", "--seed", "--state", "--mesh", "--record" };
+        const string MeshText = "writes the surface at the end: with marching-cubes the sparse one, with marching-cubes-gs and cubes the thesis's grid, " +
+            "with particles and none as the scene's own surface component would make it";
         static readonly string[] surfaces = { "marching-cubes", "marching-cubes-gs", "cubes", "particles", "none" };
+
+        internal PlayArguments()
+        {
+            string[] methods = CaseMethod.All.Select(m => m.Name).ToArray();
+            Options.Add("--method", "NAME", "solver of every liquid", "as in the scene", methods, flag => Method = CaseMethod.Find(flag.OneOf(methods)).Kind);
+            Options.Add("--surface", "NAME", "how every liquid is drawn (none: not at all)", "as in the scene", surfaces, flag => Surface = flag.OneOf(surfaces));
+            Options.Add("--particles", "N", "the same liquid with about N particles", "as in the scene", flag => Particles = flag.Integer(1, int.MaxValue));
+            Options.Add("--seed", "N", "seed of the start jitter", "as in the scene", flag => Seed = flag.Integer(0, int.MaxValue));
+            Options.Add("--state", "FILE.ply", "writes the particles at the end", null, flag => StateFile = flag.File(".ply"));
+            Options.Add("--mesh", "FILE.ply", MeshText, null, flag => MeshFile = flag.File(".ply"));
+            Options.Add("--record", "FILE.csv", "writes speed, density error, energy and centre of mass of every frame", null, flag => RecordFile = flag.File(".csv"));
+        }
+
+        internal CommandLineOptions Options { get; } = new CommandLineOptions("play's liquid");
 
         /// <summary>Method for every simulation; null keeps the scene's.</summary>
         public FluidMethodKind? Method { get; private set; }
@@ -56,37 +71,9 @@ namespace SphFluid.Validation
                 else if (commandLine[i].StartsWith(OutFlag + "=", StringComparison.Ordinal))
                     result.OutputFolder = commandLine[i].Substring(OutFlag.Length + 1);
             }
-            CommandLineFlag.Read(commandLine, "play's liquid", flags, result.Read);
+            result.Options.Read(commandLine);
             result.RequireDifferentFiles();
             return result;
-        }
-
-        void Read(CommandLineFlag flag)
-        {
-            switch (flag.Name)
-            {
-                case "--method":
-                    Method = CaseMethod.Find(flag.OneOf(CaseMethod.All.Select(m => m.Name).ToArray())).Kind;
-                    break;
-                case "--surface":
-                    Surface = flag.OneOf(surfaces);
-                    break;
-                case "--particles":
-                    Particles = flag.Integer(1, int.MaxValue);
-                    break;
-                case "--seed":
-                    Seed = flag.Integer(0, int.MaxValue);
-                    break;
-                case "--state":
-                    StateFile = flag.File(".ply");
-                    break;
-                case "--mesh":
-                    MeshFile = flag.File(".ply");
-                    break;
-                case "--record":
-                    RecordFile = flag.File(".csv");
-                    break;
-            }
         }
 
         void RequireDifferentFiles()

@@ -7,9 +7,9 @@ namespace SphFluid.Validation
     {
         readonly List<LeakSceneEntry> scenes = new List<LeakSceneEntry>();
 
-        LeakArguments() : base("leaks", "Build/leaks")
+        internal LeakArguments() : base("leaks", "Build/leaks")
         {
-            AddChoice("--scene", scenes, LeakSceneEntry.All, s => s.Name);
+            AddChoice("--scene", "these scenes, each at rising speeds until it fails", "all", scenes, LeakSceneEntry.All, s => s.Name);
             AddFolder();
         }
 

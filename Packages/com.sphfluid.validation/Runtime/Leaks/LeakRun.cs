@@ -1,5 +1,6 @@
 using System;
 using System.Collections;
+using System.Linq;
 using UnityEngine;
 
 namespace SphFluid.Validation
@@ -9,6 +10,9 @@ namespace SphFluid.Validation
     {
         // Time at the end in which gravity moves all that nothing carries: 0.1 s, a fall of 49 mm.
         const int RestFrames = 6;
+
+        // Work that a step has whatever the number of particles, and that of reading and judging a particle, in particle-steps.
+        const double StepOverhead = 1500.0, LookWeight = 1.5;
 
         readonly LeakScene scene;
         readonly LeakSurfaces surfaces;
@@ -21,12 +25,26 @@ namespace SphFluid.Validation
         public LeakRun(LeakScene scene, FluidShaderSet shaders)
         {
             this.scene = scene;
-            stepsPerFrame = (int)Math.Ceiling(1.0 / LeakScene.FrameRate / scene.Settings.TimeStep);
+            stepsPerFrame = StepsPerFrame(scene);
             solver = new FluidSolver(scene.Settings, shaders, scene.Particles);
             surfaces = new LeakSurfaces(scene);
             if (scene.Solid)
                 surfaces.GiveTo(solver);
         }
+
+        /// <summary>Expected work of a scene: its steps, and what looking at the particles between them takes.</summary>
+        public static double CostOf(LeakScene scene)
+        {
+            bool eachStep = scene.Bodies.Any(b => LeakDetector.Of(b, scene.Settings.PeriodLength).NeedsSteps);
+            int steps = StepsPerFrame(scene), looks = eachStep ? steps : 1;
+            return scene.Frames * (steps * CostOfStep(scene.Particles.Length) + looks * LookWeight * scene.Particles.Length);
+        }
+
+        /// <summary>Expected work of a step.</summary>
+        public static double CostOfStep(int particles) => particles + StepOverhead;
+
+        /// <summary>The part that is done, 0 to 1.</summary>
+        public double Share { get; private set; }
 
         /// <summary>The result, when the run has ended.</summary>
         public LeakResult Result { get; private set; }
@@ -51,6 +69,7 @@ namespace SphFluid.Validation
                 highest = Math.Max(highest, Energy(state));
                 if (frame == scene.Frames - RestFrames)
                     earlier = state;
+                Share = (double)frame / scene.Frames;
                 yield return null;
             }
             Result = new LeakResult
@@ -83,6 +102,8 @@ namespace SphFluid.Validation
             solver.Dispose();
             surfaces.Dispose();
         }
+
+        static int StepsPerFrame(LeakScene scene) => (int)Math.Ceiling(1.0 / LeakScene.FrameRate / scene.Settings.TimeStep);
 
         // Kinetic and potential energy over the mass of a particle, from the floor of the domain, J/kg.
         double Energy(FluidParticle[] state)

@@ -11,6 +11,8 @@ namespace SphFluid.Validation
         readonly LeakArguments arguments;
         readonly FluidShaderSet shaders;
         readonly ResultTable<LeakResult> table;
+        LeakRun running;
+        double played, costOfRun;
 
         /// <summary>Prepares a session; nothing is played yet.</summary>
         /// <param name="arguments">What to play.</param>
@@ -30,16 +32,29 @@ namespace SphFluid.Validation
         private protected override bool Resumes => false;
 
         private protected override IEnumerable<SessionJob> Jobs() =>
-            arguments.Scenes.Select(s => new SessionJob(s.Name, s.Speeds.Count, () => false, () => Play(s)));
+            arguments.Scenes.Select(s => Job(s, s.Speeds.Select(speed => LeakRun.CostOf(s.Build(speed))).ToArray()));
 
-        IEnumerator Play(LeakSceneEntry entry)
+        private protected override IEnumerator Begin() => Calibrate(shaders, LeakRun.CostOfStep);
+
+        SessionJob Job(LeakSceneEntry entry, double[] costs)
+        {
+            double all = costs.Sum();
+            return new SessionJob(entry.Name, all, () => false, () => Play(entry, costs), share: () => (played + (running?.Share ?? 0.0) * costOfRun) / all);
+        }
+
+        // All speeds count as played: few scenes fail at any.
+        IEnumerator Play(LeakSceneEntry entry, double[] costs)
         {
             bool failed = false;
-            foreach (double speed in entry.Speeds.TakeWhile(_ => !failed))
+            played = 0.0;
+            for (int i = 0; i < entry.Speeds.Count && !failed; i++)
             {
-                using (var run = new LeakRun(entry.Build(speed), shaders))
+                using (var run = new LeakRun(entry.Build(entry.Speeds[i]), shaders))
                 {
+                    (running, costOfRun) = (run, costs[i]);
                     yield return run.Run();
+                    running = null;
+                    played += costs[i];
                     table.Add(run.Result);
                     failed = run.Result.Failure.Length > 0;
                     Progress.Say(run.Result.ToString());

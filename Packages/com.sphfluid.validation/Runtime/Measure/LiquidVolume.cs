@@ -43,6 +43,15 @@ namespace SphFluid.Validation
             return new LiquidVolume(measured, expected);
         }
 
+        /// <summary>
+        /// Whether columns measure anything: while drops fly, the highest particle of a column says nothing of what is below it. At rest is
+        /// a liquid whose motion lifts it by a tenth of a spacing at most, v² / 2g.
+        /// </summary>
+        /// <param name="rmsSpeed">Root mean square of the particles' speeds [m/s].</param>
+        /// <param name="settings">Spacing and gravity.</param>
+        public static bool IsAtRest(double rmsSpeed, in FluidSolverSettings settings) =>
+            rmsSpeed * rmsSpeed <= 2.0 * settings.Gravity.magnitude * 0.1 * settings.Spacing;
+
         static int Columns(float edge, float spacing) => Math.Max(1, Mathf.RoundToInt(edge / (2f * spacing)));
 
         // Height of the highest particle of each column above the floor, plus half a spacing; zero for an empty column.

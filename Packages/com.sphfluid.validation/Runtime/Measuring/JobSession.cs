@@ -18,9 +18,9 @@ namespace SphFluid.Validation
         readonly string noun, device;
         readonly TimeSpan? slice;
         readonly SessionRate rate;
-        readonly Stopwatch jobClock = new Stopwatch();
+        readonly Stopwatch jobClock = new Stopwatch(), session = new Stopwatch();
+        readonly List<SessionJob> rest = new List<SessionJob>();
         SessionJob current;
-        double left, all;
 
         /// <param name="arguments">What to measure.</param>
         /// <param name="noun">What the jobs are, for instance "runs".</param>
@@ -64,49 +64,86 @@ namespace SphFluid.Validation
         {
         }
 
-        /// <summary>Time left, for instance ", about 2:05 left"; empty while it is not known.</summary>
+        /// <summary>Measures how fast the device is, so that the time of the whole is known before it begins.</summary>
+        /// <param name="shaders">The package's shaders.</param>
+        /// <param name="costOfStep">Cost, as the jobs have it, of a step of the Standard method at κ = 2 with so many particles.</param>
+        private protected IEnumerator Calibrate(FluidShaderSet shaders, Func<int, double> costOfStep)
+        {
+            var calibration = new DeviceCalibration(shaders);
+            yield return calibration.Run();
+            rate.Expect(costOfStep(DeviceCalibration.Particles) / calibration.SecondsPerStep);
+        }
+
+        /// <summary>What comes before the first job that is not done; see <see cref="Calibrate"/>.</summary>
+        private protected virtual IEnumerator Begin()
+        {
+            yield break;
+        }
+
+        /// <summary>Time left, for instance ", about 3 min left"; empty while it is not known.</summary>
         private protected string TimeLeft(string before)
         {
-            TimeSpan? time = rate.TimeFor(left);
-            return time.HasValue && left > 0.0 ? before + SessionProgress.Duration(time.Value) + " left" : "";
+            TimeSpan? time = Left();
+            return time.HasValue && time.Value > TimeSpan.Zero ? before + SessionProgress.About(time.Value) + " left" : "";
         }
 
         private protected override IEnumerator Run()
         {
             List<SessionJob> jobs = Jobs().ToList();
             List<SessionJob> pending = jobs.Where(j => !j.IsDone()).ToList();
-            all = jobs.Sum(j => j.Cost);
-            left = pending.Sum(j => j.Cost);
+            rest.AddRange(pending);
             (Count, Done) = (jobs.Count, jobs.Count - pending.Count);
-            Progress.Say($"{Count} {noun} on {device}{(Done > 0 ? $", {Done} of them are there already" : "")}{TimeLeft(", about ")}.");
-            var clock = Stopwatch.StartNew();
+            if (pending.Count > 0)
+                yield return Begin();
+            Progress.Say($"{Count} {noun} on {device}{(Done > 0 ? $", {Done} of them are there already" : "")}{TimeLeft(": ")}.");
+            session.Restart();
             foreach (SessionJob job in pending)
             {
-                if (job != pending[0] && slice.HasValue && clock.Elapsed + (rate.TimeFor(job.Cost) ?? TimeSpan.Zero) > slice.Value)
+                if (job != pending[0] && slice.HasValue && session.Elapsed + (rate.TimeFor(job.Cost, job.Kind) ?? TimeSpan.Zero) > slice.Value)
                     break;
+                rest.Remove(job);
                 current = job;
                 jobClock.Restart();
                 ShowProgress();
                 yield return job.Work();
                 current = null;
-                rate.Add(job.Cost, jobClock.Elapsed);
-                left -= job.Cost;
+                rate.Add(job.Cost, jobClock.Elapsed, job.Kind);
                 Done++;
                 job.Report?.Invoke();
             }
             Draw();
             Progress.Say(Done == Count
-                ? $"All {Count} {noun} are done; this session took {SessionProgress.Duration(clock.Elapsed)}."
-                : $"Time is up with {Done} of {Count} {noun} done{TimeLeft(", about ")}. The same command goes on from there.");
+                ? $"All {Count} {noun} are done; this session took {SessionProgress.Duration(session.Elapsed)}."
+                : $"Time is up with {Done} of {Count} {noun} done{TimeLeft(", ")}. The same command goes on from there.");
         }
 
-        // Within a job by the time that has gone by of the time that it is expected to take; nothing is known of the first one's.
         void ShowProgress()
         {
-            TimeSpan? expected = rate.TimeFor(current.Cost);
-            double part = expected.HasValue && expected.Value > TimeSpan.Zero
-                ? current.Cost * Math.Min(MostOfAJob, jobClock.Elapsed.TotalSeconds / expected.Value.TotalSeconds) : 0.0;
-            Progress.Show(1.0 - (left - part) / all, rate.TimeFor(left - part), current.Name);
+            if (current.Share != null)
+                rate.Running(current.Cost * current.Share(), jobClock.Elapsed, current.Kind);
+            TimeSpan? time = Left();
+            double part = current.Share != null ? current.Share() : 0.0;
+            Progress.Show(time.HasValue ? session.Elapsed.TotalSeconds / Math.Max(1e-9, (session.Elapsed + time.Value).TotalSeconds) : (Done + part) / Count, time, current.Name);
+        }
+
+        // Of the running job what it says of itself, else by the time that has gone by of the time that it is expected to take.
+        TimeSpan? Left()
+        {
+            TimeSpan sum = TimeSpan.Zero;
+            foreach (SessionJob job in rest)
+            {
+                TimeSpan? time = rate.TimeFor(job.Cost, job.Kind);
+                if (!time.HasValue)
+                    return null;
+                sum += time.Value;
+            }
+            if (current == null)
+                return sum;
+            TimeSpan? whole = rate.TimeFor(current.Cost, current.Kind);
+            if (!whole.HasValue)
+                return null;
+            double part = current.Share != null ? current.Share() : Math.Min(MostOfAJob, jobClock.Elapsed.TotalSeconds / Math.Max(1e-9, whole.Value.TotalSeconds));
+            return sum + TimeSpan.FromSeconds((1.0 - part) * whole.Value.TotalSeconds);
         }
     }
 }

@@ -4,17 +4,14 @@ using System.Linq;
 
 namespace SphFluid.Validation
 {
-    /// <summary>The flags of a measurement. A subclass adds them in its constructor, in the order in which messages list them.</summary>
+    /// <summary>The flags of a measurement. A subclass adds them in its constructor, in the order in which help and messages list them.</summary>
     public abstract class MeasuringArguments
     {
-        readonly string verb;
-        readonly List<(string Flag, Action<CommandLineFlag> Read)> options = new List<(string, Action<CommandLineFlag>)>();
-
         /// <param name="verb">Name of the measurement on the command line.</param>
         /// <param name="folder">Folder of the files without --out; null for none.</param>
         private protected MeasuringArguments(string verb, string folder)
         {
-            this.verb = verb;
+            Options = new CommandLineOptions(verb);
             OutputFolder = folder;
         }
 
@@ -27,26 +24,29 @@ namespace SphFluid.Validation
         /// <summary>Time after which it stops between two runs; null for all in one go.</summary>
         public TimeSpan? Slice { get; private protected set; }
 
-        private protected void AddQuick() => Add("--quick", flag => Quick = flag.On());
+        /// <summary>The flags.</summary>
+        internal CommandLineOptions Options { get; }
 
-        private protected void AddFolder() => Add("--out", flag => OutputFolder = flag.Folder());
+        private protected void AddQuick(string text) => Options.Add("--quick", text, flag => Quick = flag.On());
 
-        private protected void AddSlice() => Add("--slice", flag => Slice = CommandLineWords.Minutes(flag.Name, flag.Value()));
+        private protected void AddFolder(string absent = null) =>
+            Options.Add("--out", "DIR", "folder for the output", absent ?? OutputFolder, flag => OutputFolder = flag.Folder());
+
+        private protected void AddSlice(string absent) => Options.Add("--slice", "MINUTES", "stops between two runs after this time", absent,
+            flag => Slice = CommandLineWords.Minutes(flag.Name, flag.Value()));
 
         /// <summary>Adds a flag that chooses by name, any number of times.</summary>
-        private protected void AddChoice<T>(string name, List<T> chosen, IReadOnlyList<T> known, Func<T, string> nameOf) => Add(name, flag =>
-        {
-            foreach (string word in flag.Values())
-                CommandLineWords.Choose(chosen, name, word, known, nameOf);
-        });
-
-        private protected void Add(string name, Action<CommandLineFlag> read) => options.Add((name, read));
+        private protected void AddChoice<T>(string name, string text, string absent, List<T> chosen, IReadOnlyList<T> known, Func<T, string> nameOf) =>
+            Options.Add(name, "NAME...", text, absent, known.Select(nameOf).ToArray(), flag =>
+            {
+                foreach (string word in flag.Values())
+                    CommandLineWords.Choose(chosen, name, word, known, nameOf);
+            });
 
         /// <summary>
         /// Reads the whole command line of the process: the flags behind a lone <c>--</c>; without one, flags of others are passed over.
         /// </summary>
         /// <exception cref="CommandLineException">A flag behind <c>--</c> is unknown, or a value is missing or wrong.</exception>
-        private protected void Read(IReadOnlyList<string> commandLine) => CommandLineFlag.Read(
-            commandLine, verb, options.Select(o => o.Flag).ToArray(), flag => options.Find(o => o.Flag == flag.Name).Read(flag));
+        private protected void Read(IReadOnlyList<string> commandLine) => Options.Read(commandLine);
     }
 }

@@ -12,13 +12,17 @@ namespace SphFluid.Validation
         /// <param name="isDone">Whether an earlier session has done it.</param>
         /// <param name="work">The work, which writes its results.</param>
         /// <param name="report">Says what came out, when the time left is known anew; null for nothing.</param>
-        public SessionJob(string name, double cost, Func<bool> isDone, Func<IEnumerator> work, Action report = null)
+        /// <param name="kind">Equal for jobs whose costs compare well with each other.</param>
+        /// <param name="share">The part of its cost that is done, 0 to 1, while it runs; null where it does not know.</param>
+        public SessionJob(string name, double cost, Func<bool> isDone, Func<IEnumerator> work, Action report = null, string kind = "", Func<double> share = null)
         {
             Name = name;
             Cost = cost;
             IsDone = isDone;
             Work = work;
             Report = report;
+            Kind = kind;
+            Share = share;
         }
 
         public string Name { get; }
@@ -30,5 +34,9 @@ namespace SphFluid.Validation
         public Func<IEnumerator> Work { get; }
 
         public Action Report { get; }
+
+        public string Kind { get; }
+
+        public Func<double> Share { get; }
     }
 }

@@ -18,6 +18,8 @@ namespace SphFluid.Validation
                     SetParticles(simulation, count);
                 if (arguments.Seed is int seed)
                     simulation.Seed = seed;
+                if (arguments.Surface == "none")
+                    Debug.Log($"{FluidMessage.Prefix} '{simulation.name}': --surface none: pictures show the scene without this liquid. --no-images makes none.");
                 if (arguments.Surface != null)
                     SetSurface(simulation, arguments.Surface);
                 else if (SurfaceOf(simulation) == "none")

@@ -95,7 +95,7 @@ namespace SphFluid.Validation
                 .Add("escaped_count", statistics.EscapedCount + throughColliders)
                 .Add("inside_collider_count", penetration.Inside)
                 .Add("deep_inside_collider_count", penetration.Deep)
-                .Add("volume_m3", volume.Measured)
+                .Add("volume_m3", LiquidVolume.IsAtRest(statistics.RmsSpeed, settings) ? volume.Measured : double.NaN)
                 .Add("volume_expected_m3", volume.Expected)
                 .Add("cap_hits", new JsonObject()
                     .Add("substeps", simulation.CapHits)

@@ -65,6 +65,15 @@ namespace SphFluid.Validation
             return string.Format(CultureInfo.InvariantCulture, "{0}{1,3:F0} %  {2}{3}", cells, 100.0 * share, time, what);
         }
 
+        /// <summary>A time as one says it: "about 40 s", "about 3 min", "about 1 h 20 min".</summary>
+        internal static string About(TimeSpan time)
+        {
+            if (time.TotalSeconds < 95.0)
+                return $"about {Math.Max(5, 5 * (int)Math.Round(time.TotalSeconds / 5.0))} s";
+            int minutes = (int)Math.Round(time.TotalMinutes);
+            return minutes < 90 ? $"about {minutes} min" : $"about {minutes / 60} h{(minutes % 60 > 0 ? $" {minutes % 60} min" : "")}";
+        }
+
         /// <summary>Minutes and seconds, e.g. 2:05.</summary>
         internal static string Duration(TimeSpan time) => string.Format(CultureInfo.InvariantCulture, "{0}:{1:00}", (int)time.TotalMinutes, time.Seconds);
     }

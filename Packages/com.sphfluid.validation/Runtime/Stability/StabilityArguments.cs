@@ -9,13 +9,13 @@ namespace SphFluid.Validation
         readonly List<StabilityMap> maps = new List<StabilityMap>();
         readonly List<CaseMethod> methods = new List<CaseMethod>();
 
-        StabilityArguments() : base("stability", "Build/stability")
+        internal StabilityArguments() : base("stability", "Build/stability")
         {
-            AddQuick();
-            AddChoice("--map", maps, StabilityMap.All, m => m.Name);
-            AddChoice("--method", methods, CaseMethod.All, m => m.Name);
+            AddQuick("fewer points: below ten minutes on two CPU cores");
+            AddChoice("--map", "these maps", "all, and the borders", maps, StabilityMap.All, m => m.Name);
+            AddChoice("--method", "these methods", "all; not thesis-printed with --quick", methods, CaseMethod.All, m => m.Name);
             AddFolder();
-            AddSlice();
+            AddSlice("none");
         }
 
         /// <summary>The maps.</summary>

@@ -106,6 +106,9 @@ namespace SphFluid.Validation
         /// <summary>Equal for equal runs, whatever their length.</summary>
         public string Key => KeyOf(Map.Name, Method.Name, X, Y, Seed, Clamps);
 
+        /// <summary>Expected work of a step at κ = 2.</summary>
+        internal static double CostOfStep(int particles) => particles + StepOverhead;
+
         /// <summary>Expected work: steps × (particles, and what a step costs anyway).</summary>
         public double Cost
         {

@@ -13,9 +13,7 @@ namespace SphFluid.Validation
         /// <summary>Makes the work of a run, which hands over its result.</summary>
         internal delegate IEnumerator Runner(CaseSetup setup, CaseMetric metric, Action<CaseResult> done);
 
-        // Work a second of llvmpipe on two cores, before a run has shown it.
-        const double SoftwareRate = 1e6;
-
+        readonly FluidShaderSet shaders; // null for runs that are made up
         readonly StabilityPlan plan;
         readonly Runner runner;
         readonly ResultTable<StabilityRow> table;
@@ -30,10 +28,11 @@ namespace SphFluid.Validation
         public StabilitySession(StabilityArguments arguments, FluidShaderSet shaders, SessionProgress progress)
             : this(arguments, StabilityPlan.Of(arguments, FluidSupport.IsSoftwareDevice), RunnerOf(shaders), progress, SystemInfo.graphicsDeviceName)
         {
+            this.shaders = shaders;
         }
 
         internal StabilitySession(StabilityArguments arguments, StabilityPlan plan, Runner runner, SessionProgress progress, string device)
-            : base(arguments, "runs and borders", device, progress, new SessionRate(FluidSupport.IsSoftwareDevice ? SoftwareRate : (double?)null))
+            : base(arguments, "runs and borders", device, progress, new SessionRate(null))
         {
             this.plan = plan;
             this.runner = runner;
@@ -44,6 +43,12 @@ namespace SphFluid.Validation
 
         private protected override IEnumerable<SessionJob> Jobs() =>
             plan.Runs.Select(Cell).Concat(plan.Limits.Select(l => Border(l.Limit, l.Method))).Concat(plan.Clamped.Select(Cell));
+
+        private protected override IEnumerator Begin()
+        {
+            if (shaders != null)
+                yield return Calibrate(shaders, StabilityRun.CostOfStep);
+        }
 
         private protected override void Draw()
         {
@@ -77,7 +82,7 @@ namespace SphFluid.Validation
         {
             const double trials = 10.0;
             CaseSetup setup = limit.Build(limit.TheoryLow, method);
-            double cost = trials * setup.Duration / setup.Settings.TimeStep * (setup.Particles.Length + 1500.0);
+            double cost = trials * setup.Duration / setup.Settings.TimeStep * StabilityRun.CostOfStep(setup.Particles.Length);
             return new SessionJob($"border {limit}, {method.Name}", cost, () => limits.Contains(LimitRow.KeyOf(limit.Name, method.Name, limit.SupportRatio)),
                 () => Bisect(limit, method));
         }

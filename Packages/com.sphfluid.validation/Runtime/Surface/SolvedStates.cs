@@ -48,6 +48,7 @@ namespace SphFluid.Validation
                 frames /= QuickShare;
             state.InTime = true;
             state.Volume = start.Count * Math.Pow(SurfaceScale.Spacing, 3);
+            state.Planned = (start.Count, frames, (framesBefore + frames) * StepsPerFrame(state));
             state.Prepare = shaders => Play(state, shaders, start, framesBefore, frames);
             return state;
         }
@@ -57,7 +58,7 @@ namespace SphFluid.Validation
             SurfaceScale.Add(state, start);
             FluidParticle[] particles = CaseLattice.Particles(state.Frames[0]);
             state.Frames.Clear();
-            int steps = (int)Math.Ceiling(1.0 / FrameRate / state.Settings.TimeStep);
+            int steps = StepsPerFrame(state);
             using (var solver = new FluidSolver(state.Settings, shaders, particles))
             using (var cmd = new CommandBuffer { name = "Surface State" })
             {
@@ -75,6 +76,8 @@ namespace SphFluid.Validation
                 }
             }
         }
+
+        static int StepsPerFrame(SurfaceState state) => (int)Math.Ceiling(1.0 / FrameRate / state.Settings.TimeStep);
 
         static Vector3[] ById(FluidSolver solver, FluidParticle[] particles)
         {

@@ -9,11 +9,11 @@ namespace SphFluid.Validation
         readonly List<SurfaceStateEntry> states = new List<SurfaceStateEntry>();
         readonly List<SurfaceVariantEntry> variants = new List<SurfaceVariantEntry>();
 
-        SurfaceArguments() : base("surfaces", "Build/surfaces")
+        internal SurfaceArguments() : base("surfaces", "Build/surfaces")
         {
-            AddQuick();
-            AddChoice("--state", states, SurfaceStateEntry.All, s => s.Name);
-            AddChoice("--variant", variants, SurfaceVariantEntry.All, v => v.Name);
+            AddQuick("fewer variants, and fewer frames of liquid that moves");
+            AddChoice("--state", "these states of liquid", "all", states, SurfaceStateEntry.All, s => s.Name);
+            AddChoice("--variant", "these surfaces", "all", variants, SurfaceVariantEntry.All, v => v.Name);
             AddFolder();
         }
 

@@ -12,6 +12,9 @@ namespace SphFluid.Validation
         // GPU times come some frames of the engine after the work; a device that gives none is not waited for longer.
         const int EngineFramesToWait = 20;
 
+        // In particle-steps of the Standard method: what a frame costs whatever its size, and for each particle.
+        const double FrameOverhead = 20000.0, ParticleWeight = 10.0;
+
         // States of fewer frames are gone through several times; the least time counts, as the first one also compiles.
         const int TimedFrames = 3;
 
@@ -39,6 +42,10 @@ namespace SphFluid.Validation
             this.variant = variant;
             solver = new FluidSolver(state.Settings, shaders, CaseLattice.Particles(state.Frames[0]));
         }
+
+        /// <summary>Expected work: making and measuring each frame's surface, which a session's first ones of a variant show better.</summary>
+        public static double CostOf(SurfaceState state, SurfaceVariant variant) =>
+            Math.Max(state.FrameCount, variant.OnGpu ? TimedFrames : 1) * (FrameOverhead + ParticleWeight * state.ParticleCount);
 
         /// <summary>Whether the GPU's time is asked for.</summary>
         public bool IsTimed { get; set; } = true;

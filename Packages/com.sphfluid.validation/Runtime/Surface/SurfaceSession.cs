@@ -8,6 +8,8 @@ namespace SphFluid.Validation
     /// <summary>Measures every variant on every state; the table is written after each.</summary>
     public sealed class SurfaceSession : JobSession
     {
+        const double StepOverhead = 1500.0;
+
         readonly SurfaceArguments arguments;
         readonly FluidShaderSet shaders;
         readonly ResultTable<SurfaceQuality> table;
@@ -20,7 +22,7 @@ namespace SphFluid.Validation
         /// <exception cref="FluidDeviceException">There are no shaders.</exception>
         /// <exception cref="CommandLineException">The output folder cannot be written, or holds another file of the table's name.</exception>
         public SurfaceSession(SurfaceArguments arguments, FluidShaderSet shaders, SessionProgress progress)
-            : base(arguments, "states", SystemInfo.graphicsDeviceName, progress, new SessionRate(null))
+            : base(arguments, "surfaces", SystemInfo.graphicsDeviceName, progress, new SessionRate(null))
         {
             this.arguments = arguments;
             this.shaders = SessionAssets.Require(shaders, "The surfaces have");
@@ -47,23 +49,36 @@ namespace SphFluid.Validation
         private protected override IEnumerable<SessionJob> Jobs()
         {
             var scale = new SurfaceScale(arguments.Quick);
-            return arguments.States.Select(s => new SessionJob(s.Name, 1.0, () => false, () => Measure(s.Build(scale))));
+            foreach (SurfaceState state in arguments.States.Select(s => s.Build(scale)))
+            {
+                bool prepared = false;
+                foreach ((string name, SurfaceVariant variant) in variants.Where(v => v.Variant.Takes(state)))
+                {
+                    // The first surface of a state waits for the state.
+                    double wait = prepared ? 0.0 : state.Planned.Steps * CostOfStep(state.ParticleCount);
+                    prepared = true;
+                    yield return new SessionJob($"{state.Name}, {name}", wait + SurfaceRun.CostOf(state, variant), () => false,
+                        () => Measure(state, name, variant), kind: wait > 0.0 ? "" : name);
+                }
+            }
         }
 
-        IEnumerator Measure(SurfaceState state)
+        private protected override IEnumerator Begin() => Calibrate(shaders, CostOfStep);
+
+        // Particle-steps, and what a step costs anyway.
+        static double CostOfStep(int particles) => particles + StepOverhead;
+
+        IEnumerator Measure(SurfaceState state, string name, SurfaceVariant variant)
         {
-            if (state.Prepare != null)
+            if (state.Prepare != null && state.Frames.Count == 0)
                 yield return state.Prepare(shaders);
-            foreach ((string name, SurfaceVariant variant) in variants.Where(v => v.Variant.Takes(state)))
+            using (var run = new SurfaceRun(state, variant, shaders))
             {
-                using (var run = new SurfaceRun(state, variant, shaders))
-                {
-                    yield return run.Run();
-                    run.Result.State = state.Name;
-                    run.Result.Variant = name;
-                    table.Add(run.Result);
-                    Progress.Say(run.Result.ToString());
-                }
+                yield return run.Run();
+                run.Result.State = state.Name;
+                run.Result.Variant = name;
+                table.Add(run.Result);
+                Progress.Say(run.Result.ToString());
             }
         }
     }

@@ -20,6 +20,15 @@ namespace SphFluid.Validation
         /// <summary>Computes <see cref="Frames"/> where they are not given; null where they are.</summary>
         public Func<FluidShaderSet, IEnumerator> Prepare;
 
+        /// <summary>Numbers of particles and of frames, and the steps behind them, where <see cref="Prepare"/> has still to compute them.</summary>
+        public (int Particles, int Frames, int Steps) Planned;
+
+        /// <summary>Particles of a frame.</summary>
+        public int ParticleCount => Frames.Count > 0 ? Frames[0].Length : Planned.Particles;
+
+        /// <summary>Frames, those to come included.</summary>
+        public int FrameCount => Frames.Count > 0 ? Frames.Count : Planned.Frames;
+
         /// <summary>Volume of the liquid [m³]; not a number where it has none of its own.</summary>
         public double Volume = double.NaN;
 

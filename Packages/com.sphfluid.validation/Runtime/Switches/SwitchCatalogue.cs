@@ -24,7 +24,7 @@ namespace SphFluid.Validation
             FluidParticle[] start = Column(0.025f, new Vector3Int(6, 14, 6), out FluidSolverSettings settings);
             FluidSolverSettings rows = settings;
             rows.OctantSearch = false;
-            return new SwitchExperiment("eight-cells", start, 1.2f, settings, rows) { EightCellsOfSmoothLength = true, Colour = SwitchColour.Speed };
+            return new SwitchExperiment("eight-cells", start, 1.2f, settings, rows) { EightCellsOfSmoothLength = true, Color = SwitchColor.Speed };
         }
 
         /// <summary>6.3.1: without itself a particle finds 0.81 of the density, and a column at rest shrinks until it finds all of it.</summary>
@@ -60,7 +60,7 @@ namespace SphFluid.Validation
             FluidParticle[] start = Column(0.025f, new Vector3Int(6, 14, 6), out FluidSolverSettings settings);
             ThesisSwitches full = ThesisSwitches.Corrected;
             full.PressureHalf = false;
-            return new SwitchExperiment("pressure-half", start, 1.2f, settings.With(full), settings) { Colour = SwitchColour.Pressure };
+            return new SwitchExperiment("pressure-half", start, 1.2f, settings.With(full), settings) { Color = SwitchColor.Pressure };
         }
 
         /// <summary>6.3.3 line 03: at 2.5 mm force times mass is about a sixtieth of f/ρ, and the column collapses.</summary>

@@ -37,7 +37,7 @@ namespace SphFluid.Validation
         public bool FromAbove { get; internal set; }
 
         /// <summary>What the picture shows by colour.</summary>
-        public SwitchColour Colour { get; internal set; }
+        public SwitchColor Color { get; internal set; }
 
         /// <summary>The printed run takes 8 cells although its cells are h wide: the octant rule of 6.2 with the wrong size.</summary>
         internal bool EightCellsOfSmoothLength { get; set; }

@@ -13,6 +13,10 @@ namespace SphFluid
         /// <summary>Bytes of both buffers.</summary>
         public long Bytes => GpuBuffers.Size(Triangles, Colliders);
 
+        /// <summary>Bytes that both take for as many triangles and colliders.</summary>
+        public static long PlannedBytes(int triangles, int colliders) =>
+            GpuBuffers.BytesOf(triangles, CollisionTriangle.Stride) + GpuBuffers.BytesOf(colliders, CollisionCollider.Stride);
+
         public void Upload(List<CollisionTriangle> triangles, List<CollisionCollider> colliders)
         {
             Triangles = Fill(Triangles, triangles, CollisionTriangle.Stride, "Fluid Collision Triangles");

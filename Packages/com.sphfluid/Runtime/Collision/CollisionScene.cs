@@ -56,6 +56,9 @@ namespace SphFluid
         /// <summary>Bytes of the GPU buffers.</summary>
         public long GpuBytes => buffers.Bytes;
 
+        /// <summary>Bytes that the GPU buffers take once the triangles are copied.</summary>
+        public long PlannedBytes => CollisionBuffers.PlannedBytes(triangles.Count, colliders.Count);
+
         /// <summary>Looks for colliders and, when any changed, makes their triangles again.</summary>
         /// <returns>Whether anything changed, so that <see cref="Upload"/> is due.</returns>
         public bool Gather(in CollisionQuery query)

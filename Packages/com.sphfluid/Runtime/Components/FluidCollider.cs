@@ -10,6 +10,7 @@ namespace SphFluid
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Collider")]
     [DisallowMultipleComponent]
+    [ManualPage("colliders", "friction")]
     public sealed class FluidCollider : MonoBehaviour, IColliderSettings, IFluidPart<WallSpec>
     {
         [SerializeField, Tooltip("Use the friction given here. Off: the friction of the simulation's faces.")]

@@ -14,6 +14,7 @@ namespace SphFluid
     [RequireComponent(typeof(FluidSimulation))]
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(110)]
+    [ManualPage("diagnostics")]
     public sealed class FluidDiagnostics : MonoBehaviour
     {
         // A GPU that lags further behind is not given more to measure.

@@ -7,6 +7,7 @@ namespace SphFluid
     /// the liquid collides with it. Thicker than the liquid goes between two sorts, about half a particle spacing. Method Standard.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Drain")]
+    [ManualPage("pouring", "drain")]
     public sealed class FluidDrain : MonoBehaviour, IFluidPart<DrainSpec>
     {
         readonly DrainState state = new DrainState();

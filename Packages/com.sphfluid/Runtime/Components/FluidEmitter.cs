@@ -7,6 +7,7 @@ namespace SphFluid
     /// rest density leaves with the speed of the nozzle, to which the nozzle's own motion is added. Method Standard.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Emitter")]
+    [ManualPage("pouring", "pour")]
     public sealed class FluidEmitter : MonoBehaviour, IFluidPart<EmitterSpec>
     {
         readonly EmitterState state = new EmitterState();

@@ -8,6 +8,7 @@ namespace SphFluid
     /// support radius, as a step in force would make sound: a zone thinner than two never has its full strength. Method Standard.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Force Zone")]
+    [ManualPage("force-zones")]
     public sealed class FluidForceZone : MonoBehaviour, IFluidPart<ZoneSpec>
     {
         readonly ZoneState state = new ZoneState();

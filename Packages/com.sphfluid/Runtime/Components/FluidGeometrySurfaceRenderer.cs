@@ -1,6 +1,7 @@
 using System;
 using UnityEngine;
 using UnityEngine.Rendering;
+using UnityEngine.Serialization;
 
 namespace SphFluid
 {
@@ -11,6 +12,7 @@ namespace SphFluid
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Geometry Surface Renderer")]
     [DefaultExecutionOrder(100)]
+    [ManualPage("drawing", "the-thesiss-surface")]
     public sealed class FluidGeometrySurfaceRenderer : FluidRenderer
     {
         [SerializeField, Tooltip("What is drawn: the surface, or the edges of the grid's cubes with a vertex inside it. A material of your own draws what its keyword FLUID_CUBES says.")]
@@ -28,8 +30,8 @@ namespace SphFluid
         [SerializeField, Tooltip("Material with the shader 'SPH Fluid/Surface (Geometry Shader)'. Empty: one made from the colour and smoothness below.")]
         Material material;
 
-        [SerializeField, Tooltip("Colour of the liquid, if no material is given.")]
-        Color colour = new Color(0.06f, 0.4f, 0.66f);
+        [SerializeField, FormerlySerializedAs("colour"), Tooltip("Colour of the liquid, if no material is given.")]
+        Color color = new Color(0.06f, 0.4f, 0.66f);
 
         [SerializeField, Range(0f, 1f), Tooltip("Smoothness of the surface, if no material is given: how small and bright its highlights are.")]
         float smoothness = 0.75f;
@@ -62,12 +64,12 @@ namespace SphFluid
         public bool WallCompletion { get => wallCompletion; set => wallCompletion = value; }
 
         /// <summary>
-        /// Material of the surface, or null for one made from <see cref="Colour"/> and <see cref="Smoothness"/>.
+        /// Material of the surface, or null for one made from <see cref="Color"/> and <see cref="Smoothness"/>.
         /// </summary>
         public Material Material { get => material; set => material = value; }
 
         /// <summary>Colour of the liquid, if no material is given.</summary>
-        public Color Colour { get => colour; set => colour = value; }
+        public Color Color { get => color; set => color = value; }
 
         /// <summary>Smoothness of the surface, if no material is given, 0 to 1.</summary>
         public float Smoothness { get => smoothness; set => smoothness = value; }
@@ -113,7 +115,7 @@ namespace SphFluid
         protected override void Draw(FluidSimulation drawn)
         {
             if (fallback != null)
-                fallback.DrawOpaque(drawn.Solver, fallbackOptions, colour, smoothness, null, Placement(drawn, 0f),
+                fallback.DrawOpaque(drawn.Solver, fallbackOptions, color, smoothness, null, Placement(drawn, 0f),
                     this);
             else
                 DrawSurface(drawn);
@@ -127,8 +129,8 @@ namespace SphFluid
             Graphics.ExecuteCommandBuffer(cmd);
 
             DrawPlacement placement = Placement(drawn, 0f);
-            Color? ownColour = material == null ? colour : (Color?)null;
-            surface.Properties(field, isoValue, ownColour, smoothness, placement);
+            Color? ownColor = material == null ? color : (Color?)null;
+            surface.Properties(field, isoValue, ownColor, smoothness, placement);
             surface.SetStyle(style);
             surface.Draw(field, material, placement);
         }

@@ -1,4 +1,5 @@
 using UnityEngine;
+using UnityEngine.Serialization;
 
 namespace SphFluid
 {
@@ -8,19 +9,20 @@ namespace SphFluid
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Particle Renderer")]
     [DefaultExecutionOrder(100)]
+    [ManualPage("drawing", "particles")]
     public sealed class FluidParticleRenderer : FluidRenderer
     {
         [SerializeField, Range(0.1f, 4f), Tooltip("Edge of a particle's square in particle spacings. 1: squares just touch in liquid at rest.")]
         float size = 1.2f;
 
-        [SerializeField, Tooltip("Colour of a particle, or of a slow one if the speed is shown.")]
-        Color colour = new Color(0.12f, 0.42f, 0.72f);
+        [SerializeField, FormerlySerializedAs("colour"), Tooltip("Colour of a particle, or of a slow one if the speed is shown.")]
+        Color color = new Color(0.12f, 0.42f, 0.72f);
 
-        [SerializeField, Tooltip("Whether fast particles take another colour.")]
-        bool colourBySpeed;
+        [SerializeField, FormerlySerializedAs("colourBySpeed"), Tooltip("Whether fast particles take another colour.")]
+        bool colorBySpeed;
 
-        [SerializeField, Tooltip("Colour of the fastest particles, if the speed is shown.")]
-        Color fastColour = new Color(0.85f, 0.95f, 1f);
+        [SerializeField, FormerlySerializedAs("fastColour"), Tooltip("Colour of the fastest particles, if the speed is shown.")]
+        Color fastColor = new Color(0.85f, 0.95f, 1f);
 
         [SerializeField, Min(0.001f), Tooltip("Speed at which a particle has the fast colour in full [m/s].")]
         float fastSpeed = 3f;
@@ -37,13 +39,13 @@ namespace SphFluid
         public float Size { get => size; set => size = value; }
 
         /// <summary>Colour of a particle, or of a slow one if the speed is shown.</summary>
-        public Color Colour { get => colour; set => colour = value; }
+        public Color Color { get => color; set => color = value; }
 
         /// <summary>Whether fast particles take another colour.</summary>
-        public bool ColourBySpeed { get => colourBySpeed; set => colourBySpeed = value; }
+        public bool ColorBySpeed { get => colorBySpeed; set => colorBySpeed = value; }
 
         /// <summary>Colour of the fastest particles, if the speed is shown.</summary>
-        public Color FastColour { get => fastColour; set => fastColour = value; }
+        public Color FastColor { get => fastColor; set => fastColor = value; }
 
         /// <summary>Speed at which a particle has the fast colour in full [m/s].</summary>
         public float FastSpeed { get => fastSpeed; set => fastSpeed = value; }
@@ -75,9 +77,9 @@ namespace SphFluid
         ParticleLook Look(FluidSimulation drawn) => new ParticleLook
         {
             Size = size * drawn.Solver.Settings.Spacing,
-            Colour = colour,
-            FastColour = fastColour,
-            FastSpeed = colourBySpeed ? fastSpeed : 0f,
+            Color = color,
+            FastColor = fastColor,
+            FastSpeed = colorBySpeed ? fastSpeed : 0f,
             Smoothness = smoothness,
             Sprite = sprite,
         };

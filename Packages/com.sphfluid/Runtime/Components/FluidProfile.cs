@@ -8,6 +8,7 @@ namespace SphFluid
     /// expected speed, so that a profile serves every size of scene (see <see cref="FluidSolverSettings"/>).
     /// </summary>
     [CreateAssetMenu(menuName = "SPH Fluid/Fluid Profile", fileName = "FluidProfile", order = 200)]
+    [ManualPage("tuning", "profile")]
     public sealed class FluidProfile : ScriptableObject
     {
         internal const int CurrentVersion = 1;

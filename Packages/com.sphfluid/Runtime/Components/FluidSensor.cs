@@ -10,6 +10,7 @@ namespace SphFluid
     /// The readings are <see cref="FluidQueries"/>: nothing waits for the GPU, so they are some frames old.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Sensor")]
+    [ManualPage("scripting", "fluid-sensor")]
     public sealed class FluidSensor : MonoBehaviour
     {
         /// <summary>An event with the reading.</summary>

@@ -12,6 +12,7 @@ namespace SphFluid
     [AddComponentMenu("SPH Fluid/Fluid Simulation")]
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(50)]
+    [ManualPage("getting-started", "choose-the-size")]
     public sealed class FluidSimulation : MonoBehaviour
     {
         static readonly List<FluidSimulation> ActiveList = new List<FluidSimulation>();
@@ -97,11 +98,13 @@ namespace SphFluid
         readonly List<DrainSpec> drains = new List<DrainSpec>();
         readonly List<ZoneSpec> zones = new List<ZoneSpec>();
         readonly List<WallSpec> walls = new List<WallSpec>();
+        readonly List<VolumeSpec> volumes = new List<VolumeSpec>();
+        readonly VolumeWatch volumeWatch = new VolumeWatch();
         FluidRun run;
         FluidQueries queries;
         IFluidFrames frames;
         bool requested;
-        int singleSteps;
+        int singleSteps, failedSources, timings;
         (FluidStartKey, FluidLiveKey)? failed;
         readonly List<FluidMessage> messages = new List<FluidMessage>();
 
@@ -322,6 +325,24 @@ namespace SphFluid
 
         internal CollisionScene Collision => run?.Collision;
 
+        /// <summary>GPU time of the steps, between <see cref="BeginTiming"/> and <see cref="EndTiming"/>; else null.</summary>
+        internal StepTimer Timer { get; private set; }
+
+        /// <summary>Someone wants to know the steps' GPU time; costs two timestamps a frame.</summary>
+        internal void BeginTiming()
+        {
+            if (timings++ == 0) Timer = new StepTimer();
+        }
+
+        /// <summary>They do not any more.</summary>
+        internal void EndTiming()
+        {
+            if (--timings > 0) return;
+            if (run != null) run.Timer = null;
+            Timer?.Dispose();
+            Timer = null;
+        }
+
         /// <summary>Starts the liquid from its volumes, again if it runs already.</summary>
         /// <returns>Whether it runs; if not, the messages say why.</returns>
         public bool StartSimulation()
@@ -331,7 +352,9 @@ namespace SphFluid
             messages.Clear();
             if (FluidReports.NotPlaying(this) is FluidMessage obstacle) Report(obstacle);
             else run = FluidStarter.TryStart(Spec, FluidScene.Volumes(this), Watch, Report);
-            failed = run == null ? KeysOf(Spec) : ((FluidStartKey, FluidLiveKey)?)null;
+            volumeWatch.Begin(OwnSpec, FluidScene.Volumes(this));
+            failed = null;
+            if (run == null) Fail();
             if (run != null) Started?.Invoke(this);
             return run != null;
         }
@@ -382,6 +405,7 @@ namespace SphFluid
             }
             Release();
             run = restored;
+            volumeWatch.Begin(OwnSpec, FluidScene.Volumes(this));
             requested = true;
             failed = null;
             Started?.Invoke(this);
@@ -415,7 +439,7 @@ namespace SphFluid
         }
 
         /// <summary>Adds the liquid of a volume to the running liquid, where there is a place for it: not in colliders, and not where liquid is.</summary>
-        /// <param name="volume">A volume, enabled or not.</param>
+        /// <param name="volume">A volume, enabled or not. One that is enabled while the liquid runs adds its liquid by itself, unless this did before.</param>
         /// <returns>Number of particles that are tried with the next steps; <see cref="FluidCounters.Blocked"/> counts those that find no place.</returns>
         /// <exception cref="ArgumentNullException">There is no volume.</exception>
         /// <exception cref="InvalidOperationException">The liquid does not run, its method has a fixed number of particles, or the volume cannot be filled.</exception>
@@ -427,8 +451,12 @@ namespace SphFluid
             FluidSpec spec = Spec;
             LiquidShape shape = VolumeChecks.Check(volume.Spec, spec, running.Collision, found);
             if (shape == null) throw new InvalidOperationException(FluidReports.Worst(found));
+            volumeWatch.Note(spec, volume.Spec);
             return running.AddLiquid(spec, shape);
         }
+
+        /// <summary>What a volume is besides what it has filled; null where that is the same, or the liquid does not run.</summary>
+        internal FluidMessage? DifferenceOf(FluidVolume volume) => run == null ? null : volumeWatch.Difference(OwnSpec, volume.Spec, volume.isActiveAndEnabled);
 
         /// <summary>Removes the liquid in a box with the next steps.</summary>
         /// <param name="centre">World position [m].</param>
@@ -491,7 +519,7 @@ namespace SphFluid
 
         /// <summary>Checks the settings, the liquid and the colliders, of a prefab asset only the settings; changes nothing and logs nothing.</summary>
         /// <returns>What is wrong or worth knowing, errors first.</returns>
-        public IReadOnlyList<FluidMessage> Validate() => FluidChecks.Preview(Spec, FluidScene.Volumes(this), out _);
+        public IReadOnlyList<FluidMessage> Validate() => FluidChecks.Preview(Spec, FluidScene.Volumes(this), out FluidSolverSettings? _);
 
         /// <summary>The liquid on the GPU, for kernels and shaders of yours: as of its last steps, until its next LateUpdate. Ask each frame.</summary>
         /// <param name="buffers">The buffers, to be read only; none where the liquid does not run.</param>
@@ -534,7 +562,12 @@ namespace SphFluid
             Release();
         }
 
-        void OnDestroy() => queries?.Dispose();
+        void OnDestroy()
+        {
+            queries?.Dispose();
+            Timer?.Dispose();
+            Timer = null;
+        }
 
         void FixedUpdate()
         {
@@ -547,18 +580,36 @@ namespace SphFluid
             FluidSpec spec = Spec;
             if (run == null || !run.Key.Equals(FluidStartKey.Of(spec)))
             {
-                if (failed == null || !failed.Value.Equals(KeysOf(spec))) StartSimulation();
+                if (failed == null || !failed.Value.Equals(KeysOf(spec)) || failedSources != CountSources()) StartSimulation();
                 return;
             }
+            run.Timer = Timer;
+            FluidScene.Own(this, volumes);
+            volumeWatch.Follow(spec, run, volumes, Report);
+            long steps = StepCount, capped = CapHits;
             if (TryAdvance(spec, out FluidMessage failure))
             {
+                FluidProfiler.AddLiquid(run.Solver.LiveCount, StepCount - steps, CapHits - capped, GpuBytes);
                 queries?.Ask(run.Solver, spec.Profile.Shaders, run.SimulatedTime, spec.Position, spec.Rotation);
                 Updated?.Invoke(this);
                 return;
             }
             foreach (FluidMessage message in FluidReports.ErrorsOf(Validate(), failure)) Report(message);
             Release();
+            Fail();
+        }
+
+        // The next try comes with the next change.
+        void Fail()
+        {
             failed = KeysOf(Spec);
+            failedSources = CountSources();
+        }
+
+        int CountSources()
+        {
+            FluidScene.Own(this, volumes);
+            return volumes.Count + emitters.Count;
         }
 
         bool TryAdvance(in FluidSpec spec, out FluidMessage failure)
@@ -582,10 +633,10 @@ namespace SphFluid
             return 0f;
         }
 
-        // After a failure the next try comes with the next change.
         static (FluidStartKey, FluidLiveKey) KeysOf(in FluidSpec spec) => (FluidStartKey.Of(spec), FluidLiveKey.AsGiven(spec));
 
-        StartWatch Watch
+        /// <summary>Watches a start, and may end it.</summary>
+        internal StartWatch Watch
         {
             get
             {

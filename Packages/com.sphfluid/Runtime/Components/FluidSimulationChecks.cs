@@ -8,7 +8,7 @@ namespace SphFluid
         /// <summary>Checks a simulation with its liquid and its colliders, of a prefab asset only the settings; changes nothing.</summary>
         /// <param name="simulation">The simulation.</param>
         /// <returns>What is wrong or worth knowing, errors first.</returns>
-        public static List<FluidMessage> Validate(FluidSimulation simulation) => Preview(simulation, out _);
+        public static List<FluidMessage> Validate(FluidSimulation simulation) => Preview(simulation, out FluidSolverSettings? _);
 
         /// <summary>Whether any message says that the simulation cannot run.</summary>
         /// <param name="messages">The messages.</param>

@@ -17,6 +17,7 @@ namespace SphFluid
     [RequireComponent(typeof(MeshFilter))]
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(100)]
+    [ManualPage("drawing", "any-material-fluid-surface-mesh")]
     public sealed class FluidSurfaceMesh : FluidView
     {
         [SerializeField, Tooltip("How the surface is made.")]
@@ -102,6 +103,7 @@ namespace SphFluid
                 filledBy = toMesh;
             }
             GetComponent<MeshFilter>().sharedMesh = target.Mesh;
+            FluidProfiler.AddSurface(Status.Triangles, 0, GpuBytes);
         }
 
         /// <inheritdoc/>

@@ -1,4 +1,5 @@
 using UnityEngine;
+using UnityEngine.Serialization;
 
 namespace SphFluid
 {
@@ -8,6 +9,7 @@ namespace SphFluid
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Surface Renderer")]
     [DefaultExecutionOrder(100)]
+    [ManualPage("drawing", "clear-water")]
     public sealed class FluidSurfaceRenderer : FluidRenderer
     {
         [SerializeField, Tooltip("How the surface is made.")]
@@ -22,8 +24,8 @@ namespace SphFluid
         [SerializeField, Tooltip("Material with the shader 'SPH Fluid/Water' or 'SPH Fluid/Surface', as the look says. Empty: one made from the settings here.")]
         Material material;
 
-        [SerializeField, Tooltip("Colour of the opaque body, if no material is given.")]
-        Color colour = new Color(0.06f, 0.4f, 0.66f);
+        [SerializeField, FormerlySerializedAs("colour"), Tooltip("Colour of the opaque body, if no material is given.")]
+        Color color = new Color(0.06f, 0.4f, 0.66f);
 
         [SerializeField, Range(0f, 1f), Tooltip("Smoothness of the opaque body, if no material is given: how small and bright its highlights are.")]
         float smoothness = 0.75f;
@@ -43,7 +45,7 @@ namespace SphFluid
         public Material Material { get => material; set => material = value; }
 
         /// <summary>Colour of the opaque body, if no material is given.</summary>
-        public Color Colour { get => colour; set => colour = value; }
+        public Color Color { get => color; set => color = value; }
 
         /// <summary>Smoothness of the opaque body, if no material is given, 0 to 1.</summary>
         public float Smoothness { get => smoothness; set => smoothness = value; }
@@ -74,7 +76,8 @@ namespace SphFluid
             if (look == FluidSurfaceLook.Water)
                 drawing.DrawWater(drawn.Solver, surface, water, material, placement, this);
             else
-                drawing.DrawOpaque(drawn.Solver, surface, colour, smoothness, material, placement, this);
+                drawing.DrawOpaque(drawn.Solver, surface, color, smoothness, material, placement, this);
+            FluidProfiler.AddSurface(Status.Triangles, drawing.Surface.SprayCount, GpuBytes);
         }
     }
 }

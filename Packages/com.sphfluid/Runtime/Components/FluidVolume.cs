@@ -5,13 +5,14 @@ namespace SphFluid
     /// <summary>
     /// Liquid at the start: a box, a sphere or a mesh, moved, turned and scaled with this transform, or the hollow of the colliders
     /// round it. A simulation may have several; where they overlap, liquid is filled once and the first in the hierarchy gives the
-    /// velocity.
+    /// velocity. Enabled while the liquid runs, a volume adds its liquid then (method Standard), where there is a place for it. Moved or changed while the liquid runs, a volume moves no liquid; disabled, it takes none away.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Volume")]
-    public sealed class FluidVolume : MonoBehaviour
+    [ManualPage("filling", "add-liquid")]
+    public sealed class FluidVolume : MonoBehaviour, IFluidPart<VolumeSpec>
     {
-        [SerializeField, Tooltip("What is filled. Box and Sphere: of the size below. Mesh: the inside of a closed mesh. Vessel: the hollow of the " +
-            "colliders around this object, up to a level.")]
+        [SerializeField, Tooltip("What is filled at the start, or when the volume is enabled while the liquid runs. Box and Sphere: of the size below. " +
+            "Mesh: the inside of a closed mesh. Vessel: the hollow of the colliders around this object, up to a level.")]
         FluidVolumeShape shape;
 
         [SerializeField, Tooltip("Edge lengths of the box in this transform's space, in metres where its scale is one. A sphere touches its faces.")]
@@ -34,7 +35,7 @@ namespace SphFluid
             "in the scene, else the one whose domain holds the centre of the box.")]
         FluidSimulation simulation;
 
-        /// <summary>What is filled. Read when the simulation starts, as all the rest.</summary>
+        /// <summary>What is filled. Read when the simulation starts, or when the volume is enabled while it runs, as all the rest.</summary>
         public FluidVolumeShape Shape { get => shape; set => shape = value; }
 
         /// <summary>Edge lengths in this transform's space [m at unit scale] of the box, or of the box that the sphere touches.</summary>
@@ -73,9 +74,16 @@ namespace SphFluid
         /// <summary>The mesh that shape Mesh fills; null when there is none.</summary>
         internal Mesh FilledMesh => mesh != null ? mesh : TryGetComponent(out MeshFilter filter) ? filter.sharedMesh : null;
 
-        void OnEnable()
-        {
-            // Shows the component's check box in the inspector: a disabled volume holds no liquid.
-        }
+        VolumeSpec IFluidPart<VolumeSpec>.Spec => Spec;
+
+        Component IFluidPart<VolumeSpec>.Named => simulation;
+
+        void OnEnable() => FluidParts<VolumeSpec>.Add(this);
+
+        void OnDisable() => FluidParts<VolumeSpec>.Remove(this);
+
+        // Without a domain reload statics outlive play mode.
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        internal static void ResetStatics() => FluidParts<VolumeSpec>.Clear();
     }
 }

@@ -10,16 +10,20 @@ namespace SphFluid
         /// <summary>What buffers of indirect arguments are for; see <see cref="GpuBuffers.CreateArguments"/>.</summary>
         protected const GraphicsBuffer.Target Arguments = GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw;
 
+        readonly bool isPlanned;
         readonly List<FluidBuffer> buffers = new List<FluidBuffer>();
         readonly List<(FluidBuffer buffer, int more)> forEach = new List<(FluidBuffer, int)>();
 
-        /// <summary>Bytes of all buffers.</summary>
+        /// <param name="isPlanned">Whether only the sizes are asked for: no memory is taken.</param>
+        protected BufferSet(bool isPlanned = false) => this.isPlanned = isPlanned;
+
+        /// <summary>Bytes of all buffers, or those that they would take where they are only planned.</summary>
         public long Bytes
         {
             get
             {
                 long bytes = 0;
-                foreach (FluidBuffer buffer in buffers) bytes += GpuBuffers.Size(buffer);
+                foreach (FluidBuffer buffer in buffers) bytes += buffer.Bytes;
                 return bytes;
             }
         }
@@ -37,7 +41,7 @@ namespace SphFluid
         {
             try
             {
-                var buffer = new FluidBuffer(name, count, stride, target);
+                var buffer = new FluidBuffer(name, count, stride, target, isPlanned);
                 buffers.Add(buffer);
                 return buffer;
             }

@@ -7,16 +7,31 @@ namespace SphFluid
     internal sealed class FluidBuffer
     {
         readonly string name;
+        readonly long plannedBytes;
         GraphicsBuffer buffer;
 
+        /// <param name="name">Its name.</param>
+        /// <param name="count">Number of elements.</param>
+        /// <param name="stride">Bytes of an element.</param>
+        /// <param name="target">What it is used for.</param>
+        /// <param name="isPlanned">Whether only its size is asked for: no memory is taken.</param>
         /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
-        public FluidBuffer(string name, long count, int stride, GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured)
+        public FluidBuffer(string name, long count, int stride, GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured, bool isPlanned = false)
         {
             this.name = name;
             Id = Shader.PropertyToID("_" + name);
             OutId = Shader.PropertyToID("_" + name + "Out");
+            if (isPlanned)
+            {
+                GpuBuffers.CheckSize(name, count, stride);
+                plannedBytes = GpuBuffers.BytesOf(count, stride);
+                return;
+            }
             buffer = GpuBuffers.Create(name, count, stride, target);
         }
+
+        /// <summary>Bytes that it takes, or would take where it is only planned.</summary>
+        public long Bytes => buffer == null ? plannedBytes : GpuBuffers.Size(buffer);
 
         /// <summary>Property id of the buffer where a kernel reads it, or writes a buffer that has one name only.</summary>
         public int Id { get; }
@@ -30,8 +45,8 @@ namespace SphFluid
         /// <summary>The buffer.</summary>
         public static implicit operator GraphicsBuffer(FluidBuffer named) => named.buffer;
 
-        /// <summary>Fills the buffer from the CPU.</summary>
-        public void SetData(Array data) => buffer.SetData(data);
+        /// <summary>Fills the buffer from the CPU, unless it is only planned.</summary>
+        public void SetData(Array data) => buffer?.SetData(data);
 
         /// <summary>Reads the buffer back, waiting for the GPU.</summary>
         public void GetData(Array data) => buffer.GetData(data);

@@ -10,6 +10,7 @@ namespace SphFluid
     /// from code, play mode and player builds find the shaders without a Resources folder.
     /// </summary>
     [CreateAssetMenu(menuName = "SPH Fluid/Fluid Shader Set", fileName = "FluidShaderSet", order = 201)]
+    [ManualPage("index", "components-and-assets")]
     public sealed class FluidShaderSet : ScriptableObject
     {
         [SerializeField, Tooltip("The compute shaders of the package, in any order: each is found by its file's name.")]

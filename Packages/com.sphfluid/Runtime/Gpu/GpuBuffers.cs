@@ -15,6 +15,19 @@ namespace SphFluid
         public static GraphicsBuffer Create(string name, long count, int stride,
             GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured)
         {
+            CheckSize(name, count, stride);
+            return new GraphicsBuffer(target, (int)Elements(count), stride) { name = name };
+        }
+
+        /// <summary>Bytes that a buffer takes.</summary>
+        /// <param name="count">Number of elements; zero gives one.</param>
+        /// <param name="stride">Bytes of an element.</param>
+        internal static long BytesOf(long count, int stride) => Elements(count) * stride;
+
+        /// <summary>Checks that the device holds a buffer of a size.</summary>
+        /// <exception cref="FluidDeviceException">It has too little memory for it.</exception>
+        internal static void CheckSize(string name, long count, int stride)
+        {
             long bytes = count * stride;
             if (count > int.MaxValue || bytes > SystemInfo.maxGraphicsBufferSize)
             {
@@ -23,9 +36,9 @@ namespace SphFluid
                     $"{SystemInfo.graphicsDeviceName} allows {SystemInfo.maxGraphicsBufferSize / 1048576.0:F0} MiB. " +
                     "Use fewer particles, a larger particle spacing or a smaller domain.");
             }
-
-            return new GraphicsBuffer(target, count > 0 ? (int)count : 1, stride) { name = name };
         }
+
+        static long Elements(long count) => count > 0 ? count : 1;
 
         /// <summary>
         /// Creates a buffer for the arguments of indirect draws or dispatches, which kernels declare as (RW)ByteAddressBuffer. On Direct3D 11 such

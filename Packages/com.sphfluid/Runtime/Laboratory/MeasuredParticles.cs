@@ -24,7 +24,7 @@ namespace SphFluid.Laboratory
         /// <param name="smoothness">Smoothness of the highlight, 0 to 1.</param>
         public void Record(CommandBuffer cmd, FluidSolver solver, float size, Color colour, float smoothness)
         {
-            var look = new ParticleLook { Size = size, Colour = colour, FastColour = colour, Smoothness = smoothness };
+            var look = new ParticleLook { Size = size, Color = colour, FastColor = colour, Smoothness = smoothness };
             MaterialPropertyBlock properties = squares.Properties(solver.Particles, look, MeasuredSurface.Placement(solver.Settings.DomainSize));
             cmd.DrawProcedural(Matrix4x4.identity, squares.Material, ForwardPass, MeshTopology.Triangles,
                 solver.ParticleCount * ParticleSquares.VerticesPerParticle, 1, properties);

@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using UnityEngine.Serialization;
 
 namespace SphFluid
 {
@@ -13,8 +14,8 @@ namespace SphFluid
         // A channel that a metre of water swallows whole would have an infinite coefficient.
         const float LeastTransmittance = 1e-3f;
 
-        [SerializeField, Tooltip("Colour that white light has after one metre of water.")]
-        Color colourAtOneMetre = new Color(0.1f, 0.52f, 0.83f);
+        [SerializeField, FormerlySerializedAs("colourAtOneMetre"), Tooltip("Colour that white light has after one metre of water.")]
+        Color colorAtOneMetre = new Color(0.1f, 0.52f, 0.83f);
 
         [SerializeField, Min(0.01f), Tooltip("How far one sees in it [m]. Small: milky.")]
         float visibility = 8f;
@@ -31,6 +32,9 @@ namespace SphFluid
         [SerializeField, Range(0f, 1f), Tooltip("How dark its shadow is: water lets most of the light through.")]
         float shadow = 0.25f;
 
+        [SerializeField, Tooltip("How closely light is followed through the water. Fast: bent once. Balanced: followed to what it meets. Fine: in small steps, and mirrored by the walls of a tank.")]
+        FluidWaterQuality quality = FluidWaterQuality.Fine;
+
         [SerializeField, Tooltip("Whether its thickness is measured at half the picture's resolution: cheaper, a little softer at edges.")]
         bool halfResolution;
 
@@ -44,7 +48,7 @@ namespace SphFluid
         public const int MostDrops = 32;
 
         /// <summary>Colour that white light has after one metre of water.</summary>
-        public Color ColourAtOneMetre { get => colourAtOneMetre; set => colourAtOneMetre = value; }
+        public Color ColorAtOneMetre { get => colorAtOneMetre; set => colorAtOneMetre = value; }
 
         /// <summary>How far one sees in it [m]: at that distance 2 % of the contrast is left.</summary>
         public float Visibility { get => visibility; set => visibility = value; }
@@ -61,6 +65,9 @@ namespace SphFluid
         /// <summary>How much of the light its shadow takes away, 0 to 1.</summary>
         public float Shadow { get => shadow; set => shadow = value; }
 
+        /// <summary>How closely light is followed through the water.</summary>
+        public FluidWaterQuality Quality { get => quality; set => quality = value; }
+
         /// <summary>Whether its thickness is measured at half the picture's resolution.</summary>
         public bool HalfResolution { get => halfResolution; set => halfResolution = value; }
 
@@ -70,13 +77,30 @@ namespace SphFluid
         /// <summary>How long the camera's shutter is open for spray [s], 0 or more: drops are streaked by the way they go in it.</summary>
         public float SprayShutter { get => sprayShutter; set => sprayShutter = Mathf.Max(value, 0f); }
 
+        /// <summary>Steps through the water, steps behind it, and whether walls mirror; Shaders/Rendering/WaterRefraction.hlsl.</summary>
+        internal Vector4 RefractionSteps
+        {
+            get
+            {
+                switch (quality)
+                {
+                    case FluidWaterQuality.Fast:
+                        return Vector4.zero;
+                    case FluidWaterQuality.Balanced:
+                        return new Vector4(6f, 3f, 0f, 0f);
+                    default:
+                        return new Vector4(12f, 6f, 1f, 0f);
+                }
+            }
+        }
+
         /// <summary>Light absorbed or scattered a metre [1/m], in the colours that shaders use.</summary>
         internal Vector4 Extinction
         {
             get
             {
                 Vector4 scattered = ScatteringCoefficient;
-                Color left = InShaderColours(colourAtOneMetre);
+                Color left = InShaderColours(colorAtOneMetre);
                 return new Vector4(Absorption(left.r) + scattered.x, Absorption(left.g) + scattered.y, Absorption(left.b) + scattered.z, 0f);
             }
         }
@@ -105,6 +129,6 @@ namespace SphFluid
 
         static float Share(float part, float whole) => whole > 0f ? part / whole : 0f;
 
-        static Color InShaderColours(Color colour) => QualitySettings.activeColorSpace == ColorSpace.Linear ? colour.linear : colour;
+        static Color InShaderColours(Color color) => QualitySettings.activeColorSpace == ColorSpace.Linear ? color.linear : color;
     }
 }

@@ -9,12 +9,12 @@ namespace SphFluid
         public float Size;
 
         /// <summary>Colour at rest.</summary>
-        public Color Colour;
+        public Color Color;
 
         /// <summary>Colour at <see cref="FastSpeed"/> and above.</summary>
-        public Color FastColour;
+        public Color FastColor;
 
-        /// <summary>Speed of the fast colour [m/s]; 0: all particles have <see cref="Colour"/>.</summary>
+        /// <summary>Speed of the fast colour [m/s]; 0: all particles have <see cref="Color"/>.</summary>
         public float FastSpeed;
 
         /// <summary>Smoothness of the highlight, 0 to 1.</summary>

@@ -32,8 +32,8 @@ namespace SphFluid
         {
             properties.SetBuffer(RenderShaderIds.Particles, particles);
             properties.SetTexture(RenderShaderIds.MainTex, look.Sprite != null ? look.Sprite : roundSprite);
-            properties.SetColor(RenderShaderIds.Color, look.Colour);
-            properties.SetColor(RenderShaderIds.FastColor, look.FastColour);
+            properties.SetColor(RenderShaderIds.Color, look.Color);
+            properties.SetColor(RenderShaderIds.FastColor, look.FastColor);
             properties.SetFloat(RenderShaderIds.FastSpeed, look.FastSpeed);
             properties.SetFloat(RenderShaderIds.Smoothness, look.Smoothness);
             properties.SetFloat(RenderShaderIds.ParticleSize, look.Size);

@@ -40,6 +40,15 @@ namespace SphFluid
         /// <param name="thickness">Of the water.</param>
         public void Draw(in SprayBuffers drawn, float shutter, in DrawPlacement where, ThicknessPass thickness)
         {
+            Prepare(drawn, shutter, where, thickness);
+            RenderParams parameters = placement.Parameters(front, block);
+            parameters.shadowCastingMode = ShadowCastingMode.Off;
+            Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, spray.Arguments);
+        }
+
+        /// <summary>As <see cref="Draw"/>, for what is recorded afterwards.</summary>
+        public void Prepare(in SprayBuffers drawn, float shutter, in DrawPlacement where, ThicknessPass thickness)
+        {
             spray = drawn;
             placement = where;
             preparedAt = Time.frameCount;
@@ -52,9 +61,6 @@ namespace SphFluid
             lighting.Apply(block);
             DrawPipeline.Apply(block, placement.Pipeline);
             DrawPipeline.Prepare(front, placement.Pipeline);
-            RenderParams parameters = placement.Parameters(front, block);
-            parameters.shadowCastingMode = ShadowCastingMode.Off;
-            Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, spray.Arguments);
         }
 
         /// <summary>Whether there is spray in this frame that a camera may show.</summary>
@@ -62,8 +68,13 @@ namespace SphFluid
             new ViewVolume(camera).Touches(placement.WorldBounds);
 
         /// <summary>Records the spray into the scene's copy, which is the render target, with the camera's matrices.</summary>
-        public void RecordBehindWater(CommandBuffer cmd) =>
-            cmd.DrawProceduralIndirect(Matrix4x4.identity, behind, 0, MeshTopology.Triangles, spray.Arguments, 0, block);
+        public void RecordBehindWater(CommandBuffer cmd) => Record(cmd, behind);
+
+        /// <summary>Records the spray after the water, into the render target with its matrices.</summary>
+        public void RecordAfterWater(CommandBuffer cmd) => Record(cmd, front);
+
+        void Record(CommandBuffer cmd, Material material) =>
+            cmd.DrawProceduralIndirect(Matrix4x4.identity, material, 0, MeshTopology.Triangles, spray.Arguments, 0, block);
 
         public void Dispose()
         {

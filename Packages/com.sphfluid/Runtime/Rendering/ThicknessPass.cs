@@ -39,6 +39,9 @@ namespace SphFluid
         /// alpha: minus the depth of the nearest far face [m].</summary>
         public RenderTexture Texture => texture;
 
+        /// <summary>The last frame in which a camera that drew the liquid was near it, <see cref="IsNear"/>.</summary>
+        public int NearAt { get; set; } = -1;
+
         /// <summary>Layer of the liquid: cameras that do not see it are skipped.</summary>
         public int Layer { get; private set; }
 
@@ -69,6 +72,13 @@ namespace SphFluid
 
         /// <summary>Whether a camera may show the liquid.</summary>
         public bool IsSeenBy(Camera camera) => (camera.cullingMask & (1 << Layer)) != 0 && new ViewVolume(camera).Touches(bounds);
+
+        /// <summary>Whether a camera may be in the liquid: its near plane reaches the box around the domain.</summary>
+        public bool IsNear(Camera camera)
+        {
+            float reach = 2f * camera.nearClipPlane;
+            return bounds.SqrDistance(camera.transform.position) <= reach * reach;
+        }
 
         /// <summary>Records the thickness as one camera sees it; nothing if no surface was given in this frame.</summary>
         /// <param name="cmd">Where it is recorded.</param>

@@ -28,13 +28,25 @@ namespace SphFluid
         {
             get
             {
-                if (found.Length < Camera.allCamerasCount)
-                    found = new Camera[Camera.allCamerasCount];
-                int count = Camera.GetAllCameras(found);
+                int count = FindCameras();
                 for (int i = 0; i < count; i++)
                     Widen(found[i]);
                 return Vector2Int.Max(largestView, Vector2Int.one);
             }
+        }
+
+        /// <summary>
+        /// Whether a camera may be in the liquid: an enabled one now, or one that drew it in the last frame, such as the Editor's.
+        /// </summary>
+        public static bool AnyIsNear(ThicknessPass pass)
+        {
+            int count = FindCameras();
+            for (int i = 0; i < count; i++)
+            {
+                if (pass.IsNear(found[i]))
+                    return true;
+            }
+            return pass.NearAt >= Time.frameCount - 1;
         }
 
         public static void Add(ThicknessPass pass, SprayDrawing spray)
@@ -71,6 +83,13 @@ namespace SphFluid
             System.Array.Clear(found, 0, found.Length);
         }
 
+        static int FindCameras()
+        {
+            if (found.Length < Camera.allCamerasCount)
+                found = new Camera[Camera.allCamerasCount];
+            return Camera.GetAllCameras(found);
+        }
+
         static void PrepareBuiltIn(Camera camera)
         {
             if (!Record(camera, builtIn))
@@ -100,8 +119,11 @@ namespace SphFluid
             cmd.SetGlobalVector(RenderShaderIds.FluidThicknessView, new Vector4(size.x, size.y, 0f, 0f));
             foreach (ThicknessPass pass in passes)
             {
-                if (pass.IsSeenBy(camera))
-                    pass.Record(cmd, camera.worldToCameraMatrix, camera.projectionMatrix, size);
+                if (!pass.IsSeenBy(camera))
+                    continue;
+                if (pass.IsNear(camera))
+                    pass.NearAt = Time.frameCount;
+                pass.Record(cmd, camera.worldToCameraMatrix, camera.projectionMatrix, size);
             }
             return true;
         }

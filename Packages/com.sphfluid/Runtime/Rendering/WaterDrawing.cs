@@ -10,6 +10,7 @@ namespace SphFluid
         readonly SprayDrawing spray;
         readonly SceneReflection reflection = new SceneReflection();
         Material depth;
+        Material within;
 
         /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
         public WaterDrawing(FluidShaderSet shaders)
@@ -18,6 +19,7 @@ namespace SphFluid
             try
             {
                 depth = DrawMaterial.Create(shaders, "Hidden/SPH Fluid/Water Depth");
+                within = DrawMaterial.Create(shaders, "Hidden/SPH Fluid/Water From Within");
                 thickness = new ThicknessPass(shaders);
                 spray = new SprayDrawing(shaders);
             }
@@ -28,6 +30,12 @@ namespace SphFluid
             }
             WaterCameras.Add(thickness, spray);
         }
+
+        /// <summary>What draws its spray.</summary>
+        public SprayDrawing Spray => spray;
+
+        /// <summary>What draws the water for a camera in it.</summary>
+        public Material Within => within;
 
         /// <summary>The thickness picture.</summary>
         public ThicknessPass Thickness => thickness;
@@ -40,6 +48,7 @@ namespace SphFluid
             reflection.Apply(Block, placement.WorldBounds, look.Smoothness);
             Block.SetVector(RenderShaderIds.FluidExtinction, look.Extinction);
             Block.SetVector(RenderShaderIds.FluidScattering, look.Albedo);
+            Block.SetVector(RenderShaderIds.FluidRefractionSteps, look.RefractionSteps);
         }
 
         /// <summary>Sets refraction, smoothness and shadow, where no material of the user's does.</summary>
@@ -58,16 +67,19 @@ namespace SphFluid
 
         public override void Draw(in SurfaceBuffers surface, Material ownMaterial, in DrawPlacement placement)
         {
+            // Where water is blended, so that only its nearest layer is.
             if (!WaterRoute.Active.IsComplete)
-                DrawDepth(surface, placement);
+                DrawUnlit(depth, surface, placement);
             base.Draw(surface, ownMaterial, placement);
+            if (WaterCameras.AnyIsNear(thickness))
+                DrawUnlit(within, surface, placement);
         }
 
-        // Where water is blended, so that only its nearest layer is.
-        void DrawDepth(in SurfaceBuffers surface, in DrawPlacement placement)
+        // One of the passes beside the water's own, which alone casts its shadow.
+        void DrawUnlit(Material material, in SurfaceBuffers surface, in DrawPlacement placement)
         {
-            DrawPipeline.Prepare(depth, placement.Pipeline);
-            RenderParams parameters = placement.Parameters(depth, Block);
+            DrawPipeline.Prepare(material, placement.Pipeline);
+            RenderParams parameters = placement.Parameters(material, Block);
             parameters.shadowCastingMode = ShadowCastingMode.Off;
             Render(parameters, surface);
         }
@@ -81,6 +93,7 @@ namespace SphFluid
             }
             spray?.Dispose();
             DrawMaterial.Destroy(ref depth);
+            DrawMaterial.Destroy(ref within);
             base.Dispose();
         }
     }

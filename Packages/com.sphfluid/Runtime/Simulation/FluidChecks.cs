@@ -34,9 +34,10 @@ namespace SphFluid
         /// <returns>The messages, errors first.</returns>
         public static List<FluidMessage> Check(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, CollisionScene collision,
             Func<SpawnRequest, SpawnResult> spawn, out FluidStart start) =>
-            Check(spec, collision, (now, messages) => Begin(now, volumes, collision, spawn, messages), out start);
+            Check(spec, collision, (now, messages) => Begin(now, volumes, collision, spawn, messages, out _), out start);
 
-        static List<FluidMessage> Check(in FluidSpec spec, CollisionScene collision, Func<FluidSpec, List<FluidMessage>, FluidStart> begin, out FluidStart start)
+        /// <summary>Checks a simulation that begins as it is said.</summary>
+        internal static List<FluidMessage> Check(in FluidSpec spec, CollisionScene collision, Func<FluidSpec, List<FluidMessage>, FluidStart> begin, out FluidStart start)
         {
             start = null;
             var messages = new List<FluidMessage>();
@@ -150,12 +151,20 @@ namespace SphFluid
             MeshColliderChecks.Check(query, messages);
         }
 
-        static FluidStart Begin(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, CollisionScene collision,
-            Func<SpawnRequest, SpawnResult> spawn, List<FluidMessage> messages)
+        /// <summary>Where a simulation's liquid begins, and what is to be said about its volumes.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="volumes">Its liquid volumes, in hierarchy order.</param>
+        /// <param name="collision">The colliders, gathered.</param>
+        /// <param name="spawn">Makes or counts the first particles.</param>
+        /// <param name="messages">Receives what is wrong.</param>
+        /// <param name="shapes">The shapes of the volumes that can be filled.</param>
+        /// <returns>Null when it cannot begin.</returns>
+        internal static FluidStart Begin(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, CollisionScene collision,
+            Func<SpawnRequest, SpawnResult> spawn, List<FluidMessage> messages, out IReadOnlyList<LiquidShape> shapes)
         {
             List<(VolumeSpec, LiquidShape shape)> found = LiquidChecks.Shapes(spec, volumes, collision, messages);
+            shapes = found.ConvertAll(f => f.shape);
             if (found.Count == 0 && (volumes.Count > 0 || LiquidChecks.IsDry(spec))) return null;
-            List<LiquidShape> shapes = found.ConvertAll(f => f.shape);
             SpawnResult result = spawn(SpawnRequests.For(spec, shapes, collision));
             return LiquidChecks.Check(spec, found, result, collision, messages)
                 ? new FluidStart(result.Particles, result.Needed, LiquidExtent.Of(shapes, spec.DomainSize), result.Fastest) { Gravity = spec.LocalGravity }

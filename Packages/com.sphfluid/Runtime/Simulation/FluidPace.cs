@@ -45,6 +45,9 @@ namespace SphFluid
         /// <summary>Bytes of GPU memory.</summary>
         public long GpuBytes => speeds?.GpuBytes ?? 0;
 
+        /// <summary>Bytes of GPU memory that it takes at the start.</summary>
+        public static long PlannedBytes(in FluidSpec spec) => MeasuresSpeeds(spec) ? SpeedReadback.PlannedBytes : 0L;
+
         /// <summary>Takes over changed settings and gives the solver its constants. A clock that still fits goes on with the rest it holds.</summary>
         /// <exception cref="ArgumentException">A constant is out of range.</exception>
         public void Update(in FluidSpec now)
@@ -162,6 +165,9 @@ namespace SphFluid
         /// <inheritdoc/>
         public void Dispose() => speeds?.Dispose();
 
+        static bool MeasuresSpeeds(in FluidSpec spec) => Follows(spec) || spec.TimeStepMode == FluidTimeStepMode.Adaptive || spec.SleepsAtRest ||
+            FluidMethods.Has(spec.Method, FluidMethodFeatures.KeptNeighbours);
+
         bool IsAdaptive => reference != null || spec.TimeStepMode == FluidTimeStepMode.Adaptive;
 
         void TakeLimits(in FluidSpec now, in FluidSolverSettings rule)
@@ -169,7 +175,7 @@ namespace SphFluid
             spec = now;
             TakeReference(Follows(now), rule);
             TakeSleep(now, rule);
-            if (IsAdaptive || sleep != null || FluidMethods.Has(now.Method, FluidMethodFeatures.KeptNeighbours)) speeds ??= new SpeedReadback(solver, now.Profile.Shaders, FirstSpeed());
+            if (MeasuresSpeeds(now)) speeds ??= new SpeedReadback(solver, now.Profile.Shaders, FirstSpeed());
             else DropSpeeds();
         }
 

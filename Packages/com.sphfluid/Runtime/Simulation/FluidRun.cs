@@ -35,8 +35,7 @@ namespace SphFluid
             Key = FluidStartKey.Of(spec);
             live = FluidLiveKey.Of(spec);
             (position, rotation) = (spec.Position, spec.Rotation);
-            Solver = new FluidSolver(start.Constants, spec.Profile.Shaders, particles,
-                spec.CapacityPolicy == FluidCapacityPolicy.Fixed && spec.Capacity > 0 ? spec.MostParticles : 0);
+            Solver = new FluidSolver(start.Constants, spec.Profile.Shaders, particles, spec.FixedSlots);
             flows = new FluidFlows(Solver, report);
             zones = new FluidZones(Solver, report);
             commands = new CommandBuffer { name = "SPH Fluid" };
@@ -59,6 +58,10 @@ namespace SphFluid
         }
 
         public FluidSolver Solver { get; }
+
+        /// <summary>Takes the GPU time of the steps; null: nobody asks for it.</summary>
+        public StepTimer Timer { get; set; }
+
         public FluidStartKey Key { get; }
         public float TimeStep => (float)pace.Clock.TimeStep;
         public long CapHits => substeps.CapHits;
@@ -260,9 +263,11 @@ namespace SphFluid
         void Execute(int steps)
         {
             commands.Clear();
+            Timer?.Begin(commands, steps, Solver.LiveCount);
             Solver.RecordSteps(commands, steps, (float)pace.Clock.TimeStep);
             Solver.RecordNeighbourSetup(commands);
             if (steps > 0) pace.Record(commands);
+            Timer?.End(commands, steps);
             Graphics.ExecuteCommandBuffer(commands);
         }
     }

@@ -90,6 +90,9 @@ namespace SphFluid
             }
         }
 
+        /// <summary>Slots for particles that are made at the start, however few fill them; 0: as many as there are particles.</summary>
+        public readonly int FixedSlots => CapacityPolicy == FluidCapacityPolicy.Fixed && Capacity > 0 ? MostParticles : 0;
+
         /// <summary>Support radius [m].</summary>
         public readonly float SupportRadius => SupportRatio * Spacing;
 

@@ -44,6 +44,9 @@ namespace SphFluid
             }
         }
 
+        /// <summary>Bytes of GPU memory at the start.</summary>
+        public static long PlannedBytes => GpuBuffers.BytesOf(SpeedCounts.Size, sizeof(uint));
+
         /// <summary>Bytes of GPU memory.</summary>
         public long GpuBytes => Bytes(counts) + Bytes(places) + Bytes(claims);
 

@@ -50,6 +50,13 @@ namespace SphFluid
         /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold a buffer.</exception>
         public abstract IFluidStepper Start(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount);
 
+        /// <summary>Bytes of GPU memory that a started liquid takes, by the same buffers as <see cref="Start"/> makes and the first setup of neighbours; takes none.</summary>
+        /// <param name="settings">Constants that were checked and prepared.</param>
+        /// <param name="particleCount">Number of particles.</param>
+        /// <param name="hasBodies">Whether there are triangles in the domain.</param>
+        /// <exception cref="FluidDeviceException">The device cannot hold a buffer.</exception>
+        public abstract long PlannedBytes(in FluidSolverSettings settings, int particleCount, bool hasBodies);
+
         /// <summary>Whether the method has a feature.</summary>
         public bool Has(FluidMethodFeatures feature) => (Features & feature) != 0;
 

@@ -48,7 +48,7 @@ namespace SphFluid
                 throw new ArgumentException("No fluid shader set is given. Assign one in the fluid profile.", nameof(shaders));
             }
 
-            stepper = method.Start(method.Prepare(settings), shaders, Math.Max(1, Math.Max(particles.Length, Exchangeable(capacity))));
+            stepper = method.Start(method.Prepare(settings), shaders, SlotsFor(method, particles.Length, capacity));
             state = stepper.State;
             Upload(particles);
             counters = new CounterReadback(state.Published.Counters, settings.RestDensity);
@@ -438,7 +438,12 @@ namespace SphFluid
             neighboursFresh = false;
         }
 
-        int Exchangeable(int capacity) => method.Has(FluidMethodFeatures.ChangingCount) ? capacity : 0;
+        /// <summary>Slots that a liquid starts with.</summary>
+        /// <param name="method">Its method.</param>
+        /// <param name="count">Number of particles.</param>
+        /// <param name="capacity">Slots that were asked for, where particles can come in.</param>
+        internal static int SlotsFor(FluidMethod method, int count, int capacity) =>
+            Math.Max(1, Math.Max(count, method.Has(FluidMethodFeatures.ChangingCount) ? capacity : 0));
 
         void Upload(FluidParticle[] particles)
         {

@@ -10,11 +10,14 @@ namespace SphFluid
         Vector3? bodyStep;
         int bodyVersion;
 
-        protected FluidState(in FluidSolverSettings settings, int particleCount)
+        /// <param name="settings">The physics.</param>
+        /// <param name="particleCount">Slots for particles.</param>
+        /// <param name="isPlanned">Whether only the buffers' sizes are asked for: no memory is taken, and nothing can be recorded.</param>
+        protected FluidState(in FluidSolverSettings settings, int particleCount, bool isPlanned)
         {
             Settings = settings;
             Grid = FluidGrid.For(settings);
-            Published = new PublishedBuffers(particleCount, Grid.CellCount);
+            Published = new PublishedBuffers(particleCount, Grid.CellCount, isPlanned);
             Capacity = ParticleCount = LoadedCount = particleCount;
             SetTriangles(null, null, 0);
         }

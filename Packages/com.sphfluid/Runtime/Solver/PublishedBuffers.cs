@@ -24,7 +24,7 @@ namespace SphFluid
         /// <summary>An element to bind where the scene has no triangles, and one where it has no meshes.</summary>
         public readonly FluidBuffer NoTriangles, NoColliders;
 
-        public PublishedBuffers(int particleCount, int cellCount)
+        public PublishedBuffers(int particleCount, int cellCount, bool isPlanned = false) : base(isPlanned)
         {
             Particles = AddForEach("Particles", particleCount, FluidParticle.Stride);
             GridIndices = Add("GridIndices", cellCount, 2 * sizeof(uint));

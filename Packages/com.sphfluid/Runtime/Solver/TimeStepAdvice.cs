@@ -84,6 +84,18 @@ namespace SphFluid
             }
         }
 
+        /// <summary>What a limit comes from, in a word or three: "speed of sound".</summary>
+        internal static string NameOf(TimeStepLimit limit)
+        {
+            switch (limit)
+            {
+                case TimeStepLimit.Acoustic: return "speed of sound";
+                case TimeStepLimit.Speed: return "fastest particle";
+                case TimeStepLimit.Viscosity: return "viscosity";
+                default: return "stiffness of walls";
+            }
+        }
+
         /// <summary>The step to take: a fraction of the acoustic limit, and no more than the others, which have their margin.</summary>
         /// <param name="fraction">Of the acoustic limit; 0.75 by default in a profile.</param>
         /// <returns>Its length [s].</returns>

@@ -17,7 +17,13 @@ namespace SphFluid
 
         /// <summary>Fills the request's shapes.</summary>
         /// <exception cref="ArgumentException">The domain or the spacing is not positive and finite.</exception>
-        public static SpawnResult Fill(SpawnRequest request)
+        public static SpawnResult Fill(SpawnRequest request) => Fill(request, null);
+
+        /// <summary>Fills the request's shapes.</summary>
+        /// <param name="request">The request.</param>
+        /// <param name="placed">Called after each particle that was made; null: nobody is.</param>
+        /// <exception cref="ArgumentException">The domain or the spacing is not positive and finite.</exception>
+        public static SpawnResult Fill(SpawnRequest request, Action placed)
         {
             var particles = new List<FluidParticle>();
             float fastest = 0f;
@@ -26,6 +32,7 @@ namespace SphFluid
                 FluidParticle particle = Particle(request, site, shape, particles.Count);
                 particles.Add(particle);
                 fastest = Faster(fastest, particle.VelT0);
+                placed?.Invoke();
             }, request.MaxParticles, out long needed);
             if (needed > request.MaxParticles) particles.Clear();
             return new SpawnResult(particles, tallies, needed, fastest);

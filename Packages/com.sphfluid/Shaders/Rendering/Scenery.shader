@@ -8,6 +8,10 @@ Shader "SPH Fluid/Scenery"
         _Smoothness ("Smoothness", Range(0, 1)) = 0.3
         _TileColor ("Colour of every other tile", Color) = (0.7, 0.7, 0.7, 1)
         _TileSize ("Edge of a tile [m], 0: no tiles", Float) = 0
+        _GroutColor ("Colour between tiles", Color) = (0.6, 0.6, 0.6, 1)
+        _Grout ("Width of the grout [m]", Float) = 0
+        _FadeColor ("Colour that it fades to far away", Color) = (0.84, 0.91, 0.97, 1)
+        _FadeDistance ("Distance at which it fades [m], 0: never", Float) = 0
     }
 
     SubShader

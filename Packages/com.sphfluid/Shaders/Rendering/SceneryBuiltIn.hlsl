@@ -56,11 +56,13 @@ float4 ShadeScenery(SceneryFragment i) : SV_Target
     float3 normal = normalize(i.normal);
     float3 view = normalize(_WorldSpaceCameraPos.xyz - i.world);
     float visible = SHADOW_ATTENUATION(i);
-    float3 colour = SceneryReflection(SceneryColour(i.world), normal, view, _WorldSpaceLightPos0.xyz) * _LightColor0.rgb * visible;
+    float3 own = SceneryColour(i.world, normal);
+    float3 colour = SceneryReflection(own, normal, view, _WorldSpaceLightPos0.xyz) * _LightColor0.rgb * visible;
 #if defined(VERTEXLIGHT_ON)
-    colour += SceneryDiffuse(SceneryColour(i.world), i.vertexLight);
+    colour += SceneryDiffuse(own, i.vertexLight);
 #endif
-    return float4(colour + SceneryAmbientReflection(SceneryColour(i.world), normal, view), 1.0);
+    colour += SceneryAmbientReflection(own, normal, view);
+    return float4(lerp(colour, _FadeColor.rgb, SceneryFade(i.world, _WorldSpaceCameraPos.xyz)), 1.0);
 }
 
 float4 AddLight(SceneryFragment i) : SV_Target
@@ -69,7 +71,8 @@ float4 AddLight(SceneryFragment i) : SV_Target
     float3 view = normalize(_WorldSpaceCameraPos.xyz - i.world);
     float3 light = normalize(UnityWorldSpaceLightDir(i.world));
     UNITY_LIGHT_ATTENUATION(visible, i, i.world);
-    return float4(SceneryReflection(SceneryColour(i.world), normal, view, light) * _LightColor0.rgb * visible, 1.0);
+    float3 colour = SceneryReflection(SceneryColour(i.world, normal), normal, view, light) * _LightColor0.rgb * visible;
+    return float4(colour * (1.0 - SceneryFade(i.world, _WorldSpaceCameraPos.xyz)), 1.0);
 }
 
 struct ShadowFragment

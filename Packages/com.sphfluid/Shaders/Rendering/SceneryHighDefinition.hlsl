@@ -39,8 +39,10 @@ SceneryFragment PlaceScenery(SceneryVertex input)
 // Half Lambert: from full light to SHADOWED behind.
 float4 ShadeScenery(SceneryFragment input) : SV_Target
 {
-    float lit = 0.5 + 0.5 * dot(normalize(input.normal), OWN_LIGHT);
-    return float4(SceneryColour(input.world) * lerp(SHADOWED, 1.0, lit), 1.0);
+    float3 normal = normalize(input.normal);
+    float lit = 0.5 + 0.5 * dot(normal, OWN_LIGHT);
+    float3 colour = SceneryColour(input.world, normal) * lerp(SHADOWED, 1.0, lit);
+    return float4(lerp(colour, _FadeColor.rgb, SceneryFade(input.world, _WorldSpaceCameraPos)), 1.0);
 }
 
 float4 ShowNothing() : SV_Target

@@ -106,8 +106,10 @@ float4 ShadeScenery(SceneryFragment input) : SV_Target
     float3 normal = normalize(input.normal);
     float3 view = normalize(_WorldSpaceCameraPos - input.world);
     float visible = MainLightVisible(input.world, input.clipPosition);
-    float3 colour = SceneryReflection(SceneryColour(input.world), normal, view, _MainLightPosition.xyz) * _MainLightColor.rgb * visible;
-    return float4(colour + SceneryAmbientReflection(SceneryColour(input.world), normal, view), 1.0);
+    float3 own = SceneryColour(input.world, normal);
+    float3 colour = SceneryReflection(own, normal, view, _MainLightPosition.xyz) * _MainLightColor.rgb * visible;
+    colour += SceneryAmbientReflection(own, normal, view);
+    return float4(lerp(colour, _FadeColor.rgb, SceneryFade(input.world, _WorldSpaceCameraPos)), 1.0);
 }
 
 float4 PlaceSceneryShadow(SceneryVertex input) : SV_Position

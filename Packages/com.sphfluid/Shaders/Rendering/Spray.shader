@@ -3,7 +3,7 @@ Shader "Hidden/SPH Fluid/Spray"
 {
     SubShader
     {
-        Tags { "RenderType" = "Transparent" "Queue" = "Transparent+1" }
+        Tags { "RenderType" = "Transparent" "Queue" = "Transparent+2" }
 
         // No LightMode: drawn by the Built-in pipeline in forward and deferred rendering, by URP and HDRP as SRPDefaultUnlit.
         Pass

@@ -77,69 +77,6 @@ float NearestSceneDepth(float2 screen)
     return depth;
 }
 
-// A line through the water on the screen: where it is after so many metres, and how deep.
-struct WaterRay
-{
-    float4 clipStart;
-    float4 clipStep;
-    float3 direction; // world space
-    float front;      // depth of its start, metres along the camera's axis
-    float depthStep;  // depth a metre
-};
-
-WaterRay StartRay(float3 world, float3 direction)
-{
-    WaterRay ray;
-    ray.clipStart = FluidClipPosition(world);
-    ray.direction = direction;
-    ray.clipStep = mul(unity_MatrixVP, float4(direction, 0.0));
-    ray.front = WaterEyeDepth(world);
-    ray.depthStep = -dot(unity_MatrixV[2].xyz, direction);
-    return ray;
-}
-
-float2 RayScreen(WaterRay ray, float metres)
-{
-    float4 clipPosition = ray.clipStart + ray.clipStep * metres;
-    return clipPosition.xy / clipPosition.w * float2(0.5, 0.5 * _ProjectionParams.x) + 0.5;
-}
-
-// How far the scene lies behind a place of such a line, metres along the camera's axis; negative: in front.
-float GapBehind(WaterRay ray, float metres)
-{
-    return SceneEyeDepth(RayScreen(ray, metres)) - (ray.front + ray.depthStep * metres);
-}
-
-// Whether the scene shows there what such a line sees: neither a thing in front of the water nor one that it has run into before.
-bool IsSeen(WaterRay ray, float metres)
-{
-    float scene = NearestSceneDepth(RayScreen(ray, metres));
-    return scene >= ray.front && scene >= ray.front + ray.depthStep * metres;
-}
-
-// How far a line runs: the doubt is halved five times, what is left of it is settled by the gaps at its two ends where these belong to one
-// thing, so that no steps are seen.
-float RayLength(WaterRay ray, float longest)
-{
-    float clear = 0.0;
-    float doubtful = longest;
-    if (IsSeen(ray, longest))
-        clear = longest;
-    [unroll]
-    for (uint i = 0; i < 5; i++)
-    {
-        float middle = 0.5 * (clear + doubtful);
-        if (IsSeen(ray, middle))
-            clear = middle;
-        else
-            doubtful = middle;
-    }
-    float gap = GapBehind(ray, clear);
-    float fall = gap - GapBehind(ray, doubtful);
-    bool isOneThing = gap > 0.0 && fall > gap && fall < 4.0 * ray.depthStep * (doubtful - clear);
-    return isOneThing ? lerp(clear, doubtful, gap / fall) : clear;
-}
-
 // Where the line of sight enters and leaves the domain, metres along the camera's axis.
 float2 DomainSpan(float3 world, float3 view, float alongAxis)
 {
@@ -163,11 +100,24 @@ float2 ThicknessPlace(float2 screen)
     return min(screen * used, used - 0.5 / _FluidThicknessSize.xy);
 }
 
+// Far faces less near faces on a line of sight: 1 where it starts in water.
+float UnpairedFaces(float2 screen)
+{
+    return _FluidThickness.SampleLevel(sampler_PointClamp, ThicknessPlace(screen), 0.0).y;
+}
+
 // Where the nearest layer of water ends, metres along the camera's axis; negative where there is none.
 float FirstLayerEnd(float2 screen)
 {
     float nearest = _FluidThickness.SampleLevel(sampler_PointClamp, ThicknessPlace(screen), 0.0).w;
     return nearest > -999.0 ? WaterEyeDepth(FluidWorldPosition(0.0)) - nearest : -1.0;
+}
+
+// How thick the nearest layer is behind a point of the surface, metres along the camera's axis. Half floats place its end to a millimetre.
+float FirstLayer(float2 screen, float front)
+{
+    float end = FirstLayerEnd(screen);
+    return end > front - 2e-3 ? max(end - front, 0.0) : NOTHING_BEHIND;
 }
 
 // Water behind a point of the surface, metres along the camera's axis. A surface that is open at the walls, or a camera within the water, leaves

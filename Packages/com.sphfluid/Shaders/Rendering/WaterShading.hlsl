@@ -3,7 +3,7 @@
 #define SPHFLUID_WATER_SHADING_INCLUDED
 
 #include "SurfaceDrawing.hlsl"
-#include "WaterPath.hlsl"
+#include "WaterRefraction.hlsl"
 
 Texture2D<float4> _FluidSceneColour;    // Built-in: a copy of the camera's picture before transparent things
 Texture2D<float4> _CameraOpaqueTexture; // URP
@@ -12,11 +12,9 @@ float4 _FluidScattering; // rgb: of that, scattered, 0 to 1
 TextureCube<float4> _FluidReflectionMap;
 float4 _FluidReflection;       // x: 1 with a map, 0 without; y: mip level; z: 1 if a black map means one that was never made
 float4 _FluidReflectionDecode; // as Unity decodes HDR pictures, intensity included
-float _Refraction;     // 1: as much as in nature
 float _Smoothness;
 float _ShadowStrength; // light that the shadow takes away, 0 to 1
 
-#define AIR_TO_WATER 0.75 // ratio of the refractive indices, 1 / 1.33
 #define COARSEST_LEVEL 16.0 // beyond the last of any map, which stands for it
 
 float3 SceneColour(float2 screen)
@@ -56,22 +54,6 @@ float3 WaterMirror(float3 direction)
     return colour;
 }
 
-// How thick the nearest layer is, metres along the camera's axis.
-float FirstLayer(float2 screen, float front)
-{
-    float end = FirstLayerEnd(screen);
-    return end > front ? end - front : NOTHING_BEHIND;
-}
-
-// Where the scene is seen by light that left a layer and goes on as it came: at the depth that it has straight ahead, unless something stands
-// before that. A thin layer shifts the picture little.
-float2 BehindLayer(float3 exit, float3 view, float alongAxis, float scene, float2 screen)
-{
-    float left = WaterEyeDepth(exit);
-    float2 place = WaterScreen(exit - view * (max(scene - left, 0.0) / alongAxis));
-    return NearestSceneDepth(place) < left ? screen : place;
-}
-
 // Variance of the normal over a pixel.
 float NormalVariance(float3 normal)
 {
@@ -87,19 +69,12 @@ float4 ShadeWater(SurfaceFragment input) : SV_Target
     float alongAxis = dot(view, normalize(unity_MatrixV[2].xyz));
     float front = WaterEyeDepth(input.world);
     float2 screen = WaterScreen(input.world);
-    float behind = WaterBehind(input.world, view, alongAxis);
+    float all = WaterBehind(input.world, view, alongAxis);
+    float water = clamp(SceneEyeDepth(screen) - front, 0.0, all);
+    float layer = min(FirstLayer(screen, front), all);
+    SeenThrough seen = SeeThrough(input.world, view, normal, alongAxis, layer, water);
 
-    float scene = SceneEyeDepth(screen);
-    float water = max(min(behind, scene - front), 0.0);
-    float layer = min(water, FirstLayer(screen, front));
-    float longest = layer / alongAxis;
-    WaterRay ray = StartRay(input.world, normalize(lerp(-view, refract(-view, normal, AIR_TO_WATER), _Refraction)));
-    float2 shifted = RayScreen(ray, RayLength(ray, longest));
-    float path = clamp((SceneEyeDepth(shifted) - front) / ray.depthStep, 0.0, longest) + (water - layer) / alongAxis;
-    if (layer < scene - front && layer < water)
-        shifted = BehindLayer(input.world + ray.direction * longest, view, alongAxis, scene, screen);
-
-    float3 transmitted = exp(-_FluidExtinction.rgb * path);
+    float3 transmitted = exp(-_FluidExtinction.rgb * seen.path);
     float3 body = _FluidScattering.rgb * (1.0 - transmitted) * WaterInnerLight();
     float mirrored = FluidFresnel(normal, view);
     float3 surface = WaterMirror(reflect(-view, normal)) * mirrored + FluidHighlight(_Smoothness, normal, view, NormalVariance(normal));
@@ -108,7 +83,7 @@ float4 ShadeWater(SurfaceFragment input) : SV_Target
     if (_FluidScene.x == WATER_SCENE_NONE)
         cover = 1.0 - (1.0 - mirrored) * dot(transmitted, 1.0 / 3.0);
     else
-        colour += SceneColour(shifted) * transmitted * (1.0 - mirrored);
+        colour += SceneColour(seen.screen) * transmitted * (1.0 - mirrored);
     return float4(colour, cover);
 }
 

@@ -54,7 +54,7 @@ namespace SphFluid.Tests
             camera.targetTexture = target;
             FluidSimulation simulation = OpenTank();
             var drawing = simulation.gameObject.AddComponent<FluidParticleRenderer>();
-            drawing.Colour = Color.white;
+            drawing.Color = Color.white;
             for (int frame = 0; frame < 4; frame++) yield return null;
             int before = Bright(target);
             for (int frame = 0; frame < 45; frame++) yield return null;

@@ -17,5 +17,8 @@ namespace SphFluid.Validation
 
         /// <summary>Field and marching cubes only in blocks that hold the surface.</summary>
         Sparse,
+
+        /// <summary>The same, drawn as clear water.</summary>
+        Water,
     }
 }

@@ -28,16 +28,7 @@ namespace SphFluid.Validation
             }
         }
 
-        public BenchSurfaceFacts Facts => new BenchSurfaceFacts
-        {
-            Cells = grid.Cells.x,
-            CellSize = grid.CellSize.x,
-            Triangles = surface.Status.Triangles,
-            Vertices = surface.Status.Vertices,
-            ActiveBlocks = surface.Status.Blocks,
-            PotentialBlocks = SparseFieldReader.BlocksOf(grid),
-            GpuBytes = surface.GpuBytes,
-        };
+        public BenchSurfaceFacts Facts => FactsOf(surface, grid, 0);
 
         public bool HasCapacity => surface.Status.IsComplete;
 
@@ -53,6 +44,21 @@ namespace SphFluid.Validation
             cmd.DrawProceduralIndirect(surface.Indices, Matrix4x4.identity, material.Material, material.Pass, MeshTopology.Triangles, surface.DrawArguments, 0, properties);
             drawing.EndSurface(cmd);
         }
+
+        /// <summary>Facts of a sparse surface.</summary>
+        /// <param name="surface">The surface.</param>
+        /// <param name="grid">Its grid.</param>
+        /// <param name="drawingBytes">GPU memory of its drawing besides the mesh [bytes].</param>
+        public static BenchSurfaceFacts FactsOf(SparseSurface surface, SurfaceGrid grid, long drawingBytes) => new BenchSurfaceFacts
+        {
+            Cells = grid.Cells.x,
+            CellSize = grid.CellSize.x,
+            Triangles = surface.Status.Triangles,
+            Vertices = surface.Status.Vertices,
+            ActiveBlocks = surface.Status.Blocks,
+            PotentialBlocks = SparseFieldReader.BlocksOf(grid),
+            GpuBytes = surface.GpuBytes + drawingBytes,
+        };
 
         public void Dispose()
         {

@@ -20,6 +20,7 @@ namespace SphFluid.Tests
             Assert.That(plan.Configs.Select(c => $"{c.Name} {c.Grid} {c.Field}"), Is.EqualTo(new[]
             {
                 "gs 8 thesis", "dense 8 thesis", "sparse 8 thesis", "sparse 512 thesis", "sparse_cheap 0 cheap", "sparse_default 0 default", "sparse_high 0 high",
+                "water_fast 0 default", "water_balanced 0 default", "water_fine 0 default", "water_fine_spray 0 default",
             }));
             Assert.That(plan.Configs.Any(c => c.HasStep), Is.False);
             Assert.That(plan.LeftOut, Is.Null);
@@ -103,6 +104,28 @@ namespace SphFluid.Tests
 
                 foreach (Color[] picture in pictures)
                     Assert.That(Differing(pictures[0], picture), Is.LessThan(0.001), "part of the picture");
+            }
+        }
+
+        // The picture is the floor seen through the water: blue where it is, and finer qualities bend it elsewhere.
+        [Test]
+        public void EveryLookOfWaterDrawsTheSameLiquid()
+        {
+            FluidShaderSet shaders = SurfaceTestScene.LoadShaders();
+            using (var liquid = new BenchLiquid(shaders, BenchSolver.ThesisOctant, 1009))
+            using (var drawing = new BenchDrawing(shaders))
+            {
+                Color[][] pictures = new[] { FluidWaterQuality.Fast, FluidWaterQuality.Balanced, FluidWaterQuality.Fine }
+                    .Select(quality => BenchConfig.WaterSurface(new BenchWaterLook(quality, 0)))
+                    .Append(BenchConfig.WaterSurface(new BenchWaterLook(FluidWaterQuality.Fine, 14)))
+                    .Select(config => Picture(new WaterBenchSurface(shaders, config, liquid.Solver.Settings), liquid.Solver, drawing)).ToArray();
+                foreach (Color[] picture in pictures)
+                {
+                    double water = picture.Count(colour => colour.b > 0.1f && colour.b > 1.3f * colour.r) / (double)picture.Length;
+                    Assert.That(water, Is.InRange(0.05, 0.5), "part of the picture");
+                }
+                Assert.That(Differing(pictures[0], pictures[2]), Is.InRange(0.005, 0.5), "fine against fast");
+                Assert.That(Differing(pictures[2], pictures[3]), Is.LessThan(0.2), "spray");
             }
         }
 

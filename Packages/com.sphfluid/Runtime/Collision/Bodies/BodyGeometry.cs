@@ -130,6 +130,12 @@ namespace SphFluid
             return true;
         }
 
+        /// <summary>Bytes that the buffers take once all is copied.</summary>
+        public long PlannedBytes =>
+            GpuBuffers.BytesOf(WithSlack(triangles.Count, steady.Triangles), BodyTriangle.Stride) +
+            GpuBuffers.BytesOf(WithSlack(cellCount, steady.Cells), sizeof(uint)) +
+            GpuBuffers.BytesOf(WithSlack(referenceCount, steady.References), sizeof(uint));
+
         /// <summary>Copies all to the GPU; buffers are replaced only when they grow, and leave room for what is made anew to grow by half.</summary>
         public void Upload()
         {

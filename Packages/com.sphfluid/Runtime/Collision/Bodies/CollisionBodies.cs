@@ -72,6 +72,13 @@ namespace SphFluid
         /// <summary>Bytes of the GPU buffers.</summary>
         public long Bytes => GpuBuffers.Size(bodyBuffer) + geometry.Bytes + Floating.Bytes;
 
+        /// <summary>Bytes that colliders at rest take on the GPU, and how many bodies they are; instead of the first update, for a look ahead.</summary>
+        public (long bytes, int bodies) Plan(IReadOnlyList<FluidObstacle> solids)
+        {
+            Collect(solids);
+            return bodies.Count == 0 ? (0L, 0) : (geometry.PlannedBytes + GpuBuffers.BytesOf(bodies.Count, CollisionBody.Stride), bodies.Count);
+        }
+
         /// <summary>Whether a body is still moving: the steps have not gone through all of its motion of the frame.</summary>
         public bool IsUnderWay { get; private set; }
 
@@ -285,6 +292,14 @@ namespace SphFluid
 
         void Rebuild(IReadOnlyList<FluidObstacle> solids)
         {
+            Collect(solids);
+            stale = true;
+            Version++;
+            if (bodies.Count > 0) geometry.Upload();
+        }
+
+        void Collect(IReadOnlyList<FluidObstacle> solids)
+        {
             bodies.Clear();
             motions.Clear();
             geometry.Clear();
@@ -306,9 +321,6 @@ namespace SphFluid
             firstDeforming = bodies.Count;
             geometry.BeginDeforming();
             AddDeforming(solids);
-            stale = true;
-            Version++;
-            if (bodies.Count > 0) geometry.Upload();
         }
 
         // Triangles and lists of what deforms, where there is room for them in the buffers.

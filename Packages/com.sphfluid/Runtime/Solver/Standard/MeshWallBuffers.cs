@@ -26,7 +26,7 @@ namespace SphFluid
         /// <summary>Groups that resolve them, x, y, z, and their number.</summary>
         public readonly FluidBuffer ContactArguments;
 
-        public MeshWallBuffers(int particleCount)
+        public MeshWallBuffers(int particleCount, bool isPlanned = false) : base(isPlanned)
         {
             WallSlot = Add("WallSlot", particleCount, 4);
             NearWalls = Add("NearWalls", particleCount, WallStride);

@@ -34,7 +34,8 @@ namespace SphFluid
         /// <summary>A list for a number of particles.</summary>
         /// <param name="particleCount">Number of particles.</param>
         /// <param name="length">Most neighbours of a particle that are listed, even; 0 for a step that searches twice.</param>
-        public NeighbourList(int particleCount, int length)
+        /// <param name="isPlanned">Whether only its size is asked for.</param>
+        public NeighbourList(int particleCount, int length, bool isPlanned = false) : base(isPlanned)
         {
             Length = length;
             Neighbours = Add("Neighbours", EntryCount(particleCount, length), sizeof(uint));

@@ -47,7 +47,7 @@ namespace SphFluid
         /// <summary>Parts of sums of the scan's groups.</summary>
         public readonly int SumCount;
 
-        public StandardBuffers(int particleCount, int cellCount)
+        public StandardBuffers(int particleCount, int cellCount, bool isPlanned = false) : base(isPlanned)
         {
             Positions = AddForEach("Positions", particleCount, 16, 3);
             Velocities = AddForEach("Velocities", particleCount, 16);

@@ -33,5 +33,15 @@ namespace SphFluid
 
         public override IFluidStepper Start(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount) =>
             new StandardStepper(settings, shaders, particleCount);
+
+        public override long PlannedBytes(in FluidSolverSettings settings, int particleCount, bool hasBodies)
+        {
+            using (var state = new StandardState(settings, particleCount, true))
+            {
+                state.RequireList();
+                if (hasBodies) state.RequireWalls();
+                return state.Bytes;
+            }
+        }
     }
 }

@@ -7,13 +7,16 @@ namespace SphFluid
     /// <summary>What the passes of the Standard method work on.</summary>
     internal sealed class StandardState : FluidState
     {
-        public StandardState(in FluidSolverSettings settings, int particleCount)
-            : base(Countable(settings), particleCount)
+        readonly bool isPlanned;
+
+        public StandardState(in FluidSolverSettings settings, int particleCount, bool isPlanned = false)
+            : base(Countable(settings), particleCount, isPlanned)
         {
+            this.isPlanned = isPlanned;
             try
             {
                 Cells = new CellRows(Grid);
-                Buffers = new StandardBuffers(particleCount, Cells.CellCount);
+                Buffers = new StandardBuffers(particleCount, Cells.CellCount, isPlanned);
             }
             catch
             {
@@ -53,7 +56,7 @@ namespace SphFluid
         protected override long OwnBytes => Buffers.Bytes + (Walls?.Bytes ?? 0) + (List?.Bytes ?? 0);
 
         /// <summary>Makes <see cref="Walls"/>, if they are not there.</summary>
-        public void RequireWalls() => Walls ??= new MeshWallBuffers(Capacity);
+        public void RequireWalls() => Walls ??= new MeshWallBuffers(Capacity, isPlanned);
 
         /// <summary>Makes <see cref="List"/>, with entries or without as the settings and the device have it.</summary>
         public void RequireList()
@@ -62,7 +65,7 @@ namespace SphFluid
             if (List != null && List.Length > 0 == length > 0) return;
             List?.Dispose();
             List = null;
-            List = new NeighbourList(Capacity, length);
+            List = new NeighbourList(Capacity, length, isPlanned);
         }
 
         /// <summary>Makes all buffers for another number of particles; what they held waits in <see cref="FluidState.Retired"/>.</summary>

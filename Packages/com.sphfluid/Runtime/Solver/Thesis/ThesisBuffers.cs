@@ -18,7 +18,7 @@ namespace SphFluid
         /// <summary>Acceleration of each particle [m/s²], float4, w unused.</summary>
         public readonly FluidBuffer Acceleration;
 
-        public ThesisBuffers(int particleCount)
+        public ThesisBuffers(int particleCount, bool isPlanned = false) : base(isPlanned)
         {
             PaddedCount = BitonicSortPass.PaddedCount(particleCount);
             SortedParticles = Add("SortedParticles", particleCount, FluidParticle.Stride);

@@ -47,5 +47,10 @@ namespace SphFluid
 
         public override IFluidStepper Start(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount) =>
             new ThesisStepper(settings, shaders, particleCount);
+
+        public override long PlannedBytes(in FluidSolverSettings settings, int particleCount, bool hasBodies)
+        {
+            using (var state = new ThesisState(settings, particleCount, true)) return state.Bytes;
+        }
     }
 }

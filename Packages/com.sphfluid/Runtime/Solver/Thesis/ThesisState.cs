@@ -3,12 +3,12 @@ namespace SphFluid
     /// <summary>What the blocks of the thesis method work on.</summary>
     internal sealed class ThesisState : FluidState
     {
-        public ThesisState(in FluidSolverSettings settings, int particleCount)
-            : base(settings, particleCount)
+        public ThesisState(in FluidSolverSettings settings, int particleCount, bool isPlanned = false)
+            : base(settings, particleCount, isPlanned)
         {
             try
             {
-                Buffers = new ThesisBuffers(particleCount);
+                Buffers = new ThesisBuffers(particleCount, isPlanned);
             }
             catch
             {

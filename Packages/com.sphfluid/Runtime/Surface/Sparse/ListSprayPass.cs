@@ -9,6 +9,9 @@ namespace SphFluid
     {
         const int Stride = 8 * sizeof(float);
 
+        /// <summary>Numbers of <see cref="DrawArguments"/>; the first are the vertices.</summary>
+        public const int ArgumentWords = 4;
+
         FluidBuffer spray, groups, particles, arguments;
 
         /// <summary>float a particle of the liquid, 0 to 1: which part of it left the surface.</summary>
@@ -30,7 +33,7 @@ namespace SphFluid
             Grow(ref spray, "Spray", count, sizeof(float));
             Grow(ref groups, "SprayGroups", GroupsOf(count), sizeof(uint));
             Grow(ref particles, "SprayParticles", count, Stride);
-            Grow(ref arguments, "SprayArguments", 4, sizeof(uint), Arguments);
+            Grow(ref arguments, "SprayArguments", ArgumentWords, sizeof(uint), Arguments);
         }
 
         /// <summary>Groups of 256 that hold so many particles, at least one.</summary>

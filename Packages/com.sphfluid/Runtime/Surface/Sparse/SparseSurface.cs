@@ -16,7 +16,7 @@ namespace SphFluid
         readonly SurfaceBlocks blocks = new SurfaceBlocks();
         readonly SurfaceTriangles triangles;
         readonly SurfaceCapacity capacity;
-        readonly NumberReadback readback;
+        readonly NumberReadback readback, sprayReadback;
         readonly SurfaceWarnings warnings = new SurfaceWarnings();
         int recordings;
 
@@ -37,6 +37,7 @@ namespace SphFluid
             triangles = new SurfaceTriangles();
             capacity = new SurfaceCapacity(firstBlocks, firstTriangles);
             readback = new NumberReadback(SurfaceCounters.Slots, Take);
+            sprayReadback = new NumberReadback(SprayParticles.ArgumentWords, TakeSpray);
         }
 
         /// <summary>
@@ -68,6 +69,9 @@ namespace SphFluid
 
         /// <summary>The particles that left the surface as spray.</summary>
         internal SprayParticles Spray => passes.Spray;
+
+        /// <summary>Particles that were spray in the last surface whose count was read back; 0 where there is no spray.</summary>
+        internal long SprayCount { get; private set; }
 
         /// <summary>Vertices that a particle of the spray is drawn with.</summary>
         internal int SprayVertices { get => passes.SprayVertices; set => passes.SprayVertices = value; }
@@ -112,6 +116,8 @@ namespace SphFluid
             recordings++;
             passes.Record(cmd, new SurfaceInput(solver, settings, grid, walls, blocks, recordings), triangles);
             readback.RecordRequest(cmd, blocks.Counters);
+            if (settings.HasSpray) sprayReadback.RecordRequest(cmd, Spray.DrawArguments);
+            else SprayCount = 0;
         }
 
         /// <summary>Whether the last recording is known to have become a complete surface.</summary>
@@ -192,6 +198,7 @@ namespace SphFluid
         public void Dispose()
         {
             readback.Dispose();
+            sprayReadback.Dispose();
             passes.Dispose();
             blocks.Dispose();
             triangles.Dispose();
@@ -228,5 +235,7 @@ namespace SphFluid
             Status = new SurfaceStatus(counters);
             warnings.Check(Status, capacity.Obstacle(Status));
         }
+
+        void TakeSpray(uint[] arguments) => SprayCount = SprayVertices > 0 ? arguments[0] / SprayVertices : 0;
     }
 }

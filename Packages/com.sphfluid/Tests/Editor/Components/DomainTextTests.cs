@@ -1,4 +1,3 @@
-using System.Linq;
 using NUnit.Framework;
 using SphFluid.Editor;
 using UnityEngine;
@@ -14,7 +13,7 @@ namespace SphFluid.Tests
             // 1 m over R = 0.1 m is 10 cells, 0.55 m is 6, and a border at both ends: 12 · 8 · 12.
             FluidSolverSettings settings = BodyRig.Water(new Vector3(1f, 0.55f, 1f), 0.05f, 0.3f);
             settings.SupportRadius = 0.1f;
-            Assert.That(Value(DomainText.Before(settings), "Cells"), Is.EqualTo("1,152 of 4,194,303 at most"));
+            Assert.That(DomainText.Cells(settings), Is.EqualTo(("Cells", "1,152 of 4,194,303 at most")));
         }
 
         [TestCase(FluidMethodKind.Standard)]
@@ -42,7 +41,5 @@ namespace SphFluid.Tests
             Assert.That(DomainText.Particles(12000, 0), Is.EqualTo("12,000"));
             Assert.That(DomainText.Particles(9000, 3000), Is.EqualTo("9,000; 3,000 have left"));
         }
-
-        static string Value(DomainText text, string label) => text.Lines.Single(line => line.Label == label).Value;
     }
 }

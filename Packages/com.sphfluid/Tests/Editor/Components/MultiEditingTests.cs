@@ -62,7 +62,7 @@ namespace SphFluid.Tests
         [Test]
         public void LooksThatDifferShowTheFieldsOfBoth()
         {
-            Assert.That(FluidSurfaceRendererEditor.Hidden(Both<FluidSurfaceRenderer>()), Has.Member("colour"));
+            Assert.That(FluidSurfaceRendererEditor.Hidden(Both<FluidSurfaceRenderer>()), Has.Member("color"));
             second.GetComponent<FluidSurfaceRenderer>().Look = FluidSurfaceLook.Opaque;
             Assert.That(FluidSurfaceRendererEditor.Hidden(Both<FluidSurfaceRenderer>()), Is.EqualTo(new[] { "m_Script" }));
         }

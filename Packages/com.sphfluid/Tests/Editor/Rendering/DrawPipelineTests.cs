@@ -106,7 +106,7 @@ namespace SphFluid.Tests
         static Color[] Draw(ParticleSquares squares, Matrix4x4 view, DrawPipelineKind kind)
         {
             var particles = new[] { new FluidParticle(Vector3.zero, Vector3.zero, 0), new FluidParticle(new Vector3(0.3f, 0.1f, 0.2f), Vector3.zero, 1) };
-            var look = new ParticleLook { Size = 0.4f, Colour = Color.white, FastColour = Color.white };
+            var look = new ParticleLook { Size = 0.4f, Color = Color.white, FastColor = Color.white };
             var placement = new DrawPlacement(Matrix4x4.identity, Vector3.one, 0.4f, 0, false);
             var exposure = new Texture2D(1, 1, TextureFormat.RGBAFloat, false, true);
             exposure.SetPixel(0, 0, new Color(0.25f, 0f, 0f, 0f));

@@ -9,8 +9,8 @@ namespace SphFluid.Tests
         [Test]
         public void AMetreLeavesTheColourThatIsSet()
         {
-            var look = new FluidWaterLook { ColourAtOneMetre = new Color(0.3f, 0.6f, 0.8f), Visibility = float.PositiveInfinity };
-            Color expected = QualitySettings.activeColorSpace == ColorSpace.Linear ? look.ColourAtOneMetre.linear : look.ColourAtOneMetre;
+            var look = new FluidWaterLook { ColorAtOneMetre = new Color(0.3f, 0.6f, 0.8f), Visibility = float.PositiveInfinity };
+            Color expected = QualitySettings.activeColorSpace == ColorSpace.Linear ? look.ColorAtOneMetre.linear : look.ColorAtOneMetre;
             for (int c = 0; c < 3; c++)
                 Assert.AreEqual(expected[c], Mathf.Exp(-look.Extinction[c]), 1e-5f);
             Assert.AreEqual(Vector4.zero, look.Albedo);
@@ -19,7 +19,7 @@ namespace SphFluid.Tests
         [Test]
         public void AtTheVisibilityTwoPercentAreLeft()
         {
-            var look = new FluidWaterLook { ColourAtOneMetre = Color.white, Visibility = 5f };
+            var look = new FluidWaterLook { ColorAtOneMetre = Color.white, Visibility = 5f };
             Assert.AreEqual(0.02f, Mathf.Exp(-5f * look.Extinction.y), 1e-4f);
             Assert.AreEqual(new Vector4(1f, 1f, 1f, 0f), look.Albedo);
         }
@@ -27,7 +27,7 @@ namespace SphFluid.Tests
         [Test]
         public void ScatteringAndAbsorptionAddUp()
         {
-            var look = new FluidWaterLook { ColourAtOneMetre = Color.black, Visibility = 1f, Scattering = new Color(1f, 0f, 0f) };
+            var look = new FluidWaterLook { ColorAtOneMetre = Color.black, Visibility = 1f, Scattering = new Color(1f, 0f, 0f) };
             Assert.AreEqual(6.908f + 3.912f, look.Extinction.x, 1e-3f, "of a black colour a thousandth is left");
             Assert.AreEqual(6.908f, look.Extinction.y, 1e-3f);
             Assert.AreEqual(3.912f / 10.82f, look.Albedo.x, 1e-3f);
@@ -37,7 +37,7 @@ namespace SphFluid.Tests
         [Test]
         public void ClearestWaterHasNoInfiniteNumbers()
         {
-            var look = new FluidWaterLook { ColourAtOneMetre = Color.white, Visibility = float.PositiveInfinity };
+            var look = new FluidWaterLook { ColorAtOneMetre = Color.white, Visibility = float.PositiveInfinity };
             Assert.AreEqual(Vector4.zero, look.Extinction);
             Assert.AreEqual(Vector4.zero, look.Albedo);
             look.Visibility = 0f;

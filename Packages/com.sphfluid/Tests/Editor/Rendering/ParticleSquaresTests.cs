@@ -101,7 +101,7 @@ namespace SphFluid.Tests
             var particles = new FluidParticle[positions.Length];
             for (int i = 0; i < positions.Length; i++)
                 particles[i] = new FluidParticle(positions[i], Vector3.zero, (uint)i);
-            var look = new ParticleLook { Size = size, Colour = Color.white, FastColour = Color.red, Sprite = sprite };
+            var look = new ParticleLook { Size = size, Color = Color.white, FastColor = Color.red, Sprite = sprite };
             var placement = new DrawPlacement(localToWorld, Vector3.one, size, 0, false);
             Matrix4x4 projection = Matrix4x4.Ortho(-ViewHeight / 2f, ViewHeight / 2f, -ViewHeight / 2f, ViewHeight / 2f, 0.1f, 10f);
             using (GraphicsBuffer buffer = GpuBuffers.Create("Particles", particles.Length, FluidParticle.Stride))

@@ -35,8 +35,8 @@ namespace SphFluid.Tests
             var right = rig.Create("Right", position: new Vector3(0.25f, 0f, 0f)).gameObject.AddComponent<FluidGeometrySurfaceRenderer>();
             if (right.MissingSupport() != null)
                 Assert.Ignore(right.MissingSupport());
-            left.Colour = Color.red;
-            right.Colour = Color.green;
+            left.Color = Color.red;
+            right.Color = Color.green;
             right.GridSize = SurfaceGridSize.Cells32;
             yield return PictureRig.Frames(3);
 
@@ -93,7 +93,7 @@ namespace SphFluid.Tests
         [UnityTest]
         public IEnumerator LiquidIsLitByTheMainLight()
         {
-            rig.Create().gameObject.AddComponent<FluidParticleRenderer>().Colour = Color.white;
+            rig.Create().gameObject.AddComponent<FluidParticleRenderer>().Color = Color.white;
             view.Light.transform.rotation = Quaternion.LookRotation(Vector3.forward);
             yield return PictureRig.Frames(2);
             float front = Brightness(Picture());

@@ -100,7 +100,7 @@ namespace SphFluid.Tests
             FluidSurfaceRenderer drawing = Create("Fluid", Vector3.zero, Color.white);
             yield return PictureRig.Frames(2);
             drawing.Look = FluidSurfaceLook.Opaque;
-            drawing.Colour = Color.red;
+            drawing.Color = Color.red;
             yield return PictureRig.Frames(2);
             AssertNothingLeft();
             Color seen = view.PixelAt(view.Pixels(), drawing.transform.position);
@@ -156,7 +156,7 @@ namespace SphFluid.Tests
         FluidSurfaceRenderer Create(string name, Vector3 position, Color colourAtOneMetre)
         {
             var drawing = rig.Create(name, position: position).gameObject.AddComponent<FluidSurfaceRenderer>();
-            drawing.Water.ColourAtOneMetre = colourAtOneMetre;
+            drawing.Water.ColorAtOneMetre = colourAtOneMetre;
             return drawing;
         }
 

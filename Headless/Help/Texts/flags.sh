@@ -1,0 +1,30 @@
+# Written by ./run help --update from the flags that the parsers read; run reads it.
+verbs='play bench chart stability leaks surfaces figures check model mutate docs devices publish build help'
+declare -A all_flags=(
+    [play]='--scene --seconds --fps --size --out --device --no-images --open --validate --method --surface --particles --seed --state --mesh --record'
+    [bench]='--device --validate --table --particles --grids --repeat --out --sweep --no-sweep --scene --phases --against --fps --size --method --surface --seed'
+    [chart]='--device --validate --quick --case --method --out --slice'
+    [stability]='--device --validate --quick --map --method --out --slice'
+    [leaks]='--device --validate --scene --out'
+    [surfaces]='--device --validate --quick --state --variant --out'
+    [figures]='--only --out'
+    [check]='--only --update'
+    [model]='--state --radius'
+    [mutate]='--shaders --scripts --seed --files --only --map --map-filter --again --survivors --seconds --list --work --out'
+)
+declare -A player_values=(
+    [play]='--scene --seconds --fps --size --out --device'
+    [bench]='--device'
+    [chart]='--device'
+    [stability]='--device'
+    [leaks]='--device'
+    [surfaces]='--device'
+)
+declare -A player_switches=(
+    [play]='--no-images --open --validate'
+    [bench]='--validate'
+    [chart]='--validate'
+    [stability]='--validate'
+    [leaks]='--validate'
+    [surfaces]='--validate'
+)

@@ -1,0 +1,101 @@
+using Headless.Bench.Model;
+using Headless.Bench.Scene;
+using Headless.Checks;
+using Headless.Player.Commands;
+using SphFluid.Validation;
+
+namespace Headless.Help;
+
+/// <summary>The verbs of <c>./run</c>. Their flags are those that the parsers read.</summary>
+internal static class Verbs
+{
+    private const string Resumed = "Runs that the tables in DIR have are not done again: the same command goes on where an interrupted one stopped.";
+
+    public static IReadOnlyList<Verb> All { get; } =
+    [
+        new("play", "plays a scene and writes its pictures, film and figures")
+        {
+            OfPlayer = PlayOptions.Flags, Own = OfPackage("play"),
+            Notes = ["writes DIR/frame_00000.png..., film.mp4, timings.csv and summary.json"],
+            Examples =
+            [
+                ("", "two seconds of the sample Dam Break: a film in Build/play, in under a minute on two CPU cores"),
+                ("--open --size 1280x720 --fps 30", "the same in HD, shown when it is done"),
+                ("--scene Packages/com.sphfluid/Samples~/Fountain/Fountain.unity --seconds 5", "another scene"),
+                ("--particles 4000 --surface particles --seconds 1 --size 640x360", "a quick look with fewer particles"),
+                ("--no-images --seconds 4 --record record.csv --state end.ply --mesh end-surface.ply", "figures, particles and surface; no pictures"),
+            ],
+        },
+        Measured("bench", "the thesis's tables 3 and 4, the methods' steps and the surfaces against each other, as CSV") with
+        {
+            Notes =
+            [
+                "writes DIR/thesis.csv, solver.csv, surface.csv and, with the sweep, sweep.csv after every round",
+                "Without --particles and --grids: thesis 16384, 32768 and 65536 particles, 32 to 256 cells; solver 16384 to 262144, on a real GPU to 4194304; surface 16384 to 262144, on a real GPU to 1048576, 32 to 512 cells.",
+            ],
+            Other = ("--table scene plays a scene and writes DIR/scene.csv, and scene-frames.csv with the passes of every frame; it takes", SceneOptions.Flags),
+            Examples =
+            [
+                ("--table surface --particles 4096 --grids 32", "a small table: a minute or two on two CPU cores"),
+                ("--table solver --particles 65536 --repeat 9", "the methods' steps, nine samples of each"),
+                ("--table scene --against ../before --phases 0-1", "this build against another one, frame by frame in turns"),
+            ],
+        },
+        Measured("chart", "error against GPU time of every validation case, as CSV and pictures") with
+        {
+            Notes = ["writes DIR/accuracy.csv after every run and at the end accuracy.svg, accuracy.png, pareto.csv, equal-cost.csv and case-NAME.png", Resumed],
+            Examples = [("--quick", "fewer points"), ("--case hydrostatic --method standard", "one case of one method")],
+        },
+        Measured("stability", "where the methods are stable, as CSV and pictures") with
+        {
+            Notes = ["writes DIR/stability.csv and limits.csv after every run and at the end stability-m1.svg, stability-m1.png and so on", Resumed],
+            Examples = [("--quick", "fewer points"), ("--map M1 --method standard", "one map of one method")],
+        },
+        Measured("leaks", "scenes that no liquid may leak from, as CSV") with
+        {
+            Notes = ["writes DIR/leaks.csv after every run"],
+            Examples = [("--scene still-cup funnel", "two scenes")],
+        },
+        Measured("surfaces", "how good surfaces of known liquids are, as CSV") with
+        {
+            Notes = ["writes DIR/surface-quality.csv after every variant of every state"],
+            Examples = [("--quick", "fewer variants"), ("--state sphere --variant default", "one surface of one state")],
+        },
+        new("figures", "pictures of what the thesis's printed forms do") { Own = OfPackage("figures"), Examples = [("--out Build/figures", "all of them")] },
+        new("check", "conformance checks that need no GPU")
+        {
+            Own = CheckOptions.Flags,
+            Examples = [("", "all of them: minutes"), ("--only form", "package form and metas: seconds"), ("--only docs", "what the documents name: half a minute")],
+        },
+        new("model", "what steps would take on GPUs that are not at hand, with every assumption")
+        {
+            Own = ModelCommand.Flags, Examples = [("", "from the tables that are committed")],
+        },
+        new("mutate", "how many small changes of kernels and C# the tests catch")
+        {
+            Own = Mutation.Options.Flags, Examples = [("--only StandardDensity", "after work on that kernel")],
+        },
+        new("docs", "the manual and the API reference as pages for a browser")
+        {
+            Words = "", Notes = ["writes Build/docs/index.html; Doxygen is installed by apt where it is missing"],
+        },
+        new("devices", "the graphics devices of this machine") { Words = "" },
+        new("publish", "the player as one folder that needs no .NET")
+        {
+            Words = "[DIR]",
+            Notes = ["DIR is Build/publish unless named: new, empty, or what publish wrote before; anything else is refused."],
+            Examples = [("../sphplayer", "a folder to copy to other machines")],
+        },
+        new("build", "builds the player, the package, the checks and all tests; the other verbs build what they need by themselves")
+        {
+            Words = "[SOLUTION]", Notes = ["SOLUTION is Headless.slnx unless named; Play.slnx is the part that plays and measures."],
+        },
+        new("help", "the same as --help") { Words = "[VERB]", Notes = ["./run help --update writes the texts anew after a change of flags."] },
+    ];
+
+    private static Verb Measured(string name, string summary) =>
+        new(name, summary) { OfPlayer = [.. ExecOptions.Flags], Own = OfPackage(name) };
+
+    private static Flag[] OfPackage(string verb) =>
+        [.. CommandLineHelp.FlagsOf(verb).Select(f => new Flag(f.Name, f.Value, f.Text, f.Absent) { Choices = f.Choices })];
+}

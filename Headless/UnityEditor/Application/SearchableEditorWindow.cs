@@ -1,0 +1,6 @@
+namespace UnityEditor;
+
+/// <summary>See <see cref="EditorWindow"/>.</summary>
+public class SearchableEditorWindow : EditorWindow
+{
+}

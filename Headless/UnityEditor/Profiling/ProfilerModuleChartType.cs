@@ -1,0 +1,8 @@
+namespace Unity.Profiling.Editor;
+
+public enum ProfilerModuleChartType
+{
+    Line = 0,
+    StackedArea = 1,
+    StackedTimeArea = 2,
+}

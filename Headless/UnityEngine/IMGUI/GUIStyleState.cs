@@ -1,0 +1,11 @@
+using System;
+
+namespace UnityEngine;
+
+[Serializable]
+public sealed class GUIStyleState
+{
+    public GUIStyleState() { }
+
+    public Color textColor { get; set; } = Color.black;
+}

@@ -1,0 +1,99 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace SphFluid.Validation
+{
+    /// <summary>
+    /// How long a benchmark takes. Before anything is measured: by the particle-steps of its rows and the time of one, as a calibration of
+    /// the device has it. A row that was measured counts by what it took, and its like by what was found so far against what was expected.
+    /// </summary>
+    sealed class BenchForecast
+    {
+        // Of a sample beside its frames: the saved state put back, a step or a sort before it, waiting for times.
+        const double SampleOverhead = 0.05;
+        const int WarmUps = 1;
+
+        // Work in particle-steps of the Standard method: of the thesis method's step, of a surface for each particle, and for each cell of a dense grid.
+        const double ThesisWeight = 2.0, SurfaceWeight = 1.5, CellWeight = 0.1, StepOverhead = 1500.0;
+
+        readonly List<Item> items = new List<Item>();
+        readonly double sampleSeconds, secondsPerWork;
+        readonly int samples;
+
+        /// <param name="secondsPerStep">Time of a step of the calibration [s].</param>
+        /// <param name="sampleSeconds">Least time of a sample [s].</param>
+        /// <param name="samples">Samples of each row.</param>
+        public BenchForecast(double secondsPerStep, double sampleSeconds, int samples)
+        {
+            secondsPerWork = secondsPerStep / Work(DeviceCalibration.Particles, 1.0);
+            this.sampleSeconds = sampleSeconds;
+            this.samples = samples;
+        }
+
+        /// <summary>Adds the fall of a liquid, which comes once.</summary>
+        public void AddFall(BenchSolver solver, int particles) =>
+            items.Add(new Item(FallKey(solver, particles), BenchLiquid.SettleSteps * Work(particles, WeightOf(solver)) * secondsPerWork, 1));
+
+        /// <summary>Adds a row: a sample to warm up, and those that count.</summary>
+        public void AddRow(BenchConfig config, int particles) =>
+            items.Add(new Item(RowKey(config, particles), SecondsOfSample(config, particles), WarmUps + samples));
+
+        /// <summary>Takes note of a fall.</summary>
+        public void TakeFall(BenchSolver solver, int particles, double seconds) => Take(FallKey(solver, particles), seconds);
+
+        /// <summary>Takes note of a sample.</summary>
+        public void TakeSample(BenchConfig config, int particles, double seconds) => Take(RowKey(config, particles), seconds);
+
+        /// <summary>Time left.</summary>
+        public TimeSpan Left
+        {
+            get
+            {
+                List<Item> measured = items.Where(i => i.Taken > 0).ToList();
+                double expected = measured.Sum(i => i.Expected * i.Taken), taken = measured.Sum(i => i.Mean * i.Taken);
+                // A second of what was expected counts beside what was measured: the first row may be a small one.
+                double factor = (taken + 1.0) / (expected + 1.0);
+                return TimeSpan.FromSeconds(items.Sum(i => Math.Max(0, i.Count - i.Taken) * (i.Taken > 0 ? i.Mean : i.Expected * factor)));
+            }
+        }
+
+        double SecondsOfSample(BenchConfig config, int particles)
+        {
+            double work = config.Steps * Work(particles, WeightOf(config.Solver));
+            if (config.HasSurface)
+                work += Work(particles, SurfaceWeight) + (config.Kind == BenchSurfaceKind.Sparse ? 0.0 : CellWeight * Math.Pow(config.Grid, 3.0));
+            double prepare = Work(particles, WeightOf(config.Solver)) * secondsPerWork + SampleOverhead;
+            return prepare + Math.Max(sampleSeconds, work * secondsPerWork);
+        }
+
+        static double WeightOf(BenchSolver solver) => solver.Method == FluidMethodKind.Standard ? 1.0 : ThesisWeight;
+
+        static double Work(double particles, double weight) => weight * particles + StepOverhead;
+
+        static string FallKey(BenchSolver solver, int particles) => $"fall {solver.Name} {particles}";
+
+        static string RowKey(BenchConfig config, int particles) => $"{config.Solver.Name} {config.Name} {config.Title} {particles}";
+
+        void Take(string key, double seconds)
+        {
+            Item item = items.Find(i => i.Key == key && i.Taken < i.Count) ?? items.Find(i => i.Key == key);
+            if (item == null)
+                return;
+            // The last ones count more: the first also compiles.
+            item.Mean = item.Taken > 1 ? 0.7 * item.Mean + 0.3 * seconds : seconds;
+            item.Taken++;
+        }
+
+        sealed class Item
+        {
+            public Item(string key, double expected, int count) => (Key, Expected, Count) = (key, expected, count);
+
+            public readonly string Key;
+            public readonly double Expected;
+            public readonly int Count;
+            public double Mean;
+            public int Taken;
+        }
+    }
+}

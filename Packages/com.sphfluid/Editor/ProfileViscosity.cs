@@ -1,0 +1,53 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using UnityEditor;
+using UnityEngine;
+
+namespace SphFluid.Editor
+{
+    /// <summary>The lines on viscosity below a profile, found again now and then: before the start a liquid has to be filled to know its constants.</summary>
+    internal sealed class ProfileViscosity
+    {
+        const double LeastInterval = 0.5;
+        const double LoadShare = 20.0;
+        const int MostLines = 4;
+
+        readonly FluidProfile profile;
+        string text = "";
+        double next;
+
+        public ProfileViscosity(FluidProfile profile) => this.profile = profile;
+
+        /// <summary>Draws the lines.</summary>
+        public void Draw()
+        {
+            double now = EditorApplication.timeSinceStartup;
+            if (Event.current.type == EventType.Layout && now >= next)
+            {
+                next = now + LeastInterval;
+                text = Find(profile);
+                next = now + Math.Max(LeastInterval, LoadShare * (EditorApplication.timeSinceStartup - now));
+            }
+            EditorGUILayout.HelpBox(text, MessageType.None);
+        }
+
+        /// <summary>A line for each simulation of the loaded scenes that uses the profile.</summary>
+        internal static string Find(FluidProfile profile)
+        {
+            FluidSimulation[] users = UnityEngine.Object.FindObjectsByType<FluidSimulation>(FindObjectsInactive.Include, FindObjectsSortMode.None)
+                .Where(s => s.Profile == profile).OrderBy(s => s.name, StringComparer.Ordinal).ToArray();
+            if (users.Length == 0) return ViscosityText.Unused(profile);
+            List<string> lines = users.Take(MostLines).Select(Line).ToList();
+            if (users.Length > MostLines) lines.Add($"and {users.Length - MostLines} more simulations");
+            return string.Join("\n", lines);
+        }
+
+        static string Line(FluidSimulation simulation)
+        {
+            if (simulation.IsRunning) return ViscosityText.Of(simulation, simulation.Solver.Settings);
+            FluidSimulationChecks.Preview(simulation, out FluidSolverSettings? constants);
+            return constants.HasValue ? ViscosityText.Of(simulation, constants.Value) : $"'{simulation.name}' cannot start; its inspector says why.";
+        }
+    }
+}

@@ -1,0 +1,116 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Shows in the corner of the screen what liquids do, in the Editor and in builds: particles, steps, times of the stages, what limits, messages. Drawn by
+    /// OnGUI, so in every render pipeline. To switch it by a key or a button set <see cref="Visible"/>.
+    /// </summary>
+    [AddComponentMenu("SPH Fluid/Fluid Overlay")]
+    [DisallowMultipleComponent]
+    [DefaultExecutionOrder(120)]
+    [ManualPage("diagnostics", "show-figures-on-the-screen")]
+    public sealed class FluidOverlay : MonoBehaviour
+    {
+        const float Margin = 8f;
+
+        // The font's size is in pixels of a screen of this height, and grows on taller ones.
+        const float UsualHeight = 1080f;
+
+        [SerializeField, Tooltip("Simulation to show. Empty: all that are enabled.")]
+        FluidSimulation simulation;
+
+        [SerializeField, Tooltip("Whether it is shown. A script of yours switches it, by a key or a button.")]
+        bool visible = true;
+
+        [SerializeField, Tooltip("Whether the times of the stages are measured and shown. They are of all liquids together.")]
+        bool stageTimes = true;
+
+        [SerializeField, Range(0.5f, 30f), Tooltip("How often the text is written anew, in times a second; figures are means over the time between.")]
+        float refreshRate = 4f;
+
+        [SerializeField, Range(8, 48), Tooltip("Size of the letters in pixels, on a screen of 1080 lines.")]
+        int fontSize = 14;
+
+        [SerializeField, Tooltip("Corner of the screen that it stands in.")]
+        FluidOverlayCorner corner;
+
+        readonly GUIContent content = new GUIContent();
+        OverlayMeter meter;
+        GUIStyle style;
+        Vector2 size;
+        bool measured;
+
+        /// <summary>Simulation that is shown; null: all that are enabled.</summary>
+        public FluidSimulation Simulation { get => simulation; set => simulation = value; }
+
+        /// <summary>Whether it is shown; while it is not, nothing is measured.</summary>
+        public bool Visible { get => visible; set => visible = value; }
+
+        /// <summary>Whether the times of the stages are measured and shown.</summary>
+        public bool ShowsStageTimes { get => stageTimes; set => stageTimes = value; }
+
+        /// <summary>Times a second that the text is written anew, 0.5 to 30.</summary>
+        public float RefreshRate { get => refreshRate; set => refreshRate = Mathf.Clamp(value, 0.5f, 30f); }
+
+        /// <summary>Size of the letters in pixels on a screen of 1080 lines, 8 to 48.</summary>
+        public int FontSize { get => fontSize; set => fontSize = Mathf.Clamp(value, 8, 48); }
+
+        /// <summary>Corner of the screen that it stands in.</summary>
+        public FluidOverlayCorner Corner { get => corner; set => corner = value; }
+
+        /// <summary>The text, for a display of your own: lines parted by '\n'; empty before the first and while not visible.</summary>
+        public string Text => content.text;
+
+        void Awake() => useGUILayout = false;
+
+        void OnDisable() => Forget();
+
+        void LateUpdate()
+        {
+            if (!visible)
+            {
+                Forget();
+                return;
+            }
+            meter ??= new OverlayMeter(StageTimes.Best);
+            if (!meter.Note(simulation, Time.unscaledDeltaTime, 1.0 / refreshRate, stageTimes)) return;
+            content.text = meter.Text;
+            measured = false;
+        }
+
+        void OnGUI()
+        {
+            if (!visible || Event.current.type != EventType.Repaint || content.text.Length == 0) return;
+            Prepare();
+            Rect place = Place(corner, size, new Vector2(Screen.width, Screen.height));
+            GUI.DrawTexture(place, Texture2D.whiteTexture, ScaleMode.StretchToFill, true, 0f, new Color(0f, 0f, 0f, 0.6f), 0f, 0f);
+            GUI.Label(new Rect(place.x + Margin, place.y + Margin, place.width - 2f * Margin, place.height - 2f * Margin), content, style);
+        }
+
+        void Prepare()
+        {
+            int letters = Mathf.RoundToInt(fontSize * Mathf.Max(1f, Screen.height / UsualHeight));
+            if (style == null) style = new GUIStyle { wordWrap = false, richText = false, normal = { textColor = Color.white } };
+            if (measured && style.fontSize == letters) return;
+            style.fontSize = letters;
+            size = style.CalcSize(content) + 2f * Margin * Vector2.one;
+            measured = true;
+        }
+
+        /// <summary>Where a box stands.</summary>
+        internal static Rect Place(FluidOverlayCorner corner, Vector2 size, Vector2 screen)
+        {
+            float x = (int)corner % 2 == 0 ? Margin : screen.x - size.x - Margin, y = (int)corner / 2 == 0 ? Margin : screen.y - size.y - Margin;
+            return new Rect(x, y, size.x, size.y);
+        }
+
+        void Forget()
+        {
+            meter?.Dispose();
+            meter = null;
+            content.text = "";
+        }
+    }
+}

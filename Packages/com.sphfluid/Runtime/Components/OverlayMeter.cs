@@ -1,0 +1,114 @@
+using System;
+using System.Collections.Generic;
+
+namespace SphFluid
+{
+    /// <summary>Follows simulations from frame to frame and writes the overlay's text now and then. Between two texts it allocates nothing.</summary>
+    internal sealed class OverlayMeter : IDisposable
+    {
+        struct Followed
+        {
+            public FluidSimulation Simulation;
+            public FluidSolver Solver;
+            public long Steps, CapHits;
+        }
+
+        readonly List<Followed> followed = new List<Followed>();
+        readonly List<LiquidFigures> figures = new List<LiquidFigures>();
+        readonly OverlayText writer = new OverlayText();
+        readonly StageClock clock;
+        StageTimes times;
+        double elapsed = double.PositiveInfinity;
+        int frames;
+
+        /// <param name="clock">Clock of the stages to begin with.</param>
+        public OverlayMeter(StageClock clock) => this.clock = clock;
+
+        /// <summary>The last text.</summary>
+        public string Text { get; private set; } = "";
+
+        /// <summary>Takes note of a frame.</summary>
+        /// <param name="only">The simulation to follow; null: all that are enabled.</param>
+        /// <param name="deltaTime">Time of the frame [s].</param>
+        /// <param name="interval">Time between two texts [s]; the first comes at once.</param>
+        /// <param name="withTimes">Whether times of the stages are measured.</param>
+        /// <returns>Whether there is a new text.</returns>
+        public bool Note(FluidSimulation only, double deltaTime, double interval, bool withTimes)
+        {
+            if (withTimes) times ??= new StageTimes(FluidStage.All, clock);
+            else DropTimes();
+            frames++;
+            bool first = double.IsPositiveInfinity(elapsed);
+            elapsed = first ? deltaTime : elapsed + deltaTime;
+            if (!first && elapsed < interval) return false;
+            Write(only);
+            return true;
+        }
+
+        /// <inheritdoc/>
+        public void Dispose() => DropTimes();
+
+        void Write(FluidSimulation only)
+        {
+            figures.Clear();
+            bool worked = false;
+            if (only != null) worked = Add(only);
+            else
+                for (int i = 0; i < FluidSimulation.Active.Count; i++) worked |= Add(FluidSimulation.Active[i]);
+            for (int i = followed.Count - 1; i >= 0; i--)
+                if (followed[i].Simulation == null) followed.RemoveAt(i);
+            times?.Read(worked);
+            Text = writer.Write(figures, times, FluidStage.All, elapsed / frames);
+            elapsed = 0.0;
+            frames = 0;
+        }
+
+        bool Add(FluidSimulation simulation)
+        {
+            int at = IndexOf(simulation);
+            Followed before = followed[at];
+            FluidSolver solver = simulation.Solver;
+            if (before.Solver != solver) before = new Followed { Simulation = simulation, Solver = solver };
+            long steps = simulation.StepCount - before.Steps, capped = simulation.CapHits - before.CapHits;
+            figures.Add(Figures(simulation, solver, steps, capped));
+            followed[at] = new Followed { Simulation = simulation, Solver = solver, Steps = simulation.StepCount, CapHits = simulation.CapHits };
+            return steps > 0;
+        }
+
+        int IndexOf(FluidSimulation simulation)
+        {
+            for (int i = 0; i < followed.Count; i++)
+                if (followed[i].Simulation == simulation) return i;
+            followed.Add(new Followed { Simulation = simulation, Solver = simulation.Solver, Steps = simulation.StepCount, CapHits = simulation.CapHits });
+            return followed.Count - 1;
+        }
+
+        LiquidFigures Figures(FluidSimulation simulation, FluidSolver solver, long steps, long capped)
+        {
+            var result = new LiquidFigures { Name = simulation.name, Runs = solver != null, State = State(simulation), Message = simulation.StatusMessage };
+            if (solver == null) return result;
+            FluidCounters counters = solver.Counters;
+            result.Particles = solver.LiveCount;
+            result.Slots = solver.Capacity;
+            result.Removed = counters.Removed;
+            result.Refused = counters.Refused;
+            result.StepsPerFrame = steps / (double)frames;
+            result.CapHits = capped;
+            result.MostSteps = simulation.MaxSubstepsPerFrame;
+            result.TimeStep = simulation.TimeStep;
+            result.RealTimeFactor = simulation.RealTimeFactor;
+            result.Limit = FluidRules.Advise(solver.Settings, counters.MaxSpeed < float.PositiveInfinity ? counters.MaxSpeed : float.MaxValue).Limit;
+            result.Bytes = simulation.GpuBytes;
+            return result;
+        }
+
+        static string State(FluidSimulation simulation) =>
+            !simulation.IsRunning ? "stopped" : simulation.Paused ? "paused" : simulation.IsAsleep ? "asleep" : "running";
+
+        void DropTimes()
+        {
+            times?.Dispose();
+            times = null;
+        }
+    }
+}

@@ -1,0 +1,35 @@
+using System.Collections.Generic;
+
+namespace SphFluid
+{
+    /// <summary>A part of the work on the GPU that times are shown of: passes under one name.</summary>
+    internal sealed class FluidStage
+    {
+        /// <summary>All stages; each pass of the package is in one of them.</summary>
+        public static readonly IReadOnlyList<FluidStage> All = new[]
+        {
+            new FluidStage("neighbours", "ScanCells", "ScatterParticles",
+                "CalculateParticleCellValue", "BitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles"),
+            new FluidStage("density", "StandardDensity", "CalculateDensity"),
+            new FluidStage("forces", "MoveParticles", "CalculateForce", "CalculateAcceleration", "CalculateNewPosition"),
+            new FluidStage("colliders", "GatherWalls", "FindContacts", "ResolveContacts", "MoveBodies"),
+            new FluidStage("in and out", "LoadParticles", "BirthParticles", "DrainParticles", "GrowParticles", "PublishParticles", "DampVelocities"),
+            new FluidStage("measuring", "MeasureSpeeds", "MeasureStatistics", "AnswerPoints", "AnswerRays", "AnswerBoxes", "AnswerNearest", "AnswerPatches"),
+            new FluidStage("surface", "ClearSurfaceBlocks", "PrepareSurfaceParticles", "ListSpray", "ListSurfaceBlocks", "SampleBlocks", "CountBlocks",
+                "SurfaceDrawArguments", "EmitBlocks", "WriteSurfaceMesh",
+                "ResetMCGrid", "SetMCGridDensityFactors", "CountSurfaceVertices", "EmitSurfaceVertices"),
+        };
+
+        FluidStage(string name, params string[] passes)
+        {
+            Name = name;
+            Passes = passes;
+        }
+
+        /// <summary>What it is called.</summary>
+        public string Name { get; }
+
+        /// <summary>Names of the passes, which are those of their markers in the Profiler.</summary>
+        public IReadOnlyList<string> Passes { get; }
+    }
+}

@@ -1,0 +1,60 @@
+using System;
+
+namespace SphFluid
+{
+    /// <summary>What a simulation would start with, known before it does.</summary>
+    internal sealed class FluidPreview
+    {
+        /// <summary>Of a simulation that may start.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="start">How it would start.</param>
+        /// <param name="collision">Its colliders, gathered.</param>
+        public FluidPreview(in FluidSpec spec, FluidStart start, CollisionScene collision)
+        {
+            Constants = start.Constants;
+            Particles = start.Count;
+            try
+            {
+                GpuBytes = BytesOf(spec, start, collision);
+            }
+            catch (FluidDeviceException exception)
+            {
+                Lack = exception.Message;
+            }
+        }
+
+        /// <summary>The solver's constants.</summary>
+        public FluidSolverSettings Constants { get; }
+
+        /// <summary>Number of particles.</summary>
+        public long Particles { get; }
+
+        /// <summary>GPU memory after the start [bytes], colliders included, as the running liquid reports it; 0 where <see cref="Lack"/> says why.</summary>
+        public long GpuBytes { get; }
+
+        /// <summary>Why the device cannot hold the liquid; null where it can.</summary>
+        public string Lack { get; }
+
+        static long BytesOf(in FluidSpec spec, FluidStart start, CollisionScene collision)
+        {
+            FluidMethod method = FluidMethods.Of(spec.Method);
+            FluidSolverSettings settings = method.Prepare(start.Constants);
+            (long colliders, int bodies) = method.Has(FluidMethodFeatures.BodyContact) ? PlanBodies(settings, collision) : (collision.PlannedBytes, 0);
+            int slots = FluidSolver.SlotsFor(method, (int)Math.Min(start.Count, int.MaxValue), spec.FixedSlots);
+            return method.PlannedBytes(settings, slots, bodies > 0) + colliders + FluidPace.PlannedBytes(spec);
+        }
+
+        static (long bytes, int bodies) PlanBodies(in FluidSolverSettings settings, CollisionScene collision)
+        {
+            var bodies = new CollisionBodies(settings);
+            try
+            {
+                return bodies.Plan(collision.Solids);
+            }
+            finally
+            {
+                bodies.Dispose();
+            }
+        }
+    }
+}

@@ -1,0 +1,76 @@
+// Water seen by a camera in it: the far face of the layer that holds the camera stands for the whole picture, as each line of sight meets it, before
+// the scene or behind. Through the surface one sees Snell's window, round it the surface mirrors the water.
+#ifndef SPHFLUID_WATER_FROM_WITHIN_INCLUDED
+#define SPHFLUID_WATER_FROM_WITHIN_INCLUDED
+
+#include "WaterShading.hlsl"
+
+#define WATER_TO_AIR 1.33333333 // ratio of the refractive indices
+#define SCREEN_MARGIN 0.1       // share of the picture over which what lies beside it comes from the reflection map
+
+float3 WaterBody(float metres)
+{
+    return _FluidScattering.rgb * (1.0 - exp(-_FluidExtinction.rgb * metres)) * WaterInnerLight();
+}
+
+// What a line in the water shows at its end, dimmed on its way there.
+float3 SeenAlong(WaterRay ray, float longest)
+{
+    MarchEnd end = March(ray, longest, 0.0, (uint)max(_FluidRefractionSteps.x, 4.0));
+    return SceneColour(saturate(RayScreen(ray, end.metres))) * exp(-_FluidExtinction.rgb * end.metres) + FluidExposed(WaterBody(end.metres));
+}
+
+// What a line in the air shows: the scene, and where it leaves the picture, the sky.
+float3 SeenOutside(WaterRay ray)
+{
+    float3 sky = FluidExposed(WaterMirror(ray.direction));
+    float scale = 0.5 * ray.front / max(abs(ray.depthStep), 0.05);
+    MarchEnd end = March(ray, scale, 1.0, (uint)max(_FluidRefractionSteps.y, 3.0));
+    float2 screen = RayScreen(ray, end.metres);
+    float2 inside = min(screen, 1.0 - screen) / SCREEN_MARGIN;
+    float share = saturate(min(inside.x, inside.y)) * (ray.depthStep > 0.0 ? 1.0 : 0.0);
+    return lerp(sky, SceneColour(saturate(screen)), share);
+}
+
+float4 ShadeFromWithin(SurfaceFragment input) : SV_Target
+{
+    float2 screen = WaterScreen(input.world);
+    float face = WaterEyeDepth(input.world);
+    float doubt = 4e-3 * max(face, 1.0);
+    bool isWithin = UnpairedFaces(screen) > 0.5 && face < FirstLayerEnd(screen) + doubt;
+    clip(isWithin ? 1.0 : -1.0);
+
+    float3 sight = -WaterView(input.world);
+    float3 normal = SurfaceNormal(input);
+    float alongAxis = max(dot(-sight, normalize(unity_MatrixV[2].xyz)), 1e-3);
+    float scene = SceneEyeDepth(screen);
+    bool isAtWall = LeaveDomain(input.world - sight * _MCCellSize.x, sight).metres < 3.0 * _MCCellSize.x;
+    float path = min(scene, face) / alongAxis;
+    float3 dimmed = exp(-_FluidExtinction.rgb * path);
+    float3 body = FluidExposed(WaterBody(path));
+    if (_FluidScene.x == WATER_SCENE_NONE)
+        return float4(body, 1.0 - dot(dimmed, 1.0 / 3.0));
+
+    float3 light = 0.0;
+    if (scene < face + (isAtWall ? WALL_CONTACT : doubt))
+    {
+        light = SceneColour(screen);
+    }
+    else
+    {
+        float3 bent = refract(sight, -normal, WATER_TO_AIR);
+        if (dot(bent, bent) < 0.5)
+        {
+            WaterRay mirrored = StartRay(input.world, reflect(sight, normal));
+            light = SeenAlong(mirrored, LeaveDomain(mirrored.start, mirrored.direction).metres);
+        }
+        else
+        {
+            float reflected = FluidFresnel(normal, bent);
+            light = SeenOutside(StartRay(input.world, bent)) * (1.0 - reflected) + FluidExposed(WaterBody(NOTHING_BEHIND)) * reflected;
+        }
+    }
+    return float4(light * dimmed + body, 1.0);
+}
+
+#endif

@@ -1,0 +1,124 @@
+// What is seen through the water: light is bent at the surface, runs through the nearest layer, and goes on as it came, or is mirrored by a wall.
+#ifndef SPHFLUID_WATER_REFRACTION_INCLUDED
+#define SPHFLUID_WATER_REFRACTION_INCLUDED
+
+#include "WaterRay.hlsl"
+
+float _Refraction;           // 1: as much as in nature
+float4 _FluidRefractionSteps; // x: steps through the water, 0: none; y: steps behind it; z: 1 if walls mirror
+
+#define AIR_TO_WATER 0.75 // ratio of the refractive indices, 1 / 1.33
+#define WALL_CONTACT 0.03 // metres; a scene so near behind a wall is the wall, which mirrors nothing
+
+struct SeenThrough
+{
+    float2 screen; // where the scene's colour is
+    float path;    // way through water, metres
+};
+
+// Where a line leaves the domain: distance, and the wall's outward normal in world space.
+struct DomainExit
+{
+    float metres;
+    float3 normal;
+};
+
+DomainExit LeaveDomain(float3 world, float3 direction)
+{
+    float3 position = FluidLocalPosition(world);
+    float3 ahead = FluidLocalDirection(direction);
+    float3 reciprocal = 1.0 / (abs(ahead) > 1e-6 ? ahead : (float3)1e-6);
+    float3 lower = (_MCMinimum - position) * reciprocal;
+    float3 upper = (_MCMinimum + _MCCells * _MCCellSize - position) * reciprocal;
+    float3 exits = max(max(lower, upper), 0.0);
+    DomainExit exit;
+    exit.metres = min(exits.x, min(exits.y, exits.z));
+    float3 isWall = float3(exits.x <= exit.metres ? 1.0 : 0.0, 0.0, 0.0);
+    if (exits.x > exit.metres)
+        isWall = exits.y <= exit.metres ? float3(0.0, 1.0, 0.0) : float3(0.0, 0.0, 1.0);
+    exit.normal = FluidWorldDirection(isWall * sign(ahead));
+    return exit;
+}
+
+// How far a line runs in the nearest layer. Its thickness is known along lines of sight: the line ends where that at its own end says so, found
+// by trying twice.
+float LayerLength(WaterRay ray, float straight)
+{
+    float metres = straight;
+    [unroll]
+    for (uint i = 0; i < 2; i++)
+    {
+        float2 screen = RayScreen(ray, metres);
+        float layer = all(screen == saturate(screen)) ? FirstLayer(screen, ray.front) : NOTHING_BEHIND;
+        metres = layer > 0.0 && layer < NOTHING_BEHIND ? layer / ray.depthStep : metres;
+    }
+    return metres;
+}
+
+// Light leaves the layer and goes on as it came: parallel faces, those of a tank's panes for example, turn it back into its old direction.
+float2 SeenBehindLayer(WaterRay ray, float metres, float3 view, float2 screen)
+{
+    WaterRay onward = StartRay(RayPoint(ray, metres), -view);
+    float2 place = onward.front > _ProjectionParams.y ? RayScreen(onward, 0.0) : screen;
+    if (_FluidRefractionSteps.y > 0.5)
+    {
+        MarchEnd end = March(onward, 0.5 * onward.front / max(onward.depthStep, 1e-3), 1.0, (uint)_FluidRefractionSteps.y);
+        place = end.isWhole ? screen : RayScreen(onward, end.metres);
+    }
+    return place;
+}
+
+// A pane at the side of a tank mirrors what meets it at less than the critical angle: sin of the angle to the normal above 0.75.
+bool IsMirroredByWall(WaterRay ray, float longest, DomainExit exit)
+{
+    float across = dot(ray.direction, exit.normal);
+    bool reaches = exit.metres - longest < 2.0 * _MCCellSize.x;
+    return reaches && _FluidRefractionSteps.z > 0.5 && 1.0 - across * across > AIR_TO_WATER * AIR_TO_WATER &&
+        GapBehind(ray, longest) > WALL_CONTACT;
+}
+
+// What is seen along a line of sight that meets the water at "world".
+// layer: thickness of the nearest layer; water: of all of it before the scene; both metres along the camera's axis.
+SeenThrough SeeThrough(float3 world, float3 view, float3 normal, float alongAxis, float layer, float water)
+{
+    SeenThrough seen;
+    float2 screen = WaterScreen(world);
+    float3 bent = normalize(lerp(-view, refract(-view, normal, AIR_TO_WATER), _Refraction));
+    WaterRay ray = StartRay(world, bent);
+    float longest = _FluidRefractionSteps.x > 0.5 ? LayerLength(ray, layer / alongAxis) : layer / alongAxis;
+    DomainExit exit = LeaveDomain(world, bent);
+    longest = min(longest, exit.metres);
+    float others = max(water - layer, 0.0) / alongAxis;
+
+    MarchEnd end;
+    if (_FluidRefractionSteps.x > 0.5)
+    {
+        end = March(ray, longest, 0.0, (uint)_FluidRefractionSteps.x);
+    }
+    else
+    {
+        end.isMet = false;
+        end.isWhole = GapBehind(ray, longest) >= 0.0;
+        end.metres = end.isWhole ? longest : 0.0;
+    }
+    seen.screen = RayScreen(ray, end.metres);
+    seen.path = end.isMet ? end.metres : end.isWhole ? longest + others : water / alongAxis;
+    if (end.isWhole)
+    {
+        if (IsMirroredByWall(ray, longest, exit))
+        {
+            WaterRay mirrored = StartRay(RayPoint(ray, longest), reflect(bent, exit.normal));
+            float reach = LeaveDomain(mirrored.start, mirrored.direction).metres;
+            MarchEnd second = March(mirrored, reach, 0.0, (uint)_FluidRefractionSteps.x);
+            seen.screen = RayScreen(mirrored, second.metres);
+            seen.path = longest + second.metres;
+        }
+        else if (GapBehind(ray, longest) > 2e-3 * ray.front)
+        {
+            seen.screen = SeenBehindLayer(ray, longest, view, screen);
+        }
+    }
+    return seen;
+}
+
+#endif

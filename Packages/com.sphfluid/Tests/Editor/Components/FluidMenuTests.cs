@@ -1,0 +1,191 @@
+using System.Linq;
+using NUnit.Framework;
+using SphFluid.Editor;
+using UnityEditor;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+using UnityEngine.SceneManagement;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Menu entries: what they make works, stands on what lies below, and goes in one step of undo.</summary>
+    public sealed class FluidMenuTests
+    {
+        static readonly MenuCommand Nowhere = new MenuCommand(null);
+
+        static readonly System.Action<MenuCommand>[] Entries =
+        {
+            FluidMenu.CreateTank, FluidMenu.CreateWithSurface, FluidMenu.CreateWithParticles, FluidMenu.CreateEmitter, FluidMenu.CreateVolume,
+            FluidMenu.CreateSphere, FluidMenu.CreateVessel, FluidMenu.CreateDrain, FluidMenu.CreateForceZone, FluidMenu.CreateSensor,
+        };
+
+        [SetUp]
+        public void SetUp() => EditorSceneManager.NewScene(NewSceneSetup.EmptyScene);
+
+        [TearDown]
+        public void TearDown() => EditorSceneManager.NewScene(NewSceneSetup.EmptyScene);
+
+        [Test]
+        public void EachEntryIsUndoneInOneStep([ValueSource(nameof(Entries))] System.Action<MenuCommand> entry)
+        {
+            var kept = new GameObject("Kept");
+            Undo.IncrementCurrentGroup();
+            entry(Nowhere);
+            Assert.That(Roots(), Has.Length.EqualTo(2));
+            Undo.PerformUndo();
+            Assert.That(Roots(), Is.EqualTo(new[] { kept }));
+        }
+
+        [Test]
+        public void TheTankIsTheFirstEntryAndNoneRepeatsTheWordFluid()
+        {
+            var entries = typeof(FluidMenu).GetMethods().SelectMany(m => m.GetCustomAttributes(typeof(MenuItem), false)).Cast<MenuItem>()
+                .OrderBy(e => e.priority).Select(e => e.menuItem).ToArray();
+            Assert.That(entries.First(), Is.EqualTo("GameObject/Fluid/Tank"));
+            Assert.That(entries, Is.SupersetOf(new[] { "GameObject/Fluid/Surface", "GameObject/Fluid/Particles", "GameObject/Fluid/Emitter" }));
+            Assert.That(entries.Select(e => e.Substring("GameObject/Fluid/".Length)), Has.None.Contains("Fluid"));
+        }
+
+        [Test]
+        public void TheTankHasGlassAFrameWaterAndASurface()
+        {
+            FluidMenu.CreateTank(Nowhere);
+            FluidSimulation simulation = Only<FluidSimulation>();
+            Assert.That(simulation.Profile.name, Is.EqualTo("WaterProfile"));
+            Assert.That(simulation.GetComponent<FluidSurfaceRenderer>().Look, Is.EqualTo(FluidSurfaceLook.Water));
+            Assert.That(Only<FluidVolume>().transform.parent, Is.EqualTo(simulation.transform));
+            var glass = Only<FluidTank>();
+            Assert.That(glass.Simulation, Is.EqualTo(simulation));
+            Assert.That(glass.GetComponent<MeshRenderer>().sharedMaterials.Select(m => m.shader.name), Is.EqualTo(new[] { "SPH Fluid/Glass", "SPH Fluid/Scenery" }));
+            Bounds bounds = glass.GetComponent<MeshFilter>().sharedMesh.bounds;
+            Assert.That(Vector3.Distance(bounds.size, simulation.DomainSize + 2f * glass.Edge * Vector3.one), Is.LessThan(1e-5f));
+            Assert.That(simulation.Validate().Concat(ViewRules.Check(simulation) is FluidMessage unseen ? new[] { unseen } : new FluidMessage[0])
+                .Select(m => m.ToString()), Is.Empty);
+        }
+
+        [Test]
+        public void OnAFloorTheWholeTankStandsOnItAndTheLiquidKnowsNothingOfIt()
+        {
+            Plane(new Vector3(0f, 0f, 0f));
+            FluidMenu.CreateTank(Nowhere);
+            FluidSimulation simulation = Only<FluidSimulation>();
+            float edge = Only<FluidTank>().Edge;
+            Assert.That(Bottom(simulation), Is.EqualTo(edge).Within(1e-5));
+            Assert.That(Only<MeshRenderer>("Glass").bounds.min.y, Is.EqualTo(0f).Within(1e-5));
+            Assert.That(simulation.Validate().Select(m => m.ToString()), Is.Empty);
+            using (var collision = new CollisionScene())
+            {
+                collision.Gather(simulation.Spec.Query());
+                Assert.That(collision.Solids, Is.Empty);
+            }
+        }
+
+        [Test]
+        public void WithoutAFloorItStandsOnTheGround([Values(0, 1)] int entry)
+        {
+            Entries[entry](Nowhere);
+            Assert.That(Bottom(Only<FluidSimulation>()), Is.EqualTo(entry == 0 ? Only<FluidTank>().Edge : 0f).Within(1e-5));
+        }
+
+        [Test]
+        public void ItStandsOnTheHighestSurfaceInItsOutline()
+        {
+            Plane(new Vector3(0f, -2f, 0f));
+            GameObject step = GameObject.CreatePrimitive(PrimitiveType.Cube); // its top is at -0.5; only a corner is over it
+            step.transform.position = new Vector3(0.9f, -1f, 0.9f);
+            FluidMenu.CreateWithSurface(Nowhere);
+            Assert.That(Bottom(Only<FluidSimulation>()), Is.EqualTo(-0.5f).Within(1e-4));
+        }
+
+        [Test]
+        public void ACeilingAboveIsNoFloor()
+        {
+            Plane(Vector3.zero);
+            GameObject ceiling = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            ceiling.transform.position = new Vector3(0f, 2.5f, 0f);
+            FluidMenu.CreateWithParticles(Nowhere);
+            Assert.That(Bottom(Only<FluidSimulation>()), Is.EqualTo(0f).Within(1e-5));
+        }
+
+        [Test]
+        public void InsideASolidItStandsOnTop()
+        {
+            GameObject block = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            block.transform.localScale = 5f * Vector3.one;
+            FluidMenu.CreateWithSurface(Nowhere);
+            Assert.That(Bottom(Only<FluidSimulation>()), Is.EqualTo(2.5f).Within(1e-3));
+        }
+
+        [Test]
+        public void BelowAParentItStandsUnderIt()
+        {
+            Plane(new Vector3(3f, 1f, 4f));
+            var parent = new GameObject("Room");
+            parent.transform.position = new Vector3(3f, 1.2f, 4f);
+            parent.transform.localScale = 2f * Vector3.one;
+            FluidMenu.CreateTank(new MenuCommand(parent));
+            FluidSimulation simulation = Only<FluidSimulation>();
+            Assert.That(simulation.transform.parent, Is.EqualTo(parent.transform));
+            Assert.That(simulation.transform.lossyScale, Is.EqualTo(Vector3.one));
+            Assert.That(simulation.transform.position.x, Is.EqualTo(3f).Within(1e-5));
+            Assert.That(Bottom(simulation), Is.EqualTo(1f + Only<FluidTank>().Edge).Within(1e-5));
+            Assert.That(simulation.Validate().Select(m => m.ToString()), Is.Empty);
+        }
+
+        [Test]
+        public void AnEmitterOutsideASimulationHasATankOfItsOwn()
+        {
+            Plane(Vector3.zero);
+            FluidMenu.CreateEmitter(Nowhere);
+            FluidSimulation simulation = Only<FluidSimulation>();
+            CheckEmitter(simulation);
+            Assert.That(Bottom(simulation), Is.GreaterThanOrEqualTo(0f));
+            Assert.That(Object.FindObjectsByType<FluidVolume>(FindObjectsSortMode.None), Is.Empty);
+        }
+
+        [Test]
+        public void AnEmitterInASimulationIsAtItsTop()
+        {
+            FluidMenu.CreateWithSurface(Nowhere);
+            FluidSimulation simulation = Only<FluidSimulation>();
+            simulation.transform.SetPositionAndRotation(new Vector3(1f, 2f, 3f), Quaternion.Euler(0f, 30f, 20f));
+            FluidMenu.CreateEmitter(new MenuCommand(simulation.GetComponentInChildren<FluidVolume>().gameObject));
+            CheckEmitter(simulation);
+        }
+
+        [Test]
+        public void VolumesStandOnTheFloorOrBelongToTheSimulation()
+        {
+            Plane(Vector3.zero);
+            FluidMenu.CreateSphere(Nowhere);
+            var sphere = Only<FluidVolume>();
+            Assert.That(sphere.Shape, Is.EqualTo(FluidVolumeShape.Sphere));
+            Assert.That(sphere.transform.position.y, Is.EqualTo(0.5f * sphere.Size.y).Within(1e-5));
+            Object.DestroyImmediate(sphere.gameObject);
+            FluidMenu.CreateEmitter(Nowhere);
+            FluidSimulation simulation = Only<FluidSimulation>();
+            FluidMenu.CreateVolume(new MenuCommand(simulation.gameObject));
+            Assert.That(Only<FluidVolume>().transform.parent, Is.EqualTo(simulation.transform));
+        }
+
+        static void CheckEmitter(FluidSimulation simulation)
+        {
+            FluidEmitter emitter = Only<FluidEmitter>();
+            Assert.That(emitter.transform.IsChildOf(simulation.transform));
+            Matrix4x4 toDomain = simulation.LocalToWorld.inverse;
+            Vector3 place = toDomain.MultiplyPoint3x4(emitter.transform.position);
+            Assert.That(place.y, Is.InRange(0.5f * simulation.DomainSize.y - 3f * simulation.Spacing, 0.5f * simulation.DomainSize.y - simulation.Spacing));
+            Assert.That(Vector3.Distance(toDomain.MultiplyVector(emitter.transform.forward), Vector3.down), Is.LessThan(1e-5f));
+            Assert.That(simulation.Validate().Select(m => m.ToString()), Is.Empty);
+        }
+
+        static GameObject[] Roots() => SceneManager.GetActiveScene().GetRootGameObjects();
+
+        static T Only<T>(string name = null) where T : Component =>
+            Object.FindObjectsByType<T>(FindObjectsSortMode.None).Single(c => name == null || c.name == name);
+
+        static float Bottom(FluidSimulation simulation) => simulation.transform.position.y - 0.5f * simulation.DomainSize.y;
+
+        static void Plane(Vector3 position) => GameObject.CreatePrimitive(PrimitiveType.Plane).transform.position = position;
+    }
+}

@@ -1,0 +1,145 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+using Object = UnityEngine.Object;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Water of known shape, drawn by a parallel camera before a scene of known colours and depths.</summary>
+    sealed class WaterRig : IDisposable
+    {
+        public const int Size = 64;
+        public const float HalfWidth = 0.5f;
+        public const float Near = 0.1f;
+        public const float Far = 10f;
+
+        /// <summary>Of the camera from the origin, in metres.</summary>
+        public const float Distance = 2f;
+
+        public const int ForwardPass = 0;
+        public const int ShadowPass = 1;
+
+        static readonly Matrix4x4 Parallel = Matrix4x4.Ortho(-HalfWidth, HalfWidth, -HalfWidth, HalfWidth, Near, Far);
+
+        readonly WaterDrawing water = new WaterDrawing(SurfaceTestScene.LoadShaders());
+        Vector3 eye = new Vector3(0f, 0f, -Distance);
+        UploadedSurface surface;
+        Texture2D depth;
+
+        public WaterRig()
+        {
+            Scene = NewTexture((x, y) => new Color(0.7f, 0.5f, 0.3f));
+            depth = NewTexture((x, y) => Color.clear);
+        }
+
+        public FluidWaterLook Look { get; } = new FluidWaterLook { ColorAtOneMetre = new Color(0.3f, 0.6f, 0.8f), Visibility = 8f, Refraction = 1f };
+
+        /// <summary>The picture behind the water.</summary>
+        public Texture2D Scene { get; private set; }
+
+        /// <summary>The domain: walls and the cells of its grid, 64 an edge.</summary>
+        public Bounds Domain { get; set; } = new Bounds(Vector3.zero, Vector3.one * 4f);
+
+        /// <summary>Where the camera is; it looks at the origin.</summary>
+        public Vector3 Eye { get => eye; set => eye = value; }
+
+        public UploadedSurface Surface
+        {
+            set
+            {
+                surface?.Dispose();
+                surface = value;
+            }
+        }
+
+        /// <summary>A box of water 4 m wide and high.</summary>
+        public void Box(float thickness) => Surface = new UploadedSurface().Box(Vector3.zero, new Vector3(4f, 4f, thickness));
+
+        /// <summary>0.4 m of water whose front has another normal than its shape.</summary>
+        public void Slope(Vector3 normal)
+        {
+            Surface = new UploadedSurface()
+                .Quad(new Vector3(0f, 0f, -0.2f), Vector3.up * 2f, Vector3.right * 2f, normal)
+                .Quad(new Vector3(0f, 0f, 0.2f), Vector3.right * 2f, Vector3.up * 2f, Vector3.forward);
+        }
+
+        /// <summary>Clear water, and a picture that tells where on it one looks: red grows from left to right, green upwards.</summary>
+        public void ShowPlaces()
+        {
+            ReplaceScene((x, y) => new Color((x + 0.5f) / Size, (y + 0.5f) / Size, 0f));
+            Look.ColorAtOneMetre = Color.white;
+            Look.Visibility = 1e6f;
+        }
+
+        public void ReplaceScene(Func<int, int, Color> colour)
+        {
+            Object.DestroyImmediate(Scene);
+            Scene = NewTexture(colour);
+        }
+
+        /// <summary>Metres from the camera as an orthographic depth texture holds them.</summary>
+        public void SetDepth(Func<int, int, float> metres)
+        {
+            Object.DestroyImmediate(depth);
+            depth = NewTexture((x, y) =>
+            {
+                float between = (metres(x, y) - Near) / (Far - Near);
+                return new Color(SystemInfo.usesReversedZBuffer ? 1f - between : between, 0f, 0f);
+            });
+        }
+
+        /// <summary>Draws the water.</summary>
+        /// <param name="change">Changes the properties before the draw.</param>
+        /// <param name="pass">Of the water's shader.</param>
+        /// <param name="background">What the picture is cleared to.</param>
+        /// <param name="fromWithin">Whether the camera is in the water.</param>
+        public Color[] Render(Action<MaterialPropertyBlock> change = null, int pass = ForwardPass, Color background = default, bool fromWithin = false)
+        {
+            Matrix4x4 view = SurfaceTestScene.LookAtOrigin(eye);
+            var placement = new DrawPlacement(Matrix4x4.identity, Domain.size, 0f, 0, false);
+            SurfaceBuffers buffers = surface.Buffers;
+            water.Fill(buffers, new SurfaceGrid(Domain.min, Domain.size, 64), SurfaceWalls.Closed, placement);
+            water.SetLook(buffers, Look, Vector2Int.one * Size, placement);
+            water.SetSurface(Look);
+            MaterialPropertyBlock block = water.Block;
+            block.SetVector("_FluidLightDirection", Vector3.up);
+            block.SetVector("_FluidLightColour", Vector4.zero);
+            block.SetVectorArray("_FluidAmbient", new Vector4[7]);
+            block.SetVector("_FluidReflection", Vector4.zero);
+            block.SetVector("_FluidScene", new SceneTextures(SceneColourSource.Copy, true).ToVector());
+            block.SetVector("_FluidThicknessView", new Vector4(Size, Size, 0f, 0f));
+            block.SetTexture("_FluidSceneColour", Scene);
+            block.SetTexture("_CameraDepthTexture", depth);
+            block.SetVector("unity_OrthoParams", new Vector4(HalfWidth, HalfWidth, 0f, 1f));
+            change?.Invoke(block);
+            Material material = fromWithin ? water.Within : water.Material;
+            GpuTest.Run(cmd => water.Thickness.Record(cmd, view, Parallel, Vector2Int.one * Size));
+            return SurfaceTestScene.Render(Size, view, Parallel, cmd =>
+            {
+                cmd.ClearRenderTarget(false, true, background);
+                cmd.SetGlobalVector("_WorldSpaceCameraPos", eye);
+                cmd.SetGlobalVector("_ProjectionParams", new Vector4(-1f, Near, Far, 1f / Far));
+                cmd.DrawProceduralIndirect(buffers.Indices, Matrix4x4.identity, material, pass, MeshTopology.Triangles, buffers.Arguments, 0, block);
+            });
+        }
+
+        public static Color Centre(Color[] picture) => picture[Size / 2 * Size + Size / 2];
+
+        public void Dispose()
+        {
+            water.Dispose();
+            surface?.Dispose();
+            Object.DestroyImmediate(Scene);
+            Object.DestroyImmediate(depth);
+        }
+
+        static Texture2D NewTexture(Func<int, int, Color> colour)
+        {
+            var made = new Texture2D(Size, Size, TextureFormat.RGBAFloat, false, true) { wrapMode = TextureWrapMode.Clamp };
+            for (int i = 0; i < Size * Size; i++)
+                made.SetPixel(i % Size, i / Size, colour(i % Size, i / Size));
+            made.Apply();
+            return made;
+        }
+    }
+}
