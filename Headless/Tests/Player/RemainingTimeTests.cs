@@ -23,6 +23,10 @@ public sealed class RemainingTimeTests
     }
 
     [Test]
+    public void FramesThatTakeLongAreSpokenOfAtOnce() =>
+        Assert.That(After(11, 5, 15).Left(15)!.Value.TotalSeconds, Is.EqualTo(90).Within(1e-9));
+
+    [Test]
     public void Frame0IsNoMeasureOfTheOthers()
     {
         // Frame 0 compiles for twenty seconds; the others take one each.
