@@ -24,5 +24,7 @@ internal sealed record Verb(string Name, string Summary)
 
     public IEnumerable<Flag> Flags => OfPlayer.Concat(Own).Where(f => !f.Hidden);
 
+    public override string ToString() => Name;
+
     public IEnumerable<Flag> AllFlags => Flags.Concat(Other?.Flags ?? []).DistinctBy(f => f.Name);
 }

@@ -33,7 +33,7 @@ internal static class Verbs
                 "writes DIR/thesis.csv, solver.csv, surface.csv and, with the sweep, sweep.csv after every round",
                 "Without --particles and --grids: thesis 16384, 32768 and 65536 particles, 32 to 256 cells; solver 16384 to 262144, on a real GPU to 4194304; surface 16384 to 262144, on a real GPU to 1048576, 32 to 512 cells.",
             ],
-            Other = ("--table scene plays a scene and writes DIR/scene.csv, and scene-frames.csv with the passes of every frame; it takes", SceneOptions.Flags),
+            Other = ("With --table scene it plays a scene, writes DIR/scene.csv, and scene-frames.csv with the passes of every frame, and takes", SceneOptions.Flags),
             Examples =
             [
                 ("--table surface --particles 4096 --grids 32", "a small table: a minute or two on two CPU cores"),

@@ -130,7 +130,7 @@ internal sealed class PlayCommand : IDisposable
         for (int frame = 0; frame < options.Frames && !interruption.Requested && !EngineState.QuitRequested; frame++)
         {
             frameClock.Restart();
-            progress.Begin(frame);
+            progress.Begin(frame, clock.Elapsed.TotalSeconds);
             PlayerLoop.RunFrame();
             double cpu = frameClock.Elapsed.TotalMilliseconds;
             timings.AddFrame(frame, Time.timeAsDouble, cpu);

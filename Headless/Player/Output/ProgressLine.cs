@@ -14,7 +14,9 @@ public sealed class ProgressLine(ActivityLine activity, int frames, string pictu
     private int finished;
     private bool said;
 
-    public void Begin(int frame) => activity.Begin(string.Create(CultureInfo.InvariantCulture, $"frame {frame + 1}/{frames}"));
+    /// <param name="frame">From 0.</param>
+    /// <param name="seconds">Time since the start of the play.</param>
+    public void Begin(int frame, double seconds) => activity.Begin(string.Create(CultureInfo.InvariantCulture, $"frame {frame + 1}/{frames}{Left(seconds)}"));
 
     /// <summary>Takes note of frames that the device has finished.</summary>
     public void Finished(int count, double seconds)
@@ -43,7 +45,9 @@ public sealed class ProgressLine(ActivityLine activity, int frames, string pictu
         int filled = (int)(share * BarCells);
         string bar = activity.IsTerminal ? new string('█', filled) + new string('░', BarCells - filled) + " " : "";
         string each = remaining.SecondsPerFrame is { } mean ? $"  {1000 * mean:0} ms/frame" : "";
-        string left = finished < frames && remaining.Left(seconds) is { } time ? $"  {(int)time.TotalMinutes}:{time.Seconds:00} left" : "";
-        return string.Create(CultureInfo.InvariantCulture, $"{bar}{share,4:P0}  frame {finished}/{frames}  {simulated:0.00} s simulated{each}{left}");
+        return string.Create(CultureInfo.InvariantCulture, $"{bar}{share,4:P0}  frame {finished}/{frames}  {simulated:0.00} s simulated{each}{Left(seconds)}");
     }
+
+    private string Left(double seconds) =>
+        finished < frames && remaining.Left(seconds) is { } time ? $"  {(int)time.TotalMinutes}:{time.Seconds:00} left" : "";
 }

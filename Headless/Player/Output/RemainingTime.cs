@@ -7,8 +7,9 @@ namespace Headless.Player.Output;
 /// </summary>
 public sealed class RemainingTime(int frames)
 {
-    /// <summary>Frames behind frame 0 before anything is said: the ring of submissions is full by then.</summary>
+    /// <summary>Frames behind frame 0 before anything is said: the ring of submissions is full by then. Slow ones come one by one.</summary>
     private const int FewestFrames = 3;
+    private const double SlowSeconds = 6;
 
     private readonly List<(int Finished, double Seconds)> arrivals = [];
 
@@ -26,8 +27,9 @@ public sealed class RemainingTime(int frames)
     {
         get
         {
-            if (arrivals.Count < 2 || arrivals[^1].Finished - arrivals[0].Finished < FewestFrames) return null;
+            if (arrivals.Count < 2) return null;
             var last = arrivals[^1];
+            if (last.Finished - arrivals[0].Finished < FewestFrames && last.Seconds - arrivals[0].Seconds < SlowSeconds) return null;
             double half = 0.5 * (arrivals[0].Finished + last.Finished);
             int first = arrivals.FindLastIndex(a => a.Finished <= half && last.Finished - a.Finished >= FewestFrames);
             var begin = arrivals[Math.Max(0, first)];

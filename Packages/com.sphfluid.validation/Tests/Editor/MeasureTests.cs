@@ -43,6 +43,18 @@ namespace SphFluid.Tests
             Assert.That(ParticleGaps.Of(new[] { Vector3.zero, beyond, beyond }, dx).CloseCount, Is.Zero);
         }
 
+        [TestCase(0.0, true)]
+        [TestCase(0.43, true)]
+        [TestCase(0.45, false)]
+        [TestCase(5.0, false)]
+        [TestCase(double.NaN, false)]
+        public void ALiquidIsAtRestWhereItsMotionLiftsItByATenthOfASpacing(double speed, bool atRest)
+        {
+            // √(2 · 10 m/s² · 0.01 m) = 0.447 m/s.
+            var settings = new FluidSolverSettings { Gravity = 10f * Vector3.down, Spacing = 0.1f };
+            Assert.That(LiquidVolume.IsAtRest(speed, settings), Is.EqualTo(atRest));
+        }
+
         [Test]
         public void StatisticsNameWhatIsWrong()
         {

@@ -36,6 +36,13 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void PicturesWithoutALiquidAreSaidToBeMeant()
+        {
+            LogAssert.Expect(LogType.Log, new Regex("'Fluid': --surface none: pictures show the scene without this liquid.*--no-images"));
+            Apply("none");
+        }
+
+        [Test]
         public void StyleOfTheScenesRendererFollows()
         {
             var drawing = simulation.gameObject.AddComponent<FluidGeometrySurfaceRenderer>();
