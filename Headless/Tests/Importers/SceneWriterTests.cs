@@ -19,7 +19,7 @@ public sealed class SceneWriterTests : SceneFixture
         SceneProbe.Log.Clear();
         Project.Add("Assets/SceneProbe.cs", "");
         Project.Add("Assets/Words.txt", "words");
-        PlayScene("");
+        PlayScene("--- !u!29 &1\nOcclusionCullingSettings:\n  m_ObjectHideFlags: 0\n");
         PlaySession.End();
         EditorSceneManager.NewScene(NewSceneSetup.DefaultGameObjects);
     }
