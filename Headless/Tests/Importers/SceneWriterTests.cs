@@ -27,9 +27,9 @@ public sealed class SceneWriterTests : SceneFixture
     [Test]
     public void HierarchyPlacesAndComponentsComeBack()
     {
-        GameObject cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
-        cube.name = "It's: \"odd\" # 1";
-        cube.layer = 5;
+        var cube = new GameObject("It's: \"odd\" # 1", typeof(MeshFilter), typeof(MeshRenderer), typeof(BoxCollider)) { layer = 5 };
+        cube.GetComponent<MeshFilter>().sharedMesh = Resources.GetBuiltinResource<Mesh>("Cube.fbx");
+        cube.GetComponent<MeshRenderer>().sharedMaterial = Resources.GetBuiltinResource<Material>("Default-Material.mat");
         cube.GetComponent<BoxCollider>().size = new Vector3(0.1f, 2f, 1e-7f);
         var child = new GameObject("Child");
         child.transform.SetParent(cube.transform);
