@@ -31,6 +31,7 @@ public sealed class UnityProject
         ProjectSettingsReader.Apply(index.Root, report);
         EngineHooks.Assets = database;
         EngineHooks.LoadScene = new SceneLoader(assets).Load;
+        EngineHooks.SaveScene = (scene, path) => SceneWriter.Save(assets, scene, path);
         EngineHooks.ScenesInBuild = () => ProjectSettingsReader.ScenesInBuild(index.Root);
         EngineHooks.LoadResource = database.LoadResource;
         EngineHooks.LoadAllResources = (path, type) => [.. database.LoadAllResources(path, type, exact: false)];

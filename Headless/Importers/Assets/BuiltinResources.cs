@@ -25,6 +25,16 @@ internal static class BuiltinResources
 
     public static bool IsBuiltin(string guid) => guid is DefaultResources or ExtraResources;
 
+    /// <summary>The reference to an object that is built in, as files have it; null for other objects.</summary>
+    public static string? ReferenceTo(Object item)
+    {
+        foreach (var (id, name) in meshes)
+            if (ReferenceEquals(Resources.GetBuiltinResource(typeof(Mesh), name), item)) return $"{{fileID: {id}, guid: {DefaultResources}, type: 0}}";
+        foreach (var (id, name) in materials)
+            if (ReferenceEquals(Resources.GetBuiltinResource(typeof(Material), name), item)) return $"{{fileID: {id}, guid: {ExtraResources}, type: 0}}";
+        return null;
+    }
+
     public static Object? Find(FileReference reference, string where, Action<string> report)
     {
         Object? found = null;

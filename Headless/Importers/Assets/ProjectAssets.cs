@@ -53,6 +53,13 @@ public sealed class ProjectAssets : IReferenceResolver
 
     public IEnumerable<Object> LoadAll(string assetPath) => Import(assetPath)?.Objects.Values ?? Enumerable.Empty<Object>();
 
+    /// <summary>File id and GUID of an object of an imported file; null for an object that is in none.</summary>
+    public (long FileId, string Guid)? ReferenceTo(Object asset)
+    {
+        if (imported.Values.FirstOrDefault(i => i.Contains(asset)) is not { } file) return null;
+        return (file.Objects.First(o => ReferenceEquals(o.Value, asset)).Key, file.Guid);
+    }
+
     public string? PathOf(Object asset) => imported.Values.FirstOrDefault(i => i.Contains(asset))?.AssetPath;
 
     /// <summary>A shader of the project by the name in its source; reads each .shader until it is found, as Shader.Find does in the Editor.</summary>

@@ -2,8 +2,8 @@ using System.Globalization;
 using System.Text;
 using Headless.Engine;
 using Headless.Importers.Assets;
+using Headless.Importers.Serialization;
 using UnityEngine;
-using UnityEngine.SceneManagement;
 using Object = UnityEngine.Object;
 
 namespace Headless.Importers.Scenes;
@@ -130,7 +130,7 @@ internal sealed class SceneWriter
         Line($"  m_LocalPosition: {YamlText.Of(transform.localPosition)}");
         Line($"  m_LocalScale: {YamlText.Of(transform.localScale)}");
         Transform[] children = [.. transform.Cast<Transform>().Where(ids.ContainsKey)];
-        Line(children.Length == 0 ? $"  m_Children: []" : $"  m_Children:");
+        Line($"  m_Children:{(children.Length == 0 ? " []" : "")}");
         foreach (Transform child in children) Line($"  - {Reference(child)}");
         Line($"  m_Father: {Reference(transform.parent)}");
     }
@@ -143,7 +143,7 @@ internal sealed class SceneWriter
     {
         if (!item || (item!.hideFlags & HideFlags.DontSaveInEditor) != 0) return "{fileID: 0}";
         if (ids.TryGetValue(item, out long id)) return YamlText.Invariant($"{{fileID: {id}}}");
-        if (BuiltinResources.ReferenceTo(item) is { } builtin) return builtin;
+        if (Assets.BuiltinResources.ReferenceTo(item) is { } builtin) return builtin;
         return project.ReferenceTo(item) is var (fileId, guid) ? YamlText.Invariant($"{{fileID: {fileId}, guid: {guid}, type: {(fileId == 2100000 || fileId == 11400000 ? 2 : 3)}}}") : "{fileID: 0}";
     }
 

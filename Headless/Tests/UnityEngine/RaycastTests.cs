@@ -53,9 +53,12 @@ public class RaycastTests : EngineFixture
     [Test]
     public void AMeshIsHitFromItsFrontOnly([Values(1f, -1f)] float mirror)
     {
-        GameObject plane = GameObject.CreatePrimitive(PrimitiveType.Plane);
-        plane.transform.localScale = new Vector3(mirror, 1f, 1f);
-        plane.transform.position = new Vector3(0f, 2f, 0f);
+        MeshCollider plane = Make<MeshCollider>(new Vector3(0f, 2f, 0f), new Vector3(mirror, 1f, 1f));
+        plane.sharedMesh = new Mesh
+        {
+            vertices = new[] { new Vector3(-5f, 0f, -5f), new Vector3(-5f, 0f, 5f), new Vector3(5f, 0f, 5f), new Vector3(5f, 0f, -5f) },
+            triangles = new[] { 0, 1, 2, 0, 2, 3 },
+        };
         Physics.SyncTransforms();
         Assert.That(Down(4f, -4f), Is.EqualTo(2f).Within(1e-5));
         Assert.That(Physics.Raycast(Vector3.zero, Vector3.up), Is.False);

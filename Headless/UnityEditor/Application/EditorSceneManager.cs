@@ -1,3 +1,4 @@
+using System;
 using Headless.Engine;
 using UnityEngine;
 using UnityEngine.SceneManagement;
@@ -21,8 +22,42 @@ public sealed class EditorSceneManager : SceneManager
         if (mode == NewSceneMode.Single)
             foreach (SceneData other in SceneTable.Scenes.ToArray()) SceneTable.Unload(other);
         SceneData scene = SceneTable.Create("", "", loaded: true);
-        if (mode == NewSceneMode.Single) SceneTable.Active = scene;
+        if (mode == NewSceneMode.Single)
+        {
+            SceneTable.Active = scene;
+            RenderSettings.Reset();
+            RenderSettings.skybox = Resources.GetBuiltinResource<Material>("Default-Skybox.mat");
+        }
+        if (setup == NewSceneSetup.DefaultGameObjects) AddDefaultObjects();
         return scene.Scene;
+    }
+
+    // Without an Audio Listener, which has no stand-in.
+    static void AddDefaultObjects()
+    {
+        var camera = new GameObject("Main Camera", typeof(Camera)) { tag = "MainCamera" };
+        camera.transform.position = new Vector3(0f, 1f, -10f);
+        var sun = new GameObject("Directional Light", typeof(Light));
+        sun.transform.SetPositionAndRotation(new Vector3(0f, 3f, 0f), Quaternion.Euler(50f, -30f, 0f));
+        var light = sun.GetComponent<Light>();
+        light.type = LightType.Directional;
+        light.color = new Color(1f, 0.95686275f, 0.8392157f);
+        light.shadows = LightShadows.Soft;
+    }
+
+    public static bool SaveScene(Scene scene) => SaveScene(scene, scene.path, false);
+
+    public static bool SaveScene(Scene scene, string dstScenePath) => SaveScene(scene, dstScenePath, false);
+
+    /// <summary>Writes the scene below the project folder. Components that cannot be written are an error here, where Unity writes all.</summary>
+    public static bool SaveScene(Scene scene, string dstScenePath, bool saveAsCopy)
+    {
+        if (string.IsNullOrEmpty(dstScenePath)) throw new ArgumentException("A scene that is not a file needs a path to be saved at.", nameof(dstScenePath));
+        SceneData data = SceneTable.Require(scene);
+        (string path, string name) = (data.Path, data.Name);
+        bool saved = EngineHooks.SaveScene?.Invoke(data, dstScenePath) ?? false;
+        if (saveAsCopy) (data.Path, data.Name) = (path, name);
+        return saved;
     }
 
     /// <summary>A scene apart: FindObjectsByType, the scene manager, cameras and the default physics do not know it.</summary>

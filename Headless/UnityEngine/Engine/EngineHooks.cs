@@ -23,6 +23,9 @@ static class EngineHooks
     /// <summary>Fills an empty scene from a name or path; false when there is no such scene.</summary>
     public static Func<string, SceneData, bool>? LoadScene { get; set; }
 
+    /// <summary>Writes a scene to a path below the project; false where that is not possible.</summary>
+    public static Func<SceneData, string, bool>? SaveScene { get; set; }
+
     /// <summary>Scene paths by build index.</summary>
     public static Func<IReadOnlyList<string>>? ScenesInBuild { get; set; }
 

@@ -72,7 +72,7 @@ namespace SphFluid.Validation
         {
             Application.quitting -= Finish;
             if (watched && !seen)
-                Debug.LogError($"{FluidMessage.Prefix} No liquid was played: no Fluid Simulation was enabled in the scene. Add one: GameObject > Fluid > Fluid Simulation (Surface).");
+                Debug.LogError($"{FluidMessage.Prefix} No liquid was played: no Fluid Simulation was enabled in the scene. Add one: GameObject > Fluid > Tank.");
             try
             {
                 var running = new List<FluidSimulation>();

@@ -77,13 +77,16 @@ namespace SphFluid
 
         void OnTransformParentChanged() => Refresh();
 
-        void Update() => Refresh();
+        void Update()
+        {
+            if (Simulation == null) ReportMissing();
+            Refresh();
+        }
 
         void Refresh()
         {
             if (mesh == null) return; // it is disabled
             FluidSimulation owner = Simulation;
-            if (owner == null) ReportMissing();
             Vector3 size = owner != null && AffineMath.IsFinite(owner.DomainSize) ? Vector3.Max(owner.DomainSize, Vector3.zero) : Vector3.zero;
             float bar = AffineMath.IsFinite(edge) ? Mathf.Max(0f, edge) : 0f;
             if (shown == (size, bar, lid)) return;

@@ -19,7 +19,7 @@ namespace SphFluid
                 if (VolumeChecks.Check(volume, spec, collision, messages) is LiquidShape shape) shapes.Add((volume, shape));
             if (volumes.Count == 0 && IsDry(spec))
                 messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.NoLiquid, spec.Owner, "The domain holds no liquid.",
-                    "Add a Fluid Volume or a Fluid Emitter, for instance as a child: GameObject > Fluid > Fluid Volume."));
+                    "Add a Fluid Volume or a Fluid Emitter, for instance as a child: GameObject > Fluid > Volume."));
             return shapes;
         }
 

@@ -38,7 +38,7 @@ namespace SphFluid
             return new SpawnResult(particles, tallies, needed, fastest);
         }
 
-        /// <summary>Counts what <see cref="Fill"/> would make, without making it.</summary>
+        /// <summary>Counts what <see cref="Fill(SpawnRequest)"/> would make, without making it.</summary>
         /// <exception cref="ArgumentException">The domain or the spacing is not positive and finite.</exception>
         public static SpawnResult Measure(SpawnRequest request)
         {
