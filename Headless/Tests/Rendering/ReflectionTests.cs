@@ -162,14 +162,6 @@ public sealed class ReflectionTests : SceneFixture
         Assert.That(IsBlack(Seen(Vector3.up)), Is.True);
     }
 
-    private static void AssertNear(Color seen, Color expected, string what)
-    {
-        for (int c = 0; c < 3; c++)
-        {
-            Assert.That(seen[c], Is.EqualTo(expected[c]).Within(0.02f), $"{what}: {seen}, not {expected}");
-        }
-    }
-
     [Test]
     public void AnOwnCubemapInTheSkysPlace()
     {
@@ -199,15 +191,57 @@ public sealed class ReflectionTests : SceneFixture
     }
 
     [Test]
-    public void ProbesAreNotDrawnAndSaySo()
+    public void ProbesAreNotBakedAndSaySo()
     {
         var probe = new GameObject("Hall").AddComponent<ReflectionProbe>();
         probe.transform.position = new Vector3(1f, 2f, 3f);
         probe.center = Vector3.up;
         Assert.That(probe.bounds, Is.EqualTo(new Bounds(new Vector3(1f, 3f, 3f), new Vector3(10f, 10f, 10f))));
         Assert.That(probe.texture, Is.Null);
-        probe.RenderProbe();
+        Assert.That(probe.RenderProbe(), Is.EqualTo(-1));
         Assert.That(Warnings, Has.Some.Contains("Hall"));
+    }
+
+    [Test]
+    public void ARealtimeProbeMirrorsTheSkyItself()
+    {
+        RenderSettings.skybox = MaterialOf(DirectionSky);
+        Mirror(Faces([Color.black, Color.black, Color.black, Color.black, Color.black, Color.black], false));
+        ReflectionProbe probe = AddProbe(Color.green, Vector3.zero, 10f);
+        (probe.mode, probe.cullingMask, probe.resolution) = (ReflectionProbeMode.Realtime, 0, 64);
+        Vector3 d = new Vector3(0.4f, -0.5f, 1f).normalized;
+        AssertNear((Color)Seen(d), new Color((d.x * 0.5f) + 0.5f, (d.y * 0.5f) + 0.5f, 0f).gamma, "on awake");
+        Texture first = probe.texture!;
+        Frame();
+        Assert.That(probe.texture, Is.SameAs(first));
+        Assert.That(first.width, Is.EqualTo(64));
+        Assert.That(Warnings, Is.Empty);
+    }
+
+    [Test]
+    public void ARealtimeProbeDrawsWhenItIsToldTo()
+    {
+        ReflectionProbe probe = AddProbe(Color.green, Vector3.zero, 10f);
+        (probe.mode, probe.refreshMode, probe.clearFlags) = (ReflectionProbeMode.Realtime, ReflectionProbeRefreshMode.ViaScripting, ReflectionProbeClearFlags.SolidColor);
+        probe.backgroundColor = Color.red;
+        Assert.That(probe.texture, Is.Null);
+        Assert.That(probe.RenderProbe(), Is.GreaterThanOrEqualTo(0));
+        Assert.That(IsRed(Seen(Vector3.up)), Is.True);
+        Assert.That(Warnings, Has.Some.Contains("not the things of its culling mask"));
+        probe.enabled = false;
+        QualitySettings.realtimeReflectionProbes = false;
+        var off = new GameObject("Off").AddComponent<ReflectionProbe>();
+        off.mode = ReflectionProbeMode.Realtime;
+        Assert.That(off.texture, Is.Null, "the quality level has no realtime probes");
+        QualitySettings.realtimeReflectionProbes = true;
+    }
+
+    private static void AssertNear(Color seen, Color expected, string what)
+    {
+        for (int c = 0; c < 3; c++)
+        {
+            Assert.That(seen[c], Is.EqualTo(expected[c]).Within(0.02f), $"{what}: {seen}, not {expected}");
+        }
     }
 
     private static Cubemap Faces(Color[] colors, bool mipMaps)

@@ -20,7 +20,7 @@ public sealed class QualitySettings : Object
     public static float lodBias { get; set; } = 2f;
     public static int maxQueuedFrames { get; set; } = 2;
     public static bool softParticles { get; set; }
-    public static bool realtimeReflectionProbes { get; set; }
+    public static bool realtimeReflectionProbes { get; set; } = true;
     public static Rendering.RenderPipelineAsset? renderPipeline { get; set; }
     public static string[] names => ["Ultra"];
     public static int count => 1;

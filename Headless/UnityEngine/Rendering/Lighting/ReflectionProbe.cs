@@ -5,11 +5,15 @@ using UnityEngine.Rendering;
 namespace UnityEngine;
 
 /// <summary>
-/// A cubemap that shiny surfaces inside its box mirror. Nothing is baked or drawn here: a probe shows the texture that was
-/// assigned for its mode, and RenderProbe says so.
+/// A cubemap that shiny surfaces inside its box mirror. Nothing is baked here: a baked or custom probe shows the texture that was assigned.
+/// A realtime probe draws the sky or its background color; things are left out, and it says so where its culling mask asks for them.
 /// </summary>
 public sealed class ReflectionProbe : Behaviour
 {
+    private RenderTexture? drawn;
+    private int drawnAt = -1;
+    private int renders;
+
     public static int minBakedCubemapResolution => 16;
     public static int maxBakedCubemapResolution => 2048;
 
@@ -46,7 +50,7 @@ public sealed class ReflectionProbe : Behaviour
 
     public Texture? texture => mode switch
     {
-        ReflectionProbeMode.Realtime => realtimeTexture,
+        ReflectionProbeMode.Realtime => realtimeTexture != null ? realtimeTexture : Realtime(),
         ReflectionProbeMode.Custom => customBakedTexture,
         _ => bakedTexture,
     };
@@ -58,11 +62,51 @@ public sealed class ReflectionProbe : Behaviour
 
     public int RenderProbe(RenderTexture? targetTexture)
     {
-        Debug.LogWarning($"Reflection probe '{name}': probes are not drawn here. Assign a cubemap to customBakedTexture and set the mode to Custom.", this);
-        return -1;
+        if (mode != ReflectionProbeMode.Realtime)
+        {
+            Debug.LogWarning($"Reflection probe '{name}': probes are not baked here. Assign a cubemap to customBakedTexture and set the mode to Custom.", this);
+            return -1;
+        }
+
+        Draw(targetTexture);
+        return ++renders;
     }
 
     public bool IsFinishedRendering(int renderId) => true;
+
+    // On awake is when something first asks for it.
+    private RenderTexture? Realtime()
+    {
+        bool due = refreshMode switch
+        {
+            ReflectionProbeRefreshMode.OnAwake => drawn == null,
+            ReflectionProbeRefreshMode.EveryFrame => drawn == null || drawnAt != Time.frameCount,
+            _ => false,
+        };
+        if (due && isActiveAndEnabled && QualitySettings.realtimeReflectionProbes)
+        {
+            Draw(null);
+        }
+
+        return drawn;
+    }
+
+    private void Draw(RenderTexture? target)
+    {
+        if (cullingMask != 0 && drawn == null)
+        {
+            Debug.LogWarning($"Reflection probe '{name}': only its sky is drawn here, not the things of its culling mask.", this);
+        }
+
+        if (target == null)
+        {
+            drawn = drawn == null || drawn.width != resolution ? SkyCube.New(resolution, $"Reflection of {name}") : drawn;
+            drawnAt = Time.frameCount;
+        }
+
+        bool skybox = clearFlags == ReflectionProbeClearFlags.Skybox;
+        SkyCube.Draw(target != null ? target : drawn!, skybox ? Color.black : backgroundColor, skybox);
+    }
 
     public void Reset()
     {

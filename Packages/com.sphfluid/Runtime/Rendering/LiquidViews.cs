@@ -86,7 +86,7 @@ namespace SphFluid
                 if (IsSeenBy(cameras[i], placement))
                     return true;
             }
-            return IsMirrored();
+            return IsMirrored(placement.Layer);
         }
 
         // Shadows run on along a directional light without end. What other lights reach counts as seen.
@@ -106,11 +106,11 @@ namespace SphFluid
         }
 
         // Probes that are drawn while playing do not announce their cameras in every render pipeline.
-        static bool IsMirrored()
+        static bool IsMirrored(int layer)
         {
             foreach (ReflectionProbe probe in Object.FindObjectsByType<ReflectionProbe>(FindObjectsSortMode.None))
             {
-                if (probe.isActiveAndEnabled && probe.mode == ReflectionProbeMode.Realtime)
+                if (probe.isActiveAndEnabled && probe.mode == ReflectionProbeMode.Realtime && (probe.cullingMask & (1 << layer)) != 0)
                     return true;
             }
             return false;

@@ -159,6 +159,83 @@ namespace SphFluid.Tests
             Assert.AreEqual(expected, Centre().g - main.g, 0.05 * expected);
         }
 
+        // Pixels of a quarter of a tile. Squares and grout are averaged each for itself, so each is tested alone.
+        [TestCase(true)]
+        [TestCase(false)]
+        public void TilesAreAveragedOverPixels(bool squares)
+        {
+            const double Pixel = 1.0 / Size, Tile = 4.0 * Pixel, Grout = 0.3 * Tile;
+            if (squares) Tiles(Tile, 0.0, Color.black, Color.white, Color.red);
+            else Tiles(Tile, Grout, Color.white, Color.white, Color.black);
+            double[,] seen = Albedos();
+            for (int row = 0; row < Size; row++)
+            {
+                for (int column = 0; column < Size; column++)
+                {
+                    double x = (column + 0.5) * Pixel - 0.5 + 0.013, y = (row + 0.5) * Pixel - 0.5 + 0.021;
+                    double white = squares
+                        ? 0.5 - 0.5 * Mean(x, Pixel, at => System.Math.Floor(at / Tile) % 2.0 == 0.0 ? 1.0 : -1.0)
+                            * Mean(y, Pixel, at => System.Math.Floor(at / Tile) % 2.0 == 0.0 ? 1.0 : -1.0)
+                        : Mean(x, Pixel, at => IsGrout(at, Tile, Grout) ? 0.0 : 1.0) * Mean(y, Pixel, at => IsGrout(at, Tile, Grout) ? 0.0 : 1.0);
+                    Assert.AreEqual(white, seen[column, row], 0.01, $"at {x:F3}, {y:F3}");
+                }
+            }
+        }
+
+        [Test]
+        public void TilesSmallerThanPixelsAreTheirMean()
+        {
+            Tiles(0.003, 0.0006, Color.white, Color.black, Color.black);
+            // A fifth of each axis is grout: 0.64 of the area is tiles, half of them white.
+            foreach (double seen in Albedos()) Assert.AreEqual(0.32, seen, 0.005);
+        }
+
+        [Test]
+        public void FarAwayItFadesToItsFadingColour()
+        {
+            lamp.enabled = false;
+            material.SetColor("_FadeColor", new Color(0.2f, 0.4f, 0.9f));
+            material.SetFloat("_FadeDistance", 4f);
+            Color seen = Centre(), fading = new Color(0.2f, 0.4f, 0.9f).linear;
+            for (int c = 0; c < 3; c++) Assert.AreEqual((1.0 - System.Math.Exp(-0.25)) * fading[c], seen[c], 2e-3, "2 of 4 m away, itself black");
+            material.SetFloat("_FadeDistance", 0f);
+            Assert.AreEqual(0f, Centre().b, 1e-4f);
+        }
+
+        static bool IsGrout(double at, double tile, double grout) => System.Math.Abs(at - tile * System.Math.Round(at / tile)) < 0.5 * grout;
+
+        static double Mean(double centre, double width, System.Func<double, double> value)
+        {
+            const int Samples = 400;
+            double sum = 0.0;
+            for (int i = 0; i < Samples; i++) sum += value(centre + width * ((i + 0.5) / Samples - 0.5));
+            return sum / Samples;
+        }
+
+        // The wall in even white ambient light. The camera stands a little off a corner, so that no pixel lies on an edge by chance.
+        void Tiles(double edge, double grout, Color first, Color second, Color between)
+        {
+            lamp.enabled = false;
+            RenderSettings.ambientLight = Color.white;
+            camera.transform.position = new Vector3(0.013f, 0.021f, -2f);
+            (string, Color)[] colours = { ("_Color", first), ("_TileColor", second), ("_GroutColor", between) };
+            foreach ((string name, Color value) in colours) material.SetColor(name, value);
+            material.SetFloat("_TileSize", (float)edge);
+            material.SetFloat("_Grout", (float)grout);
+            material.SetFloat("_Smoothness", 0f);
+        }
+
+        // What is left of white ambient light without the share that is mirrored.
+        double[,] Albedos()
+        {
+            var albedos = new double[Size, Size];
+            Texture2D picture = Picture();
+            for (int row = 0; row < Size; row++)
+                for (int column = 0; column < Size; column++) albedos[column, row] = (picture.GetPixel(column, row).g - 0.02) / 0.96;
+            Object.DestroyImmediate(picture);
+            return albedos;
+        }
+
         Light NewLight(LightType type, Color light)
         {
             Light added = Keep(new GameObject("Further light")).AddComponent<Light>();
@@ -182,6 +259,14 @@ namespace SphFluid.Tests
 
         Color Centre()
         {
+            Texture2D picture = Picture();
+            Color seen = picture.GetPixel(Size / 2, Size / 2);
+            Object.DestroyImmediate(picture);
+            return seen;
+        }
+
+        Texture2D Picture()
+        {
             camera.Render();
             RenderTexture before = RenderTexture.active;
             var picture = new Texture2D(Size, Size, TextureFormat.RGBAFloat, false, true);
@@ -189,9 +274,7 @@ namespace SphFluid.Tests
             picture.ReadPixels(new Rect(0, 0, Size, Size), 0, 0);
             picture.Apply();
             RenderTexture.active = before;
-            Color seen = picture.GetPixel(Size / 2, Size / 2);
-            Object.DestroyImmediate(picture);
-            return seen;
+            return picture;
         }
 
         GameObject NewThing(PrimitiveType type)

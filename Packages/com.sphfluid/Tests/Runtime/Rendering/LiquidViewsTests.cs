@@ -107,7 +107,11 @@ namespace SphFluid.Tests
             picture.Camera.transform.rotation = Away;
             yield return PictureRig.Frames(2);
             Assert.AreEqual(0, drawing.Recordings);
-            rig.NewObject("Probe").AddComponent<ReflectionProbe>().mode = ReflectionProbeMode.Realtime;
+            ReflectionProbe probe = rig.NewObject("Probe").AddComponent<ReflectionProbe>();
+            (probe.mode, probe.cullingMask) = (ReflectionProbeMode.Realtime, 0);
+            yield return PictureRig.Frames(2);
+            Assert.AreEqual(0, drawing.Recordings, "a probe that shows the sky alone");
+            probe.cullingMask = -1;
             yield return PictureRig.Frames(2);
             Assert.Greater(drawing.Recordings, 0);
         }
