@@ -123,5 +123,42 @@ namespace SphFluid.Tests
             Assert.That(result.Jumps, Is.EqualTo(2));
             Assert.That(result.Failure, Is.Not.Empty);
         }
+
+        [Test]
+        public void ShakingFasterIsExpectedToTakeLonger()
+        {
+            // The same steps; at 165 m/s a cup takes seven times as long as at 1 m/s (LeakRun).
+            LeakSceneEntry cup = LeakSceneEntry.Find("cup");
+            Assert.That(LeakRun.CostOf(cup.Build(165.0)) / LeakRun.CostOf(cup.Build(1.0)), Is.InRange(4.0, 12.0));
+        }
+
+        [Test]
+        public void PathsAgainstManyTrianglesAreExpectedToTakeLonger()
+        {
+            LeakScene few = LeakSceneEntry.Find("coplanar").Build(5.0), many = LeakSceneEntry.Find("sizes").Build(5.0);
+            Assert.That(LeakRun.CostOf(many), Is.GreaterThan(1.5 * LeakRun.CostOf(few)));
+        }
+
+        [Test]
+        public void ARunKnowsHowFarItIs()
+        {
+            FluidShaderSet shaders = TestShaders.CreateSet();
+            LeakScene scene = LeakSceneEntry.Find("still-cup").Build(0.0);
+            scene.Frames = 8;
+            try
+            {
+                using (var run = new LeakRun(scene, shaders))
+                {
+                    var work = new SessionWork(run.Run());
+                    for (int frame = 1; frame <= 4; frame++)
+                        work.Step();
+                    Assert.That(run.Share, Is.EqualTo(0.5).Within(1e-9));
+                }
+            }
+            finally
+            {
+                Object.DestroyImmediate(shaders);
+            }
+        }
     }
 }
