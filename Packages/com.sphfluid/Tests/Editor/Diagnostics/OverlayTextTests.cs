@@ -54,8 +54,8 @@ namespace SphFluid.Tests
         {
             var stopped = new LiquidFigures { Name = "Tank", State = "stopped", Message = string.Join(" ", Enumerable.Repeat("twelve-signs", 12)) };
             string[] lines = Lines(stopped).Skip(2).ToArray();
-            string four = string.Join(" ", Enumerable.Repeat("twelve-signs", 4));
-            Assert.That(lines, Is.EqualTo(new[] { "  ! " + four, "    " + four, "    " + four }));
+            string five = string.Join(" ", Enumerable.Repeat("twelve-signs", 5));
+            Assert.That(lines, Is.EqualTo(new[] { "  ! " + five, "    " + five, "    twelve-signs twelve-signs" }), "64 signs a line");
         }
 
         [Test]
