@@ -25,18 +25,6 @@ public class GuiTests : EngineFixture
     }
 
     [Test]
-    public void ARectangleIsBlendedOverTheScreen()
-    {
-        GuiProbe.Create().OnPaint = () => GUI.DrawTexture(new Rect(2f, 3f, 4f, 5f), Texture2D.whiteTexture, ScaleMode.StretchToFill, true, 0f, new Color(1f, 0f, 0f, 0.5f), 0f, 0f);
-        byte[] pixels = Painted(100);
-        Assert.That(At(pixels, 1, 3), Is.EqualTo(new[] { 100, 100, 100 }));
-        Assert.That(At(pixels, 2, 3), Is.EqualTo(new[] { 178, 50, 50 }), "half of 255 and half of 100");
-        Assert.That(At(pixels, 5, 7), Is.EqualTo(new[] { 178, 50, 50 }));
-        Assert.That(At(pixels, 6, 7), Is.EqualTo(new[] { 100, 100, 100 }));
-        Assert.That(At(pixels, 5, 8), Is.EqualTo(new[] { 100, 100, 100 }));
-    }
-
-    [Test]
     public void TextIsWrittenInTheStylesColourAndStaysInItsRectangle()
     {
         var style = new GUIStyle { fontSize = 13, normal = { textColor = new Color(0f, 1f, 0f) } };

@@ -8,6 +8,9 @@ namespace SphFluid
     /// <summary>Writes figures of liquids and the times of stages as lines of text.</summary>
     internal sealed class OverlayText
     {
+        // Longest line of a message: it shall not make the box as wide as the screen.
+        const int MessageWidth = 64;
+
         readonly StringBuilder text = new StringBuilder(1024);
 
         /// <summary>Text of a frame, lines parted by '\n'.</summary>
@@ -38,7 +41,20 @@ namespace SphFluid
                 if (liquid.CapHits > 0) Add($" and Max Substeps Per Frame, {liquid.MostSteps}");
                 Add($"; {Math.Ceiling(liquid.Bytes / 1048576.0):0} MB");
             }
-            if (!string.IsNullOrEmpty(liquid.Message)) text.Append("\n  ! ").Append(liquid.Message);
+            if (!string.IsNullOrEmpty(liquid.Message)) WriteMessage(liquid.Message);
+        }
+
+        void WriteMessage(string message)
+        {
+            int width = MessageWidth + 1;
+            foreach (string word in message.Split(' '))
+            {
+                bool breaks = width + 1 + word.Length > MessageWidth;
+                if (breaks) text.Append(width > MessageWidth ? "\n  ! " : "\n    ");
+                else text.Append(' ');
+                text.Append(word);
+                width = breaks ? word.Length : width + 1 + word.Length;
+            }
         }
 
         void Write(StageTimes times, IReadOnlyList<FluidStage> stages)

@@ -50,6 +50,15 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void ALongMessageTakesSeveralLines()
+        {
+            var stopped = new LiquidFigures { Name = "Tank", State = "stopped", Message = string.Join(" ", Enumerable.Repeat("twelve-signs", 12)) };
+            string[] lines = Lines(stopped).Skip(2).ToArray();
+            string five = string.Join(" ", Enumerable.Repeat("twelve-signs", 5));
+            Assert.That(lines, Is.EqualTo(new[] { "  ! " + five, "    " + five, "    twelve-signs twelve-signs" }), "64 signs a line");
+        }
+
+        [Test]
         public void NoLiquidIsSaid() => Assert.That(Lines().Skip(1), Is.EqualTo(new[] { "no Fluid Simulation is enabled" }));
 
         [Test]

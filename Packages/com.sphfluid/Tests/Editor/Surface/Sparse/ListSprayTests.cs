@@ -59,6 +59,23 @@ namespace SphFluid.Tests
             Assert.AreEqual(expected, spray[middle], 0.15f);
         }
 
+        [Test]
+        public void TheCountThatIsReadBackIsThatOfTheDrawnOnes()
+        {
+            FluidSolverSettings settings = Settings(FluidAxes.None);
+            FluidParticle[] particles = ParticleSets.Random(1009, Domain, 0f, 1009);
+            using (var solver = new FluidSolver(settings, shaders, particles))
+            using (var surface = new SparseSurface(shaders) { SprayVertices = 84 })
+            {
+                SurfaceFieldSettings field = Field(settings);
+                GpuTest.Run(cmd => surface.Record(cmd, solver, field, SurfaceGrid.OverDomain(Domain, field.CellSize), default));
+                UnityEngine.Rendering.AsyncGPUReadback.WaitAllRequests();
+                uint vertices = GpuTest.Read<uint>(surface.Spray.DrawArguments, 4)[0];
+                Assert.That(vertices, Is.GreaterThan(0u));
+                Assert.That(surface.SprayCount, Is.EqualTo(vertices / 84));
+            }
+        }
+
         [TestCase(1, 0.5)]
         [TestCase(255, 1.0)]
         [TestCase(256, 0.3)]
