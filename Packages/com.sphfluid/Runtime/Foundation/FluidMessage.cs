@@ -110,6 +110,8 @@ namespace SphFluid
         SaveInvalid,
         /// <summary>A restored save was made on another device, or in a scene with other objects.</summary>
         SaveDiffers,
+        /// <summary>The liquid brings forth more whitewater than it may.</summary>
+        WhitewaterFull,
     }
 
     /// <summary>One message to the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>
