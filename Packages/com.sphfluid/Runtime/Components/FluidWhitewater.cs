@@ -15,7 +15,7 @@ namespace SphFluid
     {
         [SerializeField, Range(1, MostParticles), Tooltip("Most particles of spray, foam and bubbles. Where the liquid brings forth more, there is less of it " +
             "everywhere, and a message says so. 96 bytes of GPU memory each. A change begins without any.")]
-        int maxParticles = 32768;
+        int maxParticles = 65536;
 
         [SerializeField, Min(0f), Tooltip("How much whitewater agitated liquid brings forth, over what it does by default.")]
         float amount = 1f;

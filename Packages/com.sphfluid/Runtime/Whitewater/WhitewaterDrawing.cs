@@ -13,6 +13,7 @@ namespace SphFluid
         static readonly int Spacing = Shader.PropertyToID("_WhitewaterSpacing");
         static readonly int Size = Shader.PropertyToID("_WhitewaterSize");
         static readonly int Shutter = Shader.PropertyToID("_WhitewaterShutter");
+        static readonly int Lace = Shader.PropertyToID("_WhitewaterLace");
 
         // How long the camera's shutter is open for spray [s].
         const float ShutterTime = 1f / 400f;
@@ -21,6 +22,7 @@ namespace SphFluid
         readonly SceneLighting lighting = new SceneLighting();
         Material front;
         Material behind;
+        Texture2D lace;
         WhitewaterBuffers buffers;
         DrawPlacement placement;
         int preparedAt = -1;
@@ -38,6 +40,7 @@ namespace SphFluid
                 DestroyMaterials();
                 throw;
             }
+            lace = LaceTexture.Create();
             WaterCameras.Add(this);
         }
 
@@ -56,6 +59,7 @@ namespace SphFluid
             block.SetFloat(Spacing, spacing);
             block.SetFloat(Size, size);
             block.SetFloat(Shutter, ShutterTime);
+            block.SetTexture(Lace, lace);
             block.SetColor(RenderShaderIds.Color, colour);
             block.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
             lighting.Apply(block);
@@ -83,6 +87,7 @@ namespace SphFluid
         {
             WaterCameras.Remove(this);
             DestroyMaterials();
+            DrawMaterial.Destroy(ref lace);
         }
 
         void DestroyMaterials()

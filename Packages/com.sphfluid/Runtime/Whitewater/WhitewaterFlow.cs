@@ -10,6 +10,9 @@ namespace SphFluid
     /// </summary>
     sealed class WhitewaterFlow : IDisposable
     {
+        // Of a piece over that of foam on still water: bubbles age half as fast.
+        const double LongestLife = 2.0;
+
         static readonly uint[] Zeros = new uint[WhitewaterBuffers.StateSlots];
 
         readonly WhitewaterPotentialsPass potentials;
@@ -19,8 +22,8 @@ namespace SphFluid
         readonly CommandBuffer cmd = new CommandBuffer { name = "Fluid Whitewater" };
         FluidSolver liquid;
         int particleChanges;
-        double time;
-        int updates;
+        double time, moved;
+        long steps;
 
         /// <exception cref="FluidDeviceException">The device cannot run a kernel.</exception>
         public WhitewaterFlow(FluidShaderSet shaders)
@@ -56,6 +59,9 @@ namespace SphFluid
             var duration = (float)(now - time);
             if (!(duration > 0f)) return;
             time = now;
+            if (solver.StepCount != steps) moved = now;
+            steps = solver.StepCount;
+            if (now - moved > LongestLife * settings.FoamLife) return; // on liquid that sleeps all is gone by then
             Buffers.Reserve(solver.ParticleCount);
             cmd.Clear();
             Record(cmd, solver, settings, duration);
@@ -81,8 +87,8 @@ namespace SphFluid
         {
             liquid = solver;
             particleChanges = solver.ParticleChanges;
-            time = now;
-            updates = 0;
+            time = moved = now;
+            steps = solver.StepCount;
             Counts = default;
             if (Buffers == null || Buffers.Capacity != capacity)
             {
@@ -101,7 +107,7 @@ namespace SphFluid
             cmd.SetBufferData((GraphicsBuffer)Buffers.State, Zeros, 0, WhitewaterBuffers.FirstOfFrame, WhitewaterBuffers.SlotsOfFrame);
             motion.Record(cmd, solver, Buffers, duration);
             potentials.Record(cmd, solver, Buffers, settings.Amount, duration);
-            list.Record(cmd, solver, Buffers, updates++, settings.FoamLife, duration);
+            list.Record(cmd, solver, Buffers, unchecked((int)steps), settings.FoamLife, duration);
             Buffers.Exchange();
             readback.RecordRequest(cmd, Buffers.State);
         }

@@ -12,7 +12,7 @@ namespace SphFluid
         static readonly int SurvivorGroups = Id("_SurvivorGroups");
         static readonly int GroupTotal = Id("_GroupTotal");
         static readonly int VerticesPerPiece = Id("_VerticesPerPiece");
-        static readonly int Update = Id("_Update");
+        static readonly int Step = Id("_Step");
         static readonly int Spacing = Id("_Spacing");
         static readonly int Duration = Id("_Duration");
         static readonly int FoamLife = Id("_FoamLife");
@@ -33,17 +33,17 @@ namespace SphFluid
         /// <param name="cmd">Command buffer to record into.</param>
         /// <param name="solver">The liquid.</param>
         /// <param name="buffers">The pieces.</param>
-        /// <param name="update">Number of the frame, which chance hangs on.</param>
+        /// <param name="step">Steps of the liquid so far, which chance hangs on.</param>
         /// <param name="foamLife">How long foam lies on still water, at most [s].</param>
         /// <param name="duration">Length of the frame [s].</param>
-        public void Record(CommandBuffer cmd, FluidSolver solver, WhitewaterBuffers buffers, int update, float foamLife, float duration)
+        public void Record(CommandBuffer cmd, FluidSolver solver, WhitewaterBuffers buffers, int step, float foamLife, float duration)
         {
             using (Sample(cmd))
             {
                 SetSurvivors(cmd, survivors, buffers, solver);
                 survivors.DispatchThreads(cmd, buffers.Capacity);
 
-                SetBirths(cmd, births, buffers, solver, update);
+                SetBirths(cmd, births, buffers, solver, step);
                 births.DispatchThreads(cmd, solver.ParticleCount);
 
                 SetCommon(cmd, scan, buffers, solver);
@@ -55,7 +55,7 @@ namespace SphFluid
                 list.SetOut(cmd, buffers.Next);
                 list.DispatchThreads(cmd, buffers.Capacity);
 
-                SetBirths(cmd, bear, buffers, solver, update);
+                SetBirths(cmd, bear, buffers, solver, step);
                 DomainBindings.SetFaces(cmd, bear, solver.Settings);
                 bear.Set(cmd, buffers.Normals);
                 bear.SetOut(cmd, buffers.Next);
@@ -81,13 +81,13 @@ namespace SphFluid
             kernel.Set(cmd, buffers.Present);
         }
 
-        static void SetBirths(CommandBuffer cmd, ComputeKernel kernel, WhitewaterBuffers buffers, FluidSolver solver, int update)
+        static void SetBirths(CommandBuffer cmd, ComputeKernel kernel, WhitewaterBuffers buffers, FluidSolver solver, int step)
         {
             SetCommon(cmd, kernel, buffers, solver);
             kernel.SetBuffer(cmd, Particles, solver.Particles);
             kernel.Set(cmd, buffers.Potentials);
             kernel.SetInt(cmd, FluidShaderIds.ParticleCount, solver.ParticleCount);
-            kernel.SetInt(cmd, Update, update);
+            kernel.SetInt(cmd, Step, step);
         }
     }
 }

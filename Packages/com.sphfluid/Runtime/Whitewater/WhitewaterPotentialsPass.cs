@@ -7,10 +7,10 @@ namespace SphFluid
     sealed class WhitewaterPotentialsPass : ComputePass
     {
         /// <summary>Births of a particle whose trapped air and energy are at their limits [1/s].</summary>
-        public const float AirRate = 60f;
+        public const float AirRate = 90f;
 
         /// <summary>Births of a particle whose wave crest and energy are at their limits [1/s].</summary>
-        public const float CrestRate = 120f;
+        public const float CrestRate = 90f;
 
         /// <summary>Time that the running means of the largest potentials go over [s].</summary>
         public const float MeanTime = 2f;

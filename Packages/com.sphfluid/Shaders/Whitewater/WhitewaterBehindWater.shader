@@ -14,7 +14,7 @@ Shader "Hidden/SPH Fluid/Whitewater Behind Water"
             HLSLPROGRAM
             #pragma target 4.5
             #pragma vertex ExpandSpotBehindWater
-            #pragma fragment ShadeSpotBehindWater
+            #pragma fragment ShadeSpot
 
             #include "WhitewaterDrawing.hlsl"
             ENDHLSL

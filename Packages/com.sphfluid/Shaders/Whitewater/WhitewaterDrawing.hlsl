@@ -13,12 +13,16 @@ float4 _Color;              // linear
 float _WhitewaterSpacing;   // dx [m]
 float _WhitewaterSize;      // 1 by default
 float _WhitewaterShutter;   // s
+Texture2D<float4> _WhitewaterLace; // LaceTexture.cs
+SamplerState sampler_LinearRepeat;
 
 #define LEAST_RADIUS 1.0   // pixels; smaller spots cover less instead
 #define LIFT 0.7           // dx: how far foam is lifted towards the camera, as the surface is bumpy
 #define FACING 0.35        // how much flakes turn towards the camera: foam has a thickness
 #define FADE_IN 0.04       // s
-#define FADE_OUT 0.6       // s
+#define FADE_OUT 1.2       // s
+#define LACE_PART 0.2      // of the lace's side, over the radius of a flake
+#define LEAST_COVER 0.004  // of a spot that is drawn: a step of 8 bits
 
 struct SpotFragment
 {
@@ -26,7 +30,7 @@ struct SpotFragment
     float2 across : TEXCOORD0; // from the middle, in radii
     float3 world : TEXCOORD1;
     nointerpolation float4 colour : TEXCOORD2; // premultiplied
-    nointerpolation float3 kind : TEXCOORD3;   // which piece: 0 spray, 1 foam, 2 bubble; yz: where the lace is cut from
+    float3 lace : TEXCOORD3; // xy: where the spot is cut from the lace; z: 1 of foam, else 0
 };
 
 // Corners of a triangle around the unit circle.
@@ -39,6 +43,15 @@ float SpotPixel(float3 world)
 {
     float across = length(float3(unity_MatrixVP[1].x, unity_MatrixVP[1].y, unity_MatrixVP[1].z));
     return 2.0 * FluidClipPosition(world).w / (across * max(_ScreenParams.y, 1.0));
+}
+
+// Whether a piece belongs into the picture of the scene that water refracts, which has no depth of its own: nothing behind the scene, and of what
+// is not within the water nothing before it.
+bool IsSeenThroughWater(float3 world, uint kind)
+{
+    float2 screen = WaterScreen(world);
+    float depth = WaterEyeDepth(world);
+    return depth < SceneEyeDepth(screen) && (kind == WHITEWATER_BUBBLE || depth > FirstLayerEnd(screen));
 }
 
 SpotFragment ExpandSpot(uint vertexId, bool behind)
@@ -64,14 +77,14 @@ SpotFragment ExpandSpot(uint vertexId, bool behind)
     }
     if (kind == WHITEWATER_FOAM)
     {
-        radius = lerp(0.25, 0.75, random.x * random.x);
-        cover = 0.55;
+        radius = lerp(0.18, 0.6, random.x * random.x);
+        cover = 0.6;
         normal = normalize(FluidWorldDirection(piece.normal) + view * FACING + 1e-6);
     }
     if (kind == WHITEWATER_BUBBLE && behind)
     {
-        radius = lerp(0.08, 0.3, random.x * random.x);
-        cover = 0.3;
+        radius = lerp(0.12, 0.5, random.x * random.x);
+        cover = 0.12;
     }
     radius *= _WhitewaterSpacing * _WhitewaterSize;
 
@@ -93,47 +106,27 @@ SpotFragment ExpandSpot(uint vertexId, bool behind)
         stretch = 1.0 + 0.5 * reach / drawn;
     }
     cover *= fade * (radius / drawn) * (radius / drawn) / sqrt(stretch);
+    cover = behind && !IsSeenThroughWater(world, kind) ? 0.0 : cover;
 
     SpotFragment output;
     float2 corner = SpotCorner(vertexId % 3u);
-    float2 offset = (axis * (corner.x * stretch) + float2(-axis.y, axis.x) * corner.y) * (cover > 0.004 ? drawn : 0.0);
+    float2 offset = (axis * (corner.x * stretch) + float2(-axis.y, axis.x) * corner.y) * (cover > LEAST_COVER ? drawn : 0.0);
     output.world = world + along * offset.x + across * offset.y;
     float3 lifted = output.world + (kind == WHITEWATER_FOAM ? WaterView(output.world) * (LIFT * _WhitewaterSpacing) : (float3)0.0);
     output.across = corner;
     output.clipPosition = FluidClipPosition(lifted);
     float3 lit = normalize((kind == WHITEWATER_FOAM ? normal : (float3)0.0) + float3(0.0, 1.0, 0.0));
     output.colour = float4(FluidExposed(FluidDiffuse(_Color.rgb, lit)) * cover, cover);
-    output.kind = float3((float)kind, turn.yz * 64.0);
+    output.lace = float3(turn.yz + LACE_PART * corner, kind == WHITEWATER_FOAM ? 1.0 : 0.0);
     return output;
-}
-
-// Foam is a film of bubbles: flakes are cut out of cells (Worley 1996), whose rims are dense.
-float Lace(float2 place)
-{
-    float2 cell = floor(place);
-    float2 nearest = 9.0;
-    [unroll]
-    for (int y = -1; y <= 1; y++)
-    {
-        [unroll]
-        for (int x = -1; x <= 1; x++)
-        {
-            float2 other = cell + float2(x, y);
-            float2 centre = other + 0.15 + 0.7 * HashUnit(uint3(int3(int2(other), 5))).xy;
-            float squared = dot(centre - place, centre - place);
-            nearest = squared < nearest.x ? float2(squared, nearest.x) : float2(nearest.x, min(nearest.y, squared));
-        }
-    }
-    nearest = sqrt(nearest);
-    return 1.0 - smoothstep(0.05, 0.5, nearest.y - nearest.x);
 }
 
 float4 ShadeSpot(SpotFragment input) : SV_Target
 {
     float rest = saturate(1.0 - dot(input.across, input.across));
     float density = rest * rest;
-    if (input.kind.x == (float)WHITEWATER_FOAM)
-        density *= lerp(0.35, 1.0, Lace(input.kind.yz + 1.6 * input.across));
+    if (input.lace.z > 0.5)
+        density *= _WhitewaterLace.SampleLevel(sampler_LinearRepeat, input.lace.xy, 0.0).r;
     return input.colour * density;
 }
 
@@ -145,17 +138,6 @@ SpotFragment ExpandFrontSpot(uint vertexId : SV_VertexID)
 SpotFragment ExpandSpotBehindWater(uint vertexId : SV_VertexID)
 {
     return ExpandSpot(vertexId, true);
-}
-
-// Into the picture of the scene that the water refracts, which has no depth of its own: nothing behind the scene, and of what is not within the
-// water nothing before it.
-float4 ShadeSpotBehindWater(SpotFragment input) : SV_Target
-{
-    float2 screen = WaterScreen(input.world);
-    float depth = WaterEyeDepth(input.world);
-    float beyond = input.kind.x == (float)WHITEWATER_BUBBLE ? 1.0 : depth - FirstLayerEnd(screen);
-    clip(min(SceneEyeDepth(screen) - depth, beyond));
-    return ShadeSpot(input);
 }
 
 #endif
