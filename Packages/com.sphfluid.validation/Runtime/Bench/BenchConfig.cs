@@ -57,6 +57,7 @@ namespace SphFluid.Validation
                     case BenchSurfaceKind.Particles: return "particles";
                     case BenchSurfaceKind.Geometry: return "marching-cubes-gs";
                     case BenchSurfaceKind.DenseCompute: return "marching-cubes-dense";
+                    case BenchSurfaceKind.Whitewater: return "marching-cubes+whitewater";
                     default: return "marching-cubes";
                 }
             }
@@ -70,6 +71,8 @@ namespace SphFluid.Validation
         {
             get
             {
+                if (Kind == BenchSurfaceKind.Whitewater)
+                    return $"Sparse, {Field}, whitewater";
                 if (!HasStep)
                     return Quality.HasValue ? $"Sparse, {Field}" : $"{Drawing} {Grid}";
                 if (HasSurface)
@@ -111,6 +114,9 @@ namespace SphFluid.Validation
         /// <param name="quality">The field's quality.</param>
         public static BenchConfig SparseSurface(FluidSurfaceQuality quality) =>
             Still("sparse_" + quality.ToString().ToLowerInvariant(), BenchSurfaceKind.Sparse, 0, quality);
+
+        /// <summary>The sparse surface of the default quality with as many particles of whitewater as the liquid has.</summary>
+        public static BenchConfig Whitewater => Still("sparse_whitewater", BenchSurfaceKind.Whitewater, 0, FluidSurfaceQuality.Default);
 
         static BenchConfig Still(string name, BenchSurfaceKind kind, int cells, FluidSurfaceQuality? quality = null) =>
             new BenchConfig(BenchSolver.ThesisOctant, name, kind, cells, 0, quality);

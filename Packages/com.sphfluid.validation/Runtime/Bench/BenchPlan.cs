@@ -113,6 +113,7 @@ namespace SphFluid.Validation
                 configs.Add(BenchConfig.SparseSurface(cells));
             }
             configs.AddRange(new[] { FluidSurfaceQuality.Cheap, FluidSurfaceQuality.Default, FluidSurfaceQuality.High }.Select(BenchConfig.SparseSurface));
+            configs.Add(BenchConfig.Whitewater);
             var plan = new BenchPlan("surface", configs, particles ?? ForDevice(SurfaceParticles), FrameBlocks.Surface,
                 new SurfaceLayout(FrameBlocks.Surface.Select(b => b.Name)))
             { SizeBySize = true };

@@ -8,6 +8,7 @@ namespace SphFluid.Validation
     {
         public const string DrawParticles = "DrawParticles";
         public const string DrawSurface = "DrawSurface";
+        public const string DrawWhitewater = "DrawWhitewater";
 
         /// <summary>A whole frame of the benchmark; the parts lie inside.</summary>
         public const string Frame = "BenchFrame";
@@ -32,6 +33,8 @@ namespace SphFluid.Validation
             new BenchBlock("count", "CountBlocks", "SurfaceDrawArguments"),
             new BenchBlock("emit", "EmitSurfaceVertices", "EmitBlocks"),
             new BenchBlock("draw", DrawSurface),
+            new BenchBlock("foam", "WhitewaterMotion", "WhitewaterPotentials", "WhitewaterList"),
+            new BenchBlock("draw_foam", DrawWhitewater),
         };
 
         /// <summary>What a step of every method consists of.</summary>

@@ -52,9 +52,18 @@ namespace SphFluid
         /// <param name="where">Where they are.</param>
         public void Draw(WhitewaterBuffers drawn, float spacing, float size, Color colour, in DrawPlacement where)
         {
+            Fill(drawn, spacing, size, colour, where);
+            preparedAt = Time.frameCount;
+            RenderParams parameters = placement.Parameters(front, block);
+            parameters.shadowCastingMode = ShadowCastingMode.Off;
+            Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, buffers.DrawArguments);
+        }
+
+        /// <summary>Sets what is drawn and where, as <see cref="Draw"/> has it, for <see cref="Record"/>.</summary>
+        public void Fill(WhitewaterBuffers drawn, float spacing, float size, Color colour, in DrawPlacement where)
+        {
             buffers = drawn;
             placement = where;
-            preparedAt = Time.frameCount;
             block.SetBuffer(buffers.Present.Id, buffers.Present);
             block.SetFloat(Spacing, spacing);
             block.SetFloat(Size, size);
@@ -65,10 +74,11 @@ namespace SphFluid
             lighting.Apply(block);
             DrawPipeline.Apply(block, placement.Pipeline);
             DrawPipeline.Prepare(front, placement.Pipeline);
-            RenderParams parameters = placement.Parameters(front, block);
-            parameters.shadowCastingMode = ShadowCastingMode.Off;
-            Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, buffers.DrawArguments);
         }
+
+        /// <summary>Records the pieces that were filled in last into the present render target.</summary>
+        public void Record(CommandBuffer cmd) =>
+            cmd.DrawProceduralIndirect(Matrix4x4.identity, front, 0, MeshTopology.Triangles, buffers.DrawArguments, 0, block);
 
         /// <inheritdoc/>
         public bool IsSeenBy(Camera camera) => preparedAt == Time.frameCount && (camera.cullingMask & (1 << placement.Layer)) != 0 &&

@@ -17,5 +17,8 @@ namespace SphFluid.Validation
 
         /// <summary>Field and marching cubes only in blocks that hold the surface.</summary>
         Sparse,
+
+        /// <summary>That, and spray, foam and bubbles.</summary>
+        Whitewater,
     }
 }
