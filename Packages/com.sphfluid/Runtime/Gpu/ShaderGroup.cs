@@ -43,7 +43,7 @@ namespace SphFluid
 
         /// <summary>Spray, foam and bubbles.</summary>
         public static readonly ShaderGroup Whitewater = new ShaderGroup("whitewater", "Shaders/Whitewater",
-            groupThreads: 256, buffers: 8, writableBuffers: 2, groupMemory: 4096, vertexBuffers: 1,
+            groupThreads: 256, buffers: 8, writableBuffers: 3, groupMemory: 4096, vertexBuffers: 1,
             "WhitewaterPotentials", "WhitewaterMotion", "WhitewaterList", "Hidden/SPH Fluid/Whitewater", "Hidden/SPH Fluid/Whitewater Behind Water");
 
         public ShaderGroup(string part, string folder, int groupThreads, int buffers, int writableBuffers, int groupMemory, int vertexBuffers,
