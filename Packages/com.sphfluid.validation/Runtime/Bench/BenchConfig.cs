@@ -72,7 +72,7 @@ namespace SphFluid.Validation
             get
             {
                 if (Kind == BenchSurfaceKind.Whitewater)
-                    return $"Sparse, {Field}, whitewater";
+                    return "Sparse, whitewater";
                 if (!HasStep)
                     return Quality.HasValue ? $"Sparse, {Field}" : $"{Drawing} {Grid}";
                 if (HasSurface)

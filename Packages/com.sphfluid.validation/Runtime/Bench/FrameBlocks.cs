@@ -34,7 +34,7 @@ namespace SphFluid.Validation
             new BenchBlock("emit", "EmitSurfaceVertices", "EmitBlocks"),
             new BenchBlock("draw", DrawSurface),
             new BenchBlock("foam", "WhitewaterMotion", "WhitewaterPotentials", "WhitewaterList"),
-            new BenchBlock("draw_foam", DrawWhitewater),
+            new BenchBlock("drawfoam", DrawWhitewater),
         };
 
         /// <summary>What a step of every method consists of.</summary>
