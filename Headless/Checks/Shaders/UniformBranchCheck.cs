@@ -21,6 +21,7 @@ internal sealed class UniformBranchCheck(ProjectPackages packages, string shader
         ["ListedDensity: _PeriodLength"] = NothingGained,
         ["BirthParticles: _PeriodLength"] = "the same search in few steps, for few particles",
         ["BeginSurfaceRound: _LateRound"] = "a single thread of a few instructions; Mesa leaves kernels of 100 values or fewer alone",
+        ["ScanWhitewater: _GroupTotal"] = "a loop of two turns for 65,536 particles and as many of whitewater; the number changes only with the liquid",
         ["ScanSpray: _GroupTotal"] = "a loop of one turn for 65,536 particles; the number changes only with the liquid",
         ["SetMCGridDensityFactors: _MCWallCompletion"] = "once a frame, and the frame's work of a second hides a translation of milliseconds",
     };

@@ -62,6 +62,7 @@ namespace SphFluid.Validation
                     case BenchSurfaceKind.Particles: return "particles";
                     case BenchSurfaceKind.Geometry: return "marching-cubes-gs";
                     case BenchSurfaceKind.DenseCompute: return "marching-cubes-dense";
+                    case BenchSurfaceKind.Whitewater: return "marching-cubes+whitewater";
                     default: return "marching-cubes";
                 }
             }
@@ -77,6 +78,8 @@ namespace SphFluid.Validation
             {
                 if (Water.HasValue)
                     return $"Water, {Water.Value.Title}";
+                if (Kind == BenchSurfaceKind.Whitewater)
+                    return "Sparse, whitewater";
                 if (!HasStep)
                     return Quality.HasValue ? $"Sparse, {Field}" : $"{Drawing} {Grid}";
                 if (HasSurface)
@@ -122,6 +125,9 @@ namespace SphFluid.Validation
         /// <summary>The sparse surface of the default quality as clear water, without a step.</summary>
         /// <param name="look">How it is drawn.</param>
         public static BenchConfig WaterSurface(BenchWaterLook look) => Still("water_" + look.Name, BenchSurfaceKind.Water, 0, FluidSurfaceQuality.Default, look);
+
+        /// <summary>The sparse surface of the default quality with as many particles of whitewater as the liquid has.</summary>
+        public static BenchConfig Whitewater => Still("sparse_whitewater", BenchSurfaceKind.Whitewater, 0, FluidSurfaceQuality.Default);
 
         static BenchConfig Still(string name, BenchSurfaceKind kind, int cells, FluidSurfaceQuality? quality = null, BenchWaterLook? water = null) =>
             new BenchConfig(BenchSolver.ThesisOctant, name, kind, cells, 0, quality, water);

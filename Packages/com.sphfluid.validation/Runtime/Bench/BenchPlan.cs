@@ -121,6 +121,7 @@ namespace SphFluid.Validation
             }
             configs.AddRange(new[] { FluidSurfaceQuality.Cheap, FluidSurfaceQuality.Default, FluidSurfaceQuality.High }.Select(BenchConfig.SparseSurface));
             configs.AddRange(WaterLooks.Select(BenchConfig.WaterSurface));
+            configs.Add(BenchConfig.Whitewater);
             var plan = new BenchPlan("surface", configs, particles ?? ForDevice(SurfaceParticles), FrameBlocks.Surface,
                 new SurfaceLayout(FrameBlocks.Surface.Select(b => b.Name)))
             { SizeBySize = true };

@@ -190,6 +190,7 @@ namespace SphFluid.Validation
                 case BenchSurfaceKind.Geometry: return new GeometryBenchSurface(shaders, config.Grid);
                 case BenchSurfaceKind.DenseCompute: return new DenseBenchSurface(shaders, config.Grid);
                 case BenchSurfaceKind.Water: return new WaterBenchSurface(shaders, config, solver.Settings);
+                case BenchSurfaceKind.Whitewater: return new WhitewaterBenchSurface(shaders, config, solver);
                 default: return new SparseBenchSurface(shaders, config, solver.Settings);
             }
         }

@@ -8,6 +8,7 @@ namespace SphFluid.Validation
     {
         public const string DrawParticles = "DrawParticles";
         public const string DrawSurface = "DrawSurface";
+        public const string DrawWhitewater = "DrawWhitewater";
 
         public const string DrawThickness = "DrawThickness";
         public const string DrawSpray = "DrawSpray";
@@ -37,6 +38,8 @@ namespace SphFluid.Validation
             new BenchBlock("draw", DrawSurface),
             new BenchBlock("thickness", DrawThickness),
             new BenchBlock("spray", "ListSpray", DrawSpray),
+            new BenchBlock("foam", "WhitewaterMotion", "WhitewaterPotentials", "WhitewaterList"),
+            new BenchBlock("drawfoam", DrawWhitewater),
         };
 
         /// <summary>What a step of every method consists of.</summary>

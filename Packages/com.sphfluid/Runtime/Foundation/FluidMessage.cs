@@ -112,6 +112,9 @@ namespace SphFluid
         SaveDiffers,
         /// <summary>A liquid volume was enabled, disabled, moved or changed while the liquid runs, and that adds or moves no liquid.</summary>
         VolumeChanged,
+
+        /// <summary>The liquid brings forth more whitewater than it may.</summary>
+        WhitewaterFull,
     }
 
     /// <summary>One message to the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>

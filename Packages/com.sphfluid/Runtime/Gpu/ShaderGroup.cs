@@ -41,6 +41,11 @@ namespace SphFluid
             groupThreads: 256, buffers: 8, writableBuffers: 4, groupMemory: 3072, vertexBuffers: 0,
             "AnswerPoints", "AnswerRays", "AnswerBoxes", "AnswerNearest", "AnswerPatches");
 
+        /// <summary>Spray, foam and bubbles.</summary>
+        public static readonly ShaderGroup Whitewater = new ShaderGroup("whitewater", "Shaders/Whitewater",
+            groupThreads: 256, buffers: 8, writableBuffers: 3, groupMemory: 4096, vertexBuffers: 1,
+            "WhitewaterPotentials", "WhitewaterMotion", "WhitewaterList", "Hidden/SPH Fluid/Whitewater", "Hidden/SPH Fluid/Whitewater Behind Water");
+
         public ShaderGroup(string part, string folder, int groupThreads, int buffers, int writableBuffers, int groupMemory, int vertexBuffers,
             params string[] shaders)
         {

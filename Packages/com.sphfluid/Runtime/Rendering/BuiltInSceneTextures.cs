@@ -24,17 +24,17 @@ namespace SphFluid
             return new SceneTextures(SceneColourSource.Copy, true);
         }
 
-        /// <summary>Records what a camera that is about to draw copies: its picture so far, and the spray that it sees.</summary>
-        public void RecordCopy(Camera camera, IReadOnlyList<SprayDrawing> sprays)
+        /// <summary>Records what a camera that is about to draw copies: its picture so far, and the spray and whitewater that it sees.</summary>
+        public void RecordCopy(Camera camera, IReadOnlyList<IBehindWater> behind)
         {
             copy.Clear();
             copy.GetTemporaryRT(RenderShaderIds.FluidSceneColour, -1, -1, 0, FilterMode.Bilinear, RenderTextureFormat.DefaultHDR);
             copy.Blit(BuiltinRenderTextureType.CurrentActive, RenderShaderIds.FluidSceneColour);
             copy.SetRenderTarget(RenderShaderIds.FluidSceneColour);
-            for (int i = 0; i < sprays.Count; i++)
+            for (int i = 0; i < behind.Count; i++)
             {
-                if (sprays[i].IsSeenBy(camera))
-                    sprays[i].RecordBehindWater(copy);
+                if (behind[i].IsSeenBy(camera))
+                    behind[i].RecordBehindWater(copy);
             }
         }
 

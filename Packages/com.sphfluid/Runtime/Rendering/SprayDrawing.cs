@@ -8,7 +8,7 @@ namespace SphFluid
     /// Draws particles that left the surface as clusters of small drops (Shaders/Rendering/SprayDrops.hlsl): once after the water, and, where the
     /// package copies the scene for the water to refract, into that copy, so that a sheet of water in front does not hide them.
     /// </summary>
-    sealed class SprayDrawing : IDisposable
+    sealed class SprayDrawing : IBehindWater, IDisposable
     {
         readonly MaterialPropertyBlock block = new MaterialPropertyBlock();
         readonly SceneLighting lighting = new SceneLighting();

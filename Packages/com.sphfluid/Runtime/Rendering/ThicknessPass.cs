@@ -21,6 +21,7 @@ namespace SphFluid
         SurfaceBuffers surface;
         int divisor = 1;
         int preparedAt = -1;
+        Matrix4x4 localToWorld;
         Bounds bounds;
 
         /// <exception cref="FluidDeviceException">The shader is missing, or the device cannot blend half floats.</exception>
@@ -56,6 +57,7 @@ namespace SphFluid
             preparedAt = Time.frameCount;
             Layer = placement.Layer;
             bounds = placement.WorldBounds;
+            localToWorld = placement.LocalToWorld;
             divisor = halfResolution ? 2 : 1;
             DrawPipeline.Prepare(material, placement.Pipeline);
             block.SetBuffer(SurfaceBuffers.VerticesId, surface.Vertices);
@@ -69,6 +71,9 @@ namespace SphFluid
             properties.SetTexture(RenderShaderIds.FluidThickness, texture);
             properties.SetVector(RenderShaderIds.FluidThicknessSize, new Vector4(texture.width, texture.height, divisor, 0f));
         }
+
+        /// <summary>Whether it is that of this frame's water in the domain of a drawing.</summary>
+        public bool IsOf(in DrawPlacement placement) => preparedAt == Time.frameCount && localToWorld == placement.LocalToWorld;
 
         /// <summary>Whether a camera may show the liquid.</summary>
         public bool IsSeenBy(Camera camera) => (camera.cullingMask & (1 << Layer)) != 0 && new ViewVolume(camera).Touches(bounds);

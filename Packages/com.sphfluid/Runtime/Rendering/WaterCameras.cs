@@ -11,7 +11,7 @@ namespace SphFluid
     static class WaterCameras
     {
         static readonly List<ThicknessPass> passes = new List<ThicknessPass>();
-        static readonly List<SprayDrawing> sprays = new List<SprayDrawing>();
+        static readonly List<IBehindWater> behind = new List<IBehindWater>();
         static readonly BuiltInSceneTextures builtIn = new BuiltInSceneTextures();
         static Camera[] found = new Camera[4];
         static CommandBuffer cmd;
@@ -54,14 +54,30 @@ namespace SphFluid
             if (passes.Count == 0)
                 Listen();
             passes.Add(pass);
-            sprays.Add(spray);
+            behind.Add(spray);
         }
 
         public static void Remove(ThicknessPass pass, SprayDrawing spray)
         {
-            sprays.Remove(spray);
+            behind.Remove(spray);
             if (passes.Remove(pass) && passes.Count == 0)
                 StopListening();
+        }
+
+        /// <summary>Adds what is seen through water, whether there is water or not.</summary>
+        public static void Add(IBehindWater drawing) => behind.Add(drawing);
+
+        public static void Remove(IBehindWater drawing) => behind.Remove(drawing);
+
+        /// <summary>The thickness of the water that fills the domain of a drawing; null where no such water is drawn in this frame.</summary>
+        public static ThicknessPass ThicknessOf(in DrawPlacement placement)
+        {
+            foreach (ThicknessPass pass in passes)
+            {
+                if (pass.IsOf(placement))
+                    return pass;
+            }
+            return null;
         }
 
         static void Listen()
@@ -94,7 +110,7 @@ namespace SphFluid
         {
             if (!Record(camera, builtIn))
                 return;
-            builtIn.RecordCopy(camera, sprays);
+            builtIn.RecordCopy(camera, behind);
             Graphics.ExecuteCommandBuffer(cmd);
         }
 

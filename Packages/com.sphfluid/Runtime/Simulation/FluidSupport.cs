@@ -95,6 +95,7 @@ namespace SphFluid
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Drawing, OtherDevice);
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.GeometrySurface, "Draw the liquid with a Fluid Surface Renderer.");
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Diagnostics, "Leave out the Fluid Diagnostics.");
+                AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Whitewater, "Leave out the Fluid Whitewater.");
             }
             if (!device.GeometryShaders)
                 Add(messages, FluidSeverity.Info, $"{device.Name} has no geometry shaders, which the thesis's surface is made with.",

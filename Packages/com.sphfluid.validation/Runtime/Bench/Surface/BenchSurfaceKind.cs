@@ -20,5 +20,8 @@ namespace SphFluid.Validation
 
         /// <summary>The same, drawn as clear water.</summary>
         Water,
+
+        /// <summary>That, and spray, foam and bubbles.</summary>
+        Whitewater,
     }
 }

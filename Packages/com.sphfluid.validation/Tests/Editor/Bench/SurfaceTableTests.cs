@@ -21,6 +21,7 @@ namespace SphFluid.Tests
             {
                 "gs 8 thesis", "dense 8 thesis", "sparse 8 thesis", "sparse 512 thesis", "sparse_cheap 0 cheap", "sparse_default 0 default", "sparse_high 0 high",
                 "water_fast 0 default", "water_balanced 0 default", "water_fine 0 default", "water_fine_spray 0 default",
+                "sparse_whitewater 0 default",
             }));
             Assert.That(plan.Configs.Any(c => c.HasStep), Is.False);
             Assert.That(plan.LeftOut, Is.Null);
@@ -66,6 +67,28 @@ namespace SphFluid.Tests
             Assert.That(table.Column("vertices"), Is.EqualTo(new[] { "300", "300" }));
             Assert.That(table.Column("gpu_bytes"), Is.EqualTo(new[] { "1000", "5000" }));
             Assert.That(table.Column("blocks_active"), Is.EqualTo(new[] { "", "" }));
+        }
+
+        [Test]
+        public void WhitewaterIsMeasuredOnTopOfTheDefaultSurface()
+        {
+            const int count = 1009;
+            FluidShaderSet shaders = SurfaceTestScene.LoadShaders();
+            using (var liquid = new BenchLiquid(shaders, BenchSolver.ThesisOctant, count))
+            using (var drawing = new BenchDrawing(shaders))
+            using (var surface = new WhitewaterBenchSurface(shaders, BenchConfig.Whitewater, liquid.Solver))
+            {
+                while (!surface.HasCapacity)
+                {
+                    GpuTest.Run(cmd => liquid.Solver.RecordNeighbourSetup(cmd));
+                    GpuTest.Run(cmd => surface.RecordTrial(cmd, liquid.Solver));
+                    surface.TakeTrial();
+                }
+                long without = ComputeKernel.DispatchesRecorded;
+                GpuTest.Run(cmd => surface.Record(cmd, liquid.Solver, drawing));
+                Assert.That(ComputeKernel.DispatchesRecorded - without, Is.GreaterThan(9), "the surface's passes and nine of whitewater");
+                Assert.That(surface.Facts.GpuBytes, Is.GreaterThan(2 * 48 * count));
+            }
         }
 
         [Test]

@@ -163,7 +163,7 @@ namespace SphFluid
         {
             kernel.SetFloat(cmd, PoseStartId, start);
             kernel.SetFloat(cmd, PoseEndId, end);
-            kernel.SetKeyword(cmd, StretchKeyword, HasStretch);
+            if (kernel.HasKeyword(StretchKeyword)) kernel.SetKeyword(cmd, StretchKeyword, HasStretch); // others take all as stretched
             kernel.SetBuffer(cmd, BodiesId, bodyBuffer);
             geometry.Bind(cmd, kernel);
         }

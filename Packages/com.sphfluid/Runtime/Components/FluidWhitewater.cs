@@ -1,0 +1,116 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Spray, foam and bubbles of the simulation on the same GameObject (Ihmsen, Akinci, Akinci and Teschner 2012, "Unified spray, foam and bubbles
+    /// for particle-based fluids"): born where the liquid is agitated, carried by it, and drawn over its surface. The liquid does not feel them.
+    /// Disabled, nothing is computed and no memory is held.
+    /// </summary>
+    [AddComponentMenu("SPH Fluid/Fluid Whitewater")]
+    [RequireComponent(typeof(FluidSimulation))]
+    [DisallowMultipleComponent]
+    [DefaultExecutionOrder(105)]
+    public sealed class FluidWhitewater : MonoBehaviour
+    {
+        [SerializeField, Range(1, MostParticles), Tooltip("Most particles of spray, foam and bubbles. Where the liquid brings forth more, there is less of it " +
+            "everywhere, and a message says so. 96 bytes of GPU memory each. A change begins without any.")]
+        int maxParticles = 65536;
+
+        [SerializeField, Min(0f), Tooltip("How much whitewater agitated liquid brings forth, over what it does by default.")]
+        float amount = 1f;
+
+        [SerializeField, Min(0.01f), Tooltip("How long foam lies on still water, at most [s]. On fast water it goes sooner.")]
+        float foamLife = 3f;
+
+        [SerializeField, Min(0f), Tooltip("Size of drops, flakes of foam and bubbles, over what it is by default. By default it follows the particle spacing.")]
+        float size = 1f;
+
+        [SerializeField, Tooltip("Its colour in white light.")]
+        Color colour = new Color(0.93f, 0.97f, 1f);
+
+        FluidSimulation simulation;
+        FluidShaderSet preparedShaders;
+        FluidSolver refused;
+        WhitewaterFlow flow;
+        WhitewaterDrawing drawing;
+
+        /// <summary>Most particles that <see cref="MaxParticles"/> may be.</summary>
+        public const int MostParticles = 1 << 20;
+
+        /// <summary>Most particles of spray, foam and bubbles, 1 to <see cref="MostParticles"/>. A change begins without any.</summary>
+        public int MaxParticles { get => Mathf.Clamp(maxParticles, 1, MostParticles); set => maxParticles = Mathf.Clamp(value, 1, MostParticles); }
+
+        /// <summary>How much whitewater agitated liquid brings forth, over what it does by default; 0 or more.</summary>
+        public float Amount { get => amount; set => amount = Mathf.Max(value, 0f); }
+
+        /// <summary>How long foam lies on still water, at most [s]; more than 0.</summary>
+        public float FoamLife { get => foamLife; set => foamLife = Mathf.Max(value, 0.01f); }
+
+        /// <summary>Size of drops, flakes of foam and bubbles, over what it is by default; 0 or more.</summary>
+        public float Size { get => size; set => size = Mathf.Max(value, 0f); }
+
+        /// <summary>Its colour in white light.</summary>
+        public Color Colour { get => colour; set => colour = value; }
+
+        /// <summary>How much whitewater there is, as of a few frames ago; all zero while there is none.</summary>
+        public WhitewaterCounts Counts => flow?.Counts ?? default;
+
+        /// <summary>Bytes of GPU memory; 0 while nothing is computed.</summary>
+        public long GpuBytes => flow?.GpuBytes ?? 0;
+
+        internal WhitewaterFlow Flow => flow;
+
+        void OnEnable() => refused = null;
+
+        void OnDisable() => Forget();
+
+        void LateUpdate()
+        {
+            if (simulation == null) TryGetComponent(out simulation);
+            FluidSolver solver = simulation != null && simulation.isActiveAndEnabled ? simulation.Solver : null;
+            if (solver == null)
+            {
+                Forget();
+                return;
+            }
+            if (solver == refused) return;
+            try
+            {
+                Prepare(simulation.Profile.Shaders);
+                flow.Advance(solver, simulation.SimulatedTime, new WhitewaterSettings(MaxParticles, Amount, Mathf.Max(foamLife, 0.01f)));
+                drawing.Draw(flow.Buffers, solver.Settings.Spacing, Size, colour,
+                    new DrawPlacement(simulation.LocalToWorld, solver.Settings.DomainSize, solver.Settings.Spacing, gameObject.layer, false));
+            }
+            catch (FluidDeviceException exception)
+            {
+                Forget();
+                refused = solver;
+                simulation.Report(new FluidMessage(FluidSeverity.Warning, FluidIssue.DeviceUnsupported, this, exception.Message, "The liquid runs without whitewater."));
+                return;
+            }
+            if (flow.Counts.Refused > 0) simulation.Report(Full);
+        }
+
+        FluidMessage Full => new FluidMessage(FluidSeverity.Warning, FluidIssue.WhitewaterFull, this,
+            $"The liquid brings forth more whitewater than the {MaxParticles} particles that Max Particles allows, so there is less of it everywhere.",
+            "Raise Max Particles, or lower Amount or Foam Life.");
+
+        void Prepare(FluidShaderSet shaders)
+        {
+            if (shaders == preparedShaders && flow != null) return;
+            Forget();
+            flow = new WhitewaterFlow(shaders);
+            drawing = new WhitewaterDrawing(shaders);
+            preparedShaders = shaders;
+        }
+
+        void Forget()
+        {
+            drawing?.Dispose();
+            drawing = null;
+            flow?.Dispose();
+            flow = null;
+        }
+    }
+}

@@ -1,0 +1,109 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// Draws whitewater (Shaders/Whitewater/WhitewaterDrawing.hlsl): once after the water and, where the package copies the scene for the water to
+    /// refract, into that copy, where bubbles are seen.
+    /// </summary>
+    sealed class WhitewaterDrawing : IBehindWater, IDisposable
+    {
+        static readonly int Spacing = Shader.PropertyToID("_WhitewaterSpacing");
+        static readonly int Size = Shader.PropertyToID("_WhitewaterSize");
+        static readonly int Shutter = Shader.PropertyToID("_WhitewaterShutter");
+        static readonly int Lace = Shader.PropertyToID("_WhitewaterLace");
+
+        // How long the camera's shutter is open for spray [s].
+        const float ShutterTime = 1f / 400f;
+
+        readonly MaterialPropertyBlock block = new MaterialPropertyBlock();
+        readonly SceneLighting lighting = new SceneLighting();
+        Material front;
+        Material behind;
+        Texture2D lace;
+        WhitewaterBuffers buffers;
+        DrawPlacement placement;
+        int preparedAt = -1;
+
+        /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
+        public WhitewaterDrawing(FluidShaderSet shaders)
+        {
+            try
+            {
+                front = DrawMaterial.Create(shaders, "Hidden/SPH Fluid/Whitewater");
+                behind = DrawMaterial.Create(shaders, "Hidden/SPH Fluid/Whitewater Behind Water");
+            }
+            catch (FluidDeviceException)
+            {
+                DestroyMaterials();
+                throw;
+            }
+            lace = LaceTexture.Create();
+            WaterCameras.Add(this);
+        }
+
+        /// <summary>Draws the pieces for every camera of this frame, after the water.</summary>
+        /// <param name="drawn">The pieces.</param>
+        /// <param name="spacing">Particle spacing dx of the liquid [m].</param>
+        /// <param name="size">Radius of a piece over that by default.</param>
+        /// <param name="colour">Their albedo.</param>
+        /// <param name="where">Where they are.</param>
+        public void Draw(WhitewaterBuffers drawn, float spacing, float size, Color colour, in DrawPlacement where)
+        {
+            Fill(drawn, spacing, size, colour, where);
+            preparedAt = Time.frameCount;
+            RenderParams parameters = placement.Parameters(front, block);
+            parameters.shadowCastingMode = ShadowCastingMode.Off;
+            Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, buffers.DrawArguments);
+        }
+
+        /// <summary>Sets what is drawn and where, as <see cref="Draw"/> has it, for <see cref="Record"/>.</summary>
+        public void Fill(WhitewaterBuffers drawn, float spacing, float size, Color colour, in DrawPlacement where)
+        {
+            buffers = drawn;
+            placement = where;
+            block.SetBuffer(buffers.Present.Id, buffers.Present);
+            block.SetFloat(Spacing, spacing);
+            block.SetFloat(Size, size);
+            block.SetFloat(Shutter, ShutterTime);
+            block.SetTexture(Lace, lace);
+            block.SetColor(RenderShaderIds.Color, colour);
+            block.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
+            lighting.Apply(block);
+            DrawPipeline.Apply(block, placement.Pipeline);
+            DrawPipeline.Prepare(front, placement.Pipeline);
+        }
+
+        /// <summary>Records the pieces that were filled in last into the present render target.</summary>
+        public void Record(CommandBuffer cmd) =>
+            cmd.DrawProceduralIndirect(Matrix4x4.identity, front, 0, MeshTopology.Triangles, buffers.DrawArguments, 0, block);
+
+        /// <inheritdoc/>
+        public bool IsSeenBy(Camera camera) => preparedAt == Time.frameCount && (camera.cullingMask & (1 << placement.Layer)) != 0 &&
+            new ViewVolume(camera).Touches(placement.WorldBounds);
+
+        /// <inheritdoc/>
+        public void RecordBehindWater(CommandBuffer cmd)
+        {
+            ThicknessPass thickness = WaterCameras.ThicknessOf(placement);
+            if (thickness == null) return;
+            thickness.Apply(block);
+            cmd.DrawProceduralIndirect(Matrix4x4.identity, behind, 0, MeshTopology.Triangles, buffers.DrawArguments, 0, block);
+        }
+
+        public void Dispose()
+        {
+            WaterCameras.Remove(this);
+            DestroyMaterials();
+            DrawMaterial.Destroy(ref lace);
+        }
+
+        void DestroyMaterials()
+        {
+            DrawMaterial.Destroy(ref front);
+            DrawMaterial.Destroy(ref behind);
+        }
+    }
+}

@@ -1,0 +1,27 @@
+// Spray, foam and bubbles. FLUID_HDRP: see FluidShading.hlsl.
+Shader "Hidden/SPH Fluid/Whitewater"
+{
+    SubShader
+    {
+        Tags { "RenderType" = "Transparent" "Queue" = "Transparent+1" }
+
+        // No LightMode: drawn by the Built-in pipeline in forward and deferred rendering, by URP and HDRP as SRPDefaultUnlit.
+        Pass
+        {
+            Name "Forward"
+            Cull Off
+            ZWrite Off
+            ZTest LEqual
+            Blend One OneMinusSrcAlpha
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma multi_compile_local _ FLUID_HDRP
+            #pragma vertex ExpandFrontSpot
+            #pragma fragment ShadeSpot
+
+            #include "WhitewaterDrawing.hlsl"
+            ENDHLSL
+        }
+    }
+}

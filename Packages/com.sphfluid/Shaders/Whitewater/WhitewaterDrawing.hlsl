@@ -1,0 +1,143 @@
+// Whitewater as soft spots, one triangle each: streaked drops that face the camera, flakes of foam that lie on the surface, small bubbles.
+// One colour, premultiplied: their order does not matter. Everything follows from a piece's own numbers, so that nothing flickers.
+#ifndef SPHFLUID_WHITEWATER_DRAWING_INCLUDED
+#define SPHFLUID_WHITEWATER_DRAWING_INCLUDED
+
+#include "WhitewaterTypes.hlsl"
+#include "WhitewaterHash.hlsl"
+#include "../Rendering/WaterPath.hlsl"
+
+StructuredBuffer<WhitewaterParticle> _Whitewater;
+float4 _ScreenParams;       // y: pixels of the picture's height
+float4 _Color;              // linear
+float _WhitewaterSpacing;   // dx [m]
+float _WhitewaterSize;      // 1 by default
+float _WhitewaterShutter;   // s
+Texture2D<float4> _WhitewaterLace; // LaceTexture.cs
+SamplerState sampler_LinearRepeat;
+
+#define LEAST_RADIUS 1.0   // pixels; smaller spots cover less instead
+#define LIFT 0.7           // dx: how far foam is lifted towards the camera, as the surface is bumpy
+#define FACING 0.35        // how much flakes turn towards the camera: foam has a thickness
+#define FADE_IN 0.04       // s
+#define FADE_OUT 1.2       // s
+#define LACE_PART 0.2      // of the lace's side, over the radius of a flake
+#define LEAST_COVER 0.004  // of a spot that is drawn: a step of 8 bits
+
+struct SpotFragment
+{
+    float4 clipPosition : SV_Position;
+    float2 across : TEXCOORD0; // from the middle, in radii
+    float3 world : TEXCOORD1;
+    nointerpolation float4 colour : TEXCOORD2; // premultiplied
+    float3 lace : TEXCOORD3; // xy: where the spot is cut from the lace; z: 1 of foam, else 0
+};
+
+// Corners of a triangle around the unit circle.
+float2 SpotCorner(uint index)
+{
+    return index == 0u ? float2(0.0, 2.0) : float2(index == 1u ? 1.7320508 : -1.7320508, -1.0);
+}
+
+float SpotPixel(float3 world)
+{
+    float across = length(float3(unity_MatrixVP[1].x, unity_MatrixVP[1].y, unity_MatrixVP[1].z));
+    return 2.0 * FluidClipPosition(world).w / (across * max(_ScreenParams.y, 1.0));
+}
+
+// Whether a piece belongs into the picture of the scene that water refracts, which has no depth of its own: nothing behind the scene, and of what
+// is not within the water nothing before it.
+bool IsSeenThroughWater(float3 world, uint kind)
+{
+    float2 screen = WaterScreen(world);
+    float depth = WaterEyeDepth(world);
+    return depth < SceneEyeDepth(screen) && (kind == WHITEWATER_BUBBLE || depth > FirstLayerEnd(screen));
+}
+
+SpotFragment ExpandSpot(uint vertexId, bool behind)
+{
+    WhitewaterParticle piece = _Whitewater[vertexId / 3u];
+    uint kind = KindOf(piece);
+    float3 random = HashUnit(uint3(piece.seed >> 2u, 7u, 11u));
+    float3 turn = HashUnit(uint3(piece.seed >> 2u, 13u, 17u));
+    float3 world = FluidWorldPosition(piece.position);
+    float3 view = WaterView(world);
+    float3 right = unity_MatrixV[0].xyz;
+    float3 up = unity_MatrixV[1].xyz;
+    float3 normal = view;
+    float fade = saturate(piece.age / FADE_IN) * saturate(piece.life / FADE_OUT);
+    float radius = 0.0;
+    float cover = 0.0;
+    float stretch = 1.0;
+
+    if (kind == WHITEWATER_SPRAY)
+    {
+        radius = lerp(0.03, 0.16, random.x * random.x * random.x);
+        cover = 0.8;
+    }
+    if (kind == WHITEWATER_FOAM)
+    {
+        radius = lerp(0.18, 0.6, random.x * random.x);
+        cover = 0.6;
+        normal = normalize(FluidWorldDirection(piece.normal) + view * FACING + 1e-6);
+    }
+    if (kind == WHITEWATER_BUBBLE && behind)
+    {
+        radius = lerp(0.12, 0.5, random.x * random.x);
+        cover = 0.12;
+    }
+    radius *= _WhitewaterSpacing * _WhitewaterSize;
+
+    float drawn = max(radius, LEAST_RADIUS * SpotPixel(world));
+    float2 axis = float2(cos(6.2831853 * turn.x), sin(6.2831853 * turn.x));
+    float3 along = normalize(abs(normal.y) < 0.9 ? cross(normal, float3(0.0, 1.0, 0.0)) : cross(normal, float3(1.0, 0.0, 0.0)));
+    float3 across = cross(normal, along);
+    if (kind != WHITEWATER_FOAM)
+    {
+        along = right;
+        across = up;
+    }
+    if (kind == WHITEWATER_SPRAY)
+    {
+        float3 streak = FluidWorldDirection(piece.velocity) * _WhitewaterShutter;
+        float2 seen = float2(dot(streak, right), dot(streak, up));
+        float reach = length(seen);
+        axis = reach > 1e-7 ? seen / reach : axis;
+        stretch = 1.0 + 0.5 * reach / drawn;
+    }
+    cover *= fade * (radius / drawn) * (radius / drawn) / sqrt(stretch);
+    cover = behind && !IsSeenThroughWater(world, kind) ? 0.0 : cover;
+
+    SpotFragment output;
+    float2 corner = SpotCorner(vertexId % 3u);
+    float2 offset = (axis * (corner.x * stretch) + float2(-axis.y, axis.x) * corner.y) * (cover > LEAST_COVER ? drawn : 0.0);
+    output.world = world + along * offset.x + across * offset.y;
+    float3 lifted = output.world + (kind == WHITEWATER_FOAM ? WaterView(output.world) * (LIFT * _WhitewaterSpacing) : (float3)0.0);
+    output.across = corner;
+    output.clipPosition = FluidClipPosition(lifted);
+    float3 lit = normalize((kind == WHITEWATER_FOAM ? normal : (float3)0.0) + float3(0.0, 1.0, 0.0));
+    output.colour = float4(FluidExposed(FluidDiffuse(_Color.rgb, lit)) * cover, cover);
+    output.lace = float3(turn.yz + LACE_PART * corner, kind == WHITEWATER_FOAM ? 1.0 : 0.0);
+    return output;
+}
+
+float4 ShadeSpot(SpotFragment input) : SV_Target
+{
+    float rest = saturate(1.0 - dot(input.across, input.across));
+    float density = rest * rest;
+    if (input.lace.z > 0.5)
+        density *= _WhitewaterLace.SampleLevel(sampler_LinearRepeat, input.lace.xy, 0.0).r;
+    return input.colour * density;
+}
+
+SpotFragment ExpandFrontSpot(uint vertexId : SV_VertexID)
+{
+    return ExpandSpot(vertexId, false);
+}
+
+SpotFragment ExpandSpotBehindWater(uint vertexId : SV_VertexID)
+{
+    return ExpandSpot(vertexId, true);
+}
+
+#endif
