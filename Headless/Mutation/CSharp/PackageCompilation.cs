@@ -27,7 +27,7 @@ internal sealed class PackageCompilation
         IEnumerable<string> engine = Directory.EnumerateFiles(references, "*.dll").Where(p => Path.GetFileNameWithoutExtension(p) != AssemblyName);
         whole = CSharpCompilation.Create(AssemblyName, trees.Values,
             system.Concat(engine).Select(p => MetadataReference.CreateFromFile(p)),
-            new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, optimizationLevel: OptimizationLevel.Release, deterministic: true));
+            new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, optimizationLevel: OptimizationLevel.Release, deterministic: true, allowUnsafe: true));
     }
 
     public static CSharpParseOptions ParseOptions { get; } = new(LanguageVersion.CSharp9, preprocessorSymbols:

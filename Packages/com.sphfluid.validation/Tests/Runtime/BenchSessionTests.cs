@@ -58,7 +58,7 @@ namespace SphFluid.Tests
                 // 10 sorts and the 8 other blocks, 2 more for a surface.
                 Assert.That(Cell("dispatches"), Is.EqualTo(Cell("grid") == "0" ? "18" : "20"), lines[i]);
             }
-            Assert.That(said, Has.Some.Contains("about").And.Contains("5 samples of each row"));
+            Assert.That(said, Has.Some.Contains("about").And.Contains("5 samples of each"));
         }
 
         [UnityTest]
@@ -104,7 +104,7 @@ namespace SphFluid.Tests
             string Cell(string[] line, string name) => line[Array.IndexOf(lines[0], name)];
             double Number(string[] line, string name) => double.Parse(Cell(line, name), CultureInfo.InvariantCulture);
             bool hasGeometry = MeasuredGeometrySurface.MissingSupport() == null;
-            Assert.That(lines, Has.Length.EqualTo(1 + (hasGeometry ? 9 : 7)));
+            Assert.That(lines, Has.Length.EqualTo(1 + (hasGeometry ? 14 : 12)));
             foreach (string[] line in lines.Skip(1))
             {
                 string text = string.Join(",", line);
@@ -127,8 +127,12 @@ namespace SphFluid.Tests
         {
             using (BenchSession session = Create("--particles", "128", "--grids", "none"))
             {
-                Assert.That(session.Step(), Is.True);
-                yield return null;
+                // A short trial of the device comes first; the file is there when the table begins.
+                for (int i = 0; i < 200 && !File.Exists(Path.Combine(folder, "thesis.csv")); i++)
+                {
+                    Assert.That(session.Step(), Is.True);
+                    yield return null;
+                }
             }
             Assert.That(File.ReadAllLines(Path.Combine(folder, "thesis.csv")), Has.Length.EqualTo(1));
             Assert.That(said, Has.Some.StartsWith("Stopped early."));

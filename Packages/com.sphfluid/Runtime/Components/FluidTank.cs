@@ -7,6 +7,7 @@ namespace SphFluid
     /// the Editor and in play. Only a picture: the faces of the domain hold the liquid, and the tank has no colliders. The object is a child of the
     /// simulation's, without a displacement of its own. The first material of its Mesh Renderer is the glass, the second the frame.
     /// </summary>
+    [ManualPage("getting-started", "from-the-menu")]
     [AddComponentMenu("SPH Fluid/Fluid Tank")]
     [ExecuteAlways]
     [DisallowMultipleComponent]

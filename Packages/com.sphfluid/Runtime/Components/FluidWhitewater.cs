@@ -8,6 +8,7 @@ namespace SphFluid
     /// Disabled, nothing is computed and no memory is held.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Whitewater")]
+    [ManualPage("drawing", "whitewater")]
     [RequireComponent(typeof(FluidSimulation))]
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(105)]
@@ -27,7 +28,7 @@ namespace SphFluid
         float size = 1f;
 
         [SerializeField, Tooltip("Its colour in white light.")]
-        Color colour = new Color(0.93f, 0.97f, 1f);
+        Color color = new Color(0.93f, 0.97f, 1f);
 
         FluidSimulation simulation;
         FluidShaderSet preparedShaders;
@@ -51,7 +52,7 @@ namespace SphFluid
         public float Size { get => size; set => size = Mathf.Max(value, 0f); }
 
         /// <summary>Its colour in white light.</summary>
-        public Color Colour { get => colour; set => colour = value; }
+        public Color Color { get => color; set => color = value; }
 
         /// <summary>How much whitewater there is, as of a few frames ago; all zero while there is none.</summary>
         public WhitewaterCounts Counts => flow?.Counts ?? default;
@@ -79,7 +80,7 @@ namespace SphFluid
             {
                 Prepare(simulation.Profile.Shaders);
                 flow.Advance(solver, simulation.SimulatedTime, new WhitewaterSettings(MaxParticles, Amount, Mathf.Max(foamLife, 0.01f)));
-                drawing.Draw(flow.Buffers, solver.Settings.Spacing, Size, colour,
+                drawing.Draw(flow.Buffers, solver.Settings.Spacing, Size, color,
                     new DrawPlacement(simulation.LocalToWorld, solver.Settings.DomainSize, solver.Settings.Spacing, gameObject.layer, false));
             }
             catch (FluidDeviceException exception)

@@ -18,6 +18,7 @@ namespace SphFluid
             new FluidStage("surface", "ClearSurfaceBlocks", "PrepareSurfaceParticles", "ListSpray", "ListSurfaceBlocks", "SampleBlocks", "CountBlocks",
                 "SurfaceDrawArguments", "EmitBlocks", "WriteSurfaceMesh",
                 "ResetMCGrid", "SetMCGridDensityFactors", "CountSurfaceVertices", "EmitSurfaceVertices"),
+            new FluidStage("whitewater", "WhitewaterPotentials", "WhitewaterMotion", "WhitewaterList"),
         };
 
         FluidStage(string name, params string[] passes)

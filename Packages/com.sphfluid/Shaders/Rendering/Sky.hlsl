@@ -80,7 +80,9 @@ float2 Clouds(float3 direction, float3 sun)
     float bulk = CloudBulk(place);
     float2 finer = FinerCloud(FinerCloud(place));
     float whole = bulk + 0.125 * ValueNoise(finer) + 0.0625 * ValueNoise(FinerCloud(finer));
-    float clear = lerp(0.94, 0.075, _CloudCover);
+    // The noise lies about 0.51, near its middle the more often: even steps of the cover take smaller ones of the noise there.
+    float beyond = 1.0 - 2.0 * _CloudCover;
+    float clear = 0.5075 + 0.4325 * sign(beyond) * pow(abs(beyond), 1.5);
     float cover = smoothstep(clear, clear + CLOUD_EDGE, whole) * smoothstep(0.01, 0.12, direction.y);
     float shade = saturate(0.6 + 2.5 * (bulk - CloudBulk(place + NEARER_SUN * sun.xz)));
     return float2(cover, shade);

@@ -76,7 +76,8 @@ namespace SphFluid.Tests
             device.VertexBuffers = 0;
             FluidSupport support = FluidSupport.From(device);
             Assert.That(support.Simulation && !support.Surface);
-            Assert.That(support.Messages.Single().Text, Does.Contain("binds 0 buffers to a vertex shader; the drawing needs 1"));
+            Assert.That(support.Messages.First().Text, Does.Contain("binds 0 buffers to a vertex shader; the drawing needs 1"));
+            Assert.That(support.Messages.Skip(1).Single().Text, Does.Contain("whitewater needs"));
         }
 
         [Test]
