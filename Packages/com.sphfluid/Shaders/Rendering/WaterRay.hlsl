@@ -5,6 +5,7 @@
 #include "WaterPath.hlsl"
 
 #define MARCH_HALVINGS 4
+#define DEPTH_DOUBT 6e-3 // of the depth
 
 struct WaterRay
 {
@@ -39,10 +40,12 @@ float2 RayScreen(WaterRay ray, float metres)
     return clipPosition.xy / clipPosition.w * float2(0.5, 0.5 * _ProjectionParams.x) + 0.5;
 }
 
-// How far the scene lies behind a point of the line, metres along the camera's axis; negative: in front.
+// How far the scene lies behind a point of the line, metres along the camera's axis; negative: in front, by more than pixels and their depths are
+// off: what stands at a wall, such as a tank's frame, is not in front of it.
 float GapBehind(WaterRay ray, float metres)
 {
-    return NearestSceneDepth(RayScreen(ray, metres)) - (ray.front + ray.depthStep * metres);
+    float depth = ray.front + ray.depthStep * metres;
+    return NearestSceneDepth(RayScreen(ray, metres)) + DEPTH_DOUBT * depth - depth;
 }
 
 struct MarchEnd
@@ -60,7 +63,7 @@ float MarchMetres(float share, float longest, float curve)
 
 // Follows a line until the scene lies in front of it. Where the doubt between the last point before and the first behind shrinks as it is halved,
 // they belong to one thing, which is met between them. Where it does not, the line passes behind a thing's edge: it ends there, at the last point that is
-// seen. Worked example: gaps of 0.3 m and -0.1 m belong to a slope if four halvings leave a fall of 0.025 m, to an edge if they leave 0.37 m.
+// seen, unless its own end is seen again, past a thing that is thin. Worked example: gaps of 0.3 m and -0.1 m belong to a slope if four halvings leave a fall of 0.025 m, to an edge if they leave 0.37 m.
 MarchEnd March(WaterRay ray, float longest, float curve, uint steps)
 {
     float clear = 0.0;
@@ -106,11 +109,14 @@ MarchEnd March(WaterRay ray, float longest, float curve, uint steps)
         }
     }
     float left = gapClear - gapBehind;
-    end.isWhole = !isCrossed;
     end.isMet = isCrossed && (left < 0.4 * fall || left < 2e-3 * ray.front);
-    float share = isCrossed ? clear : 1.0;
+    end.isWhole = !end.isMet && (!isCrossed || GapBehind(ray, MarchMetres(1.0, longest, curve)) >= 0.0);
+    float share = end.isWhole ? 1.0 : clear;
     if (end.isMet)
-        share = lerp(clear, behind, saturate(gapClear / max(left, 1e-6)));
+    {
+        float doubt = DEPTH_DOUBT * (ray.front + ray.depthStep * MarchMetres(clear, longest, curve));
+        share = max(lerp(clear, behind, clamp((gapClear - doubt) / max(left, 1e-6), -8.0, 1.0)), 0.0);
+    }
     end.metres = MarchMetres(share, longest, curve);
     return end;
 }

@@ -40,19 +40,46 @@ DomainExit LeaveDomain(float3 world, float3 direction)
     return exit;
 }
 
-// How far a line runs in the nearest layer. Its thickness is known along lines of sight: the line ends where that at its own end says so, found
-// by trying twice.
-float LayerLength(WaterRay ray, float straight)
+// Whether a point of a line lies before the end of the nearest layer as lines of sight have it; a little behind counts as well.
+bool IsInLayer(WaterRay ray, float metres)
 {
-    float metres = straight;
-    [unroll]
-    for (uint i = 0; i < 2; i++)
+    float2 screen = RayScreen(ray, metres);
+    return all(screen == saturate(screen)) && ray.front + ray.depthStep * metres < FirstLayerEnd(screen) + 0.5 * _MCCellSize.x;
+}
+
+// How far a line runs in the nearest layer, whose thickness is known along lines of sight: ever longer steps go on while they stay in it, the last one
+// is halved, and what the thickness is there ends the line. Without steps, and where the layer has no far face, it is as long as the line of sight.
+float LayerLength(WaterRay ray, float straight, float toWall)
+{
+    uint tries = (uint)_FluidRefractionSteps.x / 3u;
+    float within = 0.0;
+    float beyond = toWall;
+    float metres = max(straight, _MCCellSize.x);
+    [loop]
+    for (uint i = 0; i < tries + 2u && metres < toWall; i++)
     {
-        float2 screen = RayScreen(ray, metres);
-        float layer = all(screen == saturate(screen)) ? FirstLayer(screen, ray.front) : NOTHING_BEHIND;
-        metres = layer > 0.0 && layer < NOTHING_BEHIND ? layer / ray.depthStep : metres;
+        if (!IsInLayer(ray, metres))
+        {
+            beyond = metres;
+            break;
+        }
+        within = metres;
+        metres *= 2.0;
     }
-    return metres;
+    bool reachesWall = beyond >= toWall && IsInLayer(ray, toWall);
+    [loop]
+    for (uint j = 0; j < tries && !reachesWall; j++)
+    {
+        float middle = 0.5 * (within + beyond);
+        if (IsInLayer(ray, middle))
+            within = middle;
+        else
+            beyond = middle;
+    }
+    float layer = FirstLayer(RayScreen(ray, within), ray.front);
+    float ended = min(layer < NOTHING_BEHIND ? layer / max(ray.depthStep, 1e-3) : straight, beyond);
+    bool isOpen = FirstLayerEnd(RayScreen(ray, 0.0)) < 0.0;
+    return tries == 0u || isOpen ? min(straight, toWall) : reachesWall ? toWall : ended;
 }
 
 // Light leaves the layer and goes on as it came: parallel faces, those of a tank's panes for example, turn it back into its old direction.
@@ -85,9 +112,8 @@ SeenThrough SeeThrough(float3 world, float3 view, float3 normal, float alongAxis
     float2 screen = WaterScreen(world);
     float3 bent = normalize(lerp(-view, refract(-view, normal, AIR_TO_WATER), _Refraction));
     WaterRay ray = StartRay(world, bent);
-    float longest = _FluidRefractionSteps.x > 0.5 ? LayerLength(ray, layer / alongAxis) : layer / alongAxis;
     DomainExit exit = LeaveDomain(world, bent);
-    longest = min(longest, exit.metres);
+    float longest = LayerLength(ray, layer / alongAxis, exit.metres);
     float others = max(water - layer, 0.0) / alongAxis;
 
     MarchEnd end;
