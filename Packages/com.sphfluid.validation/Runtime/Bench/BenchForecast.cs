@@ -11,11 +11,13 @@ namespace SphFluid.Validation
     sealed class BenchForecast
     {
         // Of a sample beside its frames: the saved state put back, a step or a sort before it, waiting for times.
-        const double SampleOverhead = 0.05;
+        const double SampleOverhead = 0.2;
         const int WarmUps = 1;
 
-        // Work in particle-steps of the Standard method: of the thesis method's step, of a surface for each particle, and for each cell of a dense grid.
-        const double ThesisWeight = 2.0, SurfaceWeight = 1.5, CellWeight = 0.1, StepOverhead = 1500.0;
+        // Work in particle-steps of the Standard method: of the thesis method's step, of a surface and of whitewater for each particle; for each cell of
+        // a dense grid, and of a sparse one for each square of cells across, as many as its surface is large; of water's picture.
+        // From benchmarks/surface-llvmpipe-2026-11-25.csv, by the calibration of that run.
+        const double ThesisWeight = 2.0, SurfaceWeight = 1.5, WhitewaterWeight = 4.5, CellWeight = 0.9, SquareWeight = 12.0, WaterPicture = 5e4, StepOverhead = 1500.0;
 
         readonly List<Item> items = new List<Item>();
         readonly double sampleSeconds, secondsPerWork;
@@ -62,9 +64,21 @@ namespace SphFluid.Validation
         {
             double work = config.Steps * Work(particles, WeightOf(config.Solver));
             if (config.HasSurface)
-                work += Work(particles, SurfaceWeight) + (config.Kind == BenchSurfaceKind.Sparse ? 0.0 : CellWeight * Math.Pow(config.Grid, 3.0));
+                work += Work(particles, SurfaceWeight) + SurfaceWork(config, particles);
             double prepare = Work(particles, WeightOf(config.Solver)) * secondsPerWork + SampleOverhead;
             return prepare + Math.Max(sampleSeconds, work * secondsPerWork);
+        }
+
+        static double SurfaceWork(BenchConfig config, int particles)
+        {
+            switch (config.Kind)
+            {
+                case BenchSurfaceKind.Geometry:
+                case BenchSurfaceKind.DenseCompute: return CellWeight * Math.Pow(config.Grid, 3.0);
+                case BenchSurfaceKind.Water: return WaterPicture;
+                case BenchSurfaceKind.Whitewater: return WhitewaterWeight * particles;
+                default: return SquareWeight * Math.Pow(config.Grid, 2.0);
+            }
         }
 
         static double WeightOf(BenchSolver solver) => solver.Method == FluidMethodKind.Standard ? 1.0 : ThesisWeight;

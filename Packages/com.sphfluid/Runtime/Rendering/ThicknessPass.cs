@@ -72,6 +72,13 @@ namespace SphFluid
             properties.SetVector(RenderShaderIds.FluidThicknessSize, new Vector4(texture.width, texture.height, divisor, 0f));
         }
 
+        /// <summary>Sets the texture of no water, for a draw that reads it where there may be none.</summary>
+        public static void ApplyNone(MaterialPropertyBlock properties)
+        {
+            properties.SetTexture(RenderShaderIds.FluidThickness, Texture2D.blackTexture);
+            properties.SetVector(RenderShaderIds.FluidThicknessSize, Vector4.one);
+        }
+
         /// <summary>Whether it is that of this frame's water in the domain of a drawing.</summary>
         public bool IsOf(in DrawPlacement placement) => preparedAt == Time.frameCount && localToWorld == placement.LocalToWorld;
 

@@ -54,6 +54,7 @@ namespace SphFluid
         {
             Fill(drawn, spacing, size, colour, where);
             preparedAt = Time.frameCount;
+            WaterCameras.ThicknessOf(where)?.Apply(block);
             RenderParams parameters = placement.Parameters(front, block);
             parameters.shadowCastingMode = ShadowCastingMode.Off;
             Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, buffers.DrawArguments);
@@ -69,6 +70,7 @@ namespace SphFluid
             block.SetFloat(Size, size);
             block.SetFloat(Shutter, ShutterTime);
             block.SetTexture(Lace, lace);
+            ThicknessPass.ApplyNone(block);
             block.SetColor(RenderShaderIds.Color, colour);
             block.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
             lighting.Apply(block);

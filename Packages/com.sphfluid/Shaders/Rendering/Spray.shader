@@ -18,7 +18,7 @@ Shader "Hidden/SPH Fluid/Spray"
             #pragma target 4.5
             #pragma multi_compile_local _ FLUID_HDRP
             #pragma vertex ExpandDrop
-            #pragma fragment ShadeDrop
+            #pragma fragment ShadeDropBeforeWater
 
             #include "SprayDrops.hlsl"
             ENDHLSL

@@ -102,11 +102,17 @@ DropFragment ExpandDrop(uint vertexId : SV_VertexID)
 }
 
 // A capsule, densest along its middle.
-float4 ShadeDrop(DropFragment input) : SV_Target
+float4 ShadeDrop(DropFragment input)
 {
     float2 beyond = float2(max(abs(input.across.x) - input.across.z, 0.0), input.across.y);
     float rest = saturate(1.0 - dot(beyond, beyond));
     return input.colour * (rest * rest);
+}
+
+float4 ShadeDropBeforeWater(DropFragment input) : SV_Target
+{
+    clip(IsBeyondSurfaceFromWithin(WaterScreen(input.world), WaterEyeDepth(input.world)) ? -1.0 : 1.0);
+    return ShadeDrop(input);
 }
 
 // Into the picture of the scene that the water refracts, which has no depth of its own: nothing behind the scene, nothing before the water.

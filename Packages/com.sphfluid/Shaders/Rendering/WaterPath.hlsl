@@ -113,6 +113,13 @@ float FirstLayerEnd(float2 screen)
     return nearest > -999.0 ? WaterEyeDepth(FluidWorldPosition(0.0)) - nearest : -1.0;
 }
 
+// Whether a camera in the water sees a point of the picture that lies beyond the water's surface. The picture of the scene that the water refracts
+// holds it then, so that it is neither drawn twice nor where a straight line would meet it.
+bool IsBeyondSurfaceFromWithin(float2 screen, float depth)
+{
+    return _FluidScene.x == WATER_SCENE_COPY && UnpairedFaces(screen) > 0.5 && depth > FirstLayerEnd(screen);
+}
+
 // How thick the nearest layer is behind a point of the surface, metres along the camera's axis. Half floats place its end to a millimetre.
 float FirstLayer(float2 screen, float front)
 {

@@ -54,6 +54,12 @@ bool IsSeenThroughWater(float3 world, uint kind)
     return depth < SceneEyeDepth(screen) && (kind == WHITEWATER_BUBBLE || depth > FirstLayerEnd(screen));
 }
 
+// Foam lies on the surface, and is seen from below as it lies.
+bool IsSeenBeforeWater(float3 world, uint kind)
+{
+    return kind == WHITEWATER_FOAM || !IsBeyondSurfaceFromWithin(WaterScreen(world), WaterEyeDepth(world));
+}
+
 SpotFragment ExpandSpot(uint vertexId, bool behind)
 {
     WhitewaterParticle piece = _Whitewater[vertexId / 3u];
@@ -106,7 +112,8 @@ SpotFragment ExpandSpot(uint vertexId, bool behind)
         stretch = 1.0 + 0.5 * reach / drawn;
     }
     cover *= fade * (radius / drawn) * (radius / drawn) / sqrt(stretch);
-    cover = behind && !IsSeenThroughWater(world, kind) ? 0.0 : cover;
+    bool isSeen = behind ? IsSeenThroughWater(world, kind) : IsSeenBeforeWater(world, kind);
+    cover = isSeen ? cover : 0.0;
 
     SpotFragment output;
     float2 corner = SpotCorner(vertexId % 3u);

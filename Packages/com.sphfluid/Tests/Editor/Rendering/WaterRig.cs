@@ -95,8 +95,7 @@ namespace SphFluid.Tests
         /// <param name="fromWithin">Whether the camera is in the water.</param>
         public Color[] Render(Action<MaterialPropertyBlock> change = null, int pass = ForwardPass, Color background = default, bool fromWithin = false)
         {
-            Matrix4x4 view = SurfaceTestScene.LookAtOrigin(eye);
-            var placement = new DrawPlacement(Matrix4x4.identity, Domain.size, 0f, 0, false);
+            DrawPlacement placement = Placement;
             SurfaceBuffers buffers = surface.Buffers;
             water.Fill(buffers, new SurfaceGrid(Domain.min, Domain.size, 64), SurfaceWalls.Closed, placement);
             water.SetLook(buffers, Look, Vector2Int.one * Size, placement);
@@ -113,13 +112,53 @@ namespace SphFluid.Tests
             block.SetVector("unity_OrthoParams", new Vector4(HalfWidth, HalfWidth, 0f, 1f));
             change?.Invoke(block);
             Material material = fromWithin ? water.Within : water.Material;
+            return Draw(cmd =>
+            {
+                cmd.ClearRenderTarget(false, true, background);
+                cmd.DrawProceduralIndirect(buffers.Indices, Matrix4x4.identity, material, pass, MeshTopology.Triangles, buffers.Arguments, 0, block);
+            });
+        }
+
+        /// <summary>Draws one particle of spray alone, a picture of whose drops is the colour that is left of nothing.</summary>
+        /// <param name="position">Where it is.</param>
+        /// <param name="spacing">dx, which its drops are spread over [m].</param>
+        /// <param name="behind">Into the picture that the water refracts, instead of after the water.</param>
+        public Color[] RenderSpray(Vector3 position, float spacing, bool behind)
+        {
+            const int drops = 14;
+            DrawPlacement placement = Placement;
+            water.Thickness.Prepare(surface.Buffers, placement, Vector2Int.one * Size, false);
+            using (var particle = new GraphicsBuffer(GraphicsBuffer.Target.Structured, 1, 32))
+            using (GraphicsBuffer arguments = GpuBuffers.CreateArguments("Arguments", 4))
+            {
+                particle.SetData(new[] { position.x, position.y, position.z, 1f, 0f, 0f, 0f, 0f });
+                arguments.SetData(new[] { (uint)(drops * SprayBuffers.VerticesPerDrop), 1u, 0u, 0u });
+                water.Spray.Prepare(new SprayBuffers(particle, arguments, drops, spacing), 0f, placement, water.Thickness);
+                return Draw(cmd =>
+                {
+                    cmd.SetGlobalVector("_FluidScene", new SceneTextures(SceneColourSource.Copy, true).ToVector());
+                    cmd.SetGlobalVector("_FluidThicknessView", new Vector4(Size, Size, 0f, 0f));
+                    cmd.SetGlobalTexture("_CameraDepthTexture", depth);
+                    cmd.SetGlobalVector("unity_OrthoParams", new Vector4(HalfWidth, HalfWidth, 0f, 1f));
+                    if (behind)
+                        water.Spray.RecordBehindWater(cmd);
+                    else
+                        water.Spray.RecordAfterWater(cmd);
+                });
+            }
+        }
+
+        DrawPlacement Placement => new DrawPlacement(Matrix4x4.identity, Domain.size, 0f, 0, false);
+
+        Color[] Draw(Action<CommandBuffer> record)
+        {
+            Matrix4x4 view = SurfaceTestScene.LookAtOrigin(eye);
             GpuTest.Run(cmd => water.Thickness.Record(cmd, view, Parallel, Vector2Int.one * Size));
             return SurfaceTestScene.Render(Size, view, Parallel, cmd =>
             {
-                cmd.ClearRenderTarget(false, true, background);
                 cmd.SetGlobalVector("_WorldSpaceCameraPos", eye);
                 cmd.SetGlobalVector("_ProjectionParams", new Vector4(-1f, Near, Far, 1f / Far));
-                cmd.DrawProceduralIndirect(buffers.Indices, Matrix4x4.identity, material, pass, MeshTopology.Triangles, buffers.Arguments, 0, block);
+                record(cmd);
             });
         }
 
