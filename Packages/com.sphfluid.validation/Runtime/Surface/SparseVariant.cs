@@ -1,4 +1,5 @@
 using System;
+using SphFluid.Laboratory;
 using UnityEngine;
 
 namespace SphFluid.Validation
@@ -24,6 +25,10 @@ namespace SphFluid.Validation
         /// <summary>The smooth field of a quality.</summary>
         public static SparseVariant Smooth(FluidShaderSet shaders, FluidSurfaceQuality quality, float cell) =>
             new SparseVariant(shaders, cell, (settings, _) => SurfaceFieldSettings.For(quality, settings, cell));
+
+        /// <summary>The smooth field as clear water has it: particles with little company leave it, to be drawn as spray.</summary>
+        public static SparseVariant Spray(FluidShaderSet shaders) =>
+            new SparseVariant(shaders, 0.75f, (settings, _) => MeasuredWater.FieldOf(FluidSurfaceQuality.Default, settings, new FluidWaterLook()));
 
         /// <summary>Yu and Turk's kernels, stretched along the surface.</summary>
         public static SparseVariant Anisotropic(FluidShaderSet shaders, float cell) =>

@@ -32,6 +32,7 @@ namespace SphFluid.Validation
             new SurfaceVariantEntry("thesis-sparse-0.75", false, shaders => SparseVariant.Thesis(shaders, 0.75f)),
             new SurfaceVariantEntry("cheap", true, shaders => SparseVariant.Smooth(shaders, FluidSurfaceQuality.Cheap, 1f)),
             new SurfaceVariantEntry("default", true, shaders => SparseVariant.Smooth(shaders, FluidSurfaceQuality.Default, 0.75f)),
+            new SurfaceVariantEntry("default-spray", true, shaders => SparseVariant.Spray(shaders)),
             new SurfaceVariantEntry("high", true, shaders => SparseVariant.Smooth(shaders, FluidSurfaceQuality.High, 0.5f)),
             new SurfaceVariantEntry("cheap-dual", false, shaders => new DualVariant(shaders, FluidSurfaceQuality.Cheap, 1f)),
             new SurfaceVariantEntry("default-dual", false, shaders => new DualVariant(shaders, FluidSurfaceQuality.Default, 0.75f)),

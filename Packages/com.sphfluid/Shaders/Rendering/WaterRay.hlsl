@@ -5,6 +5,7 @@
 #include "WaterPath.hlsl"
 
 #define MARCH_HALVINGS 4
+#define EDGE_PIXELS 2.0
 #define DEPTH_DOUBT 6e-3 // of the depth
 
 struct WaterRay
@@ -62,62 +63,62 @@ float MarchMetres(float share, float longest, float curve)
 }
 
 // Follows a line until the scene lies in front of it. Where the doubt between the last point before and the first behind shrinks as it is halved,
-// they belong to one thing, which is met between them. Where it does not, the line passes behind a thing's edge: it ends there, at the last point that is
-// seen, unless its own end is seen again, past a thing that is thin. Worked example: gaps of 0.3 m and -0.1 m belong to a slope if four halvings leave a fall of 0.025 m, to an edge if they leave 0.37 m.
+// they belong to one thing, which is met between them. Where it does not, the line passes behind a thing's edge, and goes on where it is seen again, past
+// a thing that is thin; where it is not, it ends at the last point that is seen. Worked example: gaps of 0.3 m and -0.1 m belong to a slope if four
+// halvings leave a fall of 0.025 m, to an edge if they leave 0.37 m.
 MarchEnd March(WaterRay ray, float longest, float curve, uint steps)
 {
-    float clear = 0.0;
-    float behind = 1.0;
-    float gapClear = max(GapBehind(ray, 0.0), 0.0);
-    float gapBehind = 0.0;
-    bool isCrossed = false;
-    [loop]
-    for (uint i = 1; i <= steps; i++)
-    {
-        float share = (float)i / (float)steps;
-        float gap = GapBehind(ray, MarchMetres(share, longest, curve));
-        if (gap < 0.0)
-        {
-            behind = share;
-            gapBehind = gap;
-            isCrossed = true;
-            break;
-        }
-        clear = share;
-        gapClear = gap;
-    }
-
+    float seen = 0.0;
+    float gapSeen = max(GapBehind(ray, 0.0), 0.0);
+    bool isHidden = false;
     MarchEnd end;
-    float fall = gapClear - gapBehind;
-    if (isCrossed)
+    end.isMet = false;
+    [loop]
+    for (uint i = 1; i <= steps && !end.isMet; i++)
     {
-        [loop]
-        for (uint j = 0; j < MARCH_HALVINGS; j++)
+        float behind = (float)i / (float)steps;
+        float gapBehind = GapBehind(ray, MarchMetres(behind, longest, curve));
+        if (gapBehind >= 0.0)
         {
-            float middle = 0.5 * (clear + behind);
-            float gap = GapBehind(ray, MarchMetres(middle, longest, curve));
-            if (gap < 0.0)
+            seen = behind;
+            gapSeen = gapBehind;
+            isHidden = false;
+        }
+        else if (!isHidden)
+        {
+            float fall = gapSeen - gapBehind;
+            [loop]
+            for (uint j = 0; j < MARCH_HALVINGS; j++)
             {
-                behind = middle;
-                gapBehind = gap;
+                float middle = 0.5 * (seen + behind);
+                float gap = GapBehind(ray, MarchMetres(middle, longest, curve));
+                if (gap < 0.0)
+                {
+                    behind = middle;
+                    gapBehind = gap;
+                }
+                else
+                {
+                    seen = middle;
+                    gapSeen = gap;
+                }
             }
-            else
-            {
-                clear = middle;
-                gapClear = gap;
-            }
+            float left = gapSeen - gapBehind;
+            end.isMet = left < 0.4 * fall || left < 2e-3 * ray.front;
+            isHidden = !end.isMet;
+            float doubt = DEPTH_DOUBT * (ray.front + ray.depthStep * MarchMetres(seen, longest, curve));
+            float met = lerp(seen, behind, clamp((gapSeen - doubt) / max(left, 1e-6), -8.0, 1.0));
+            seen = end.isMet ? max(met, 0.0) : seen;
         }
     }
-    float left = gapClear - gapBehind;
-    end.isMet = isCrossed && (left < 0.4 * fall || left < 2e-3 * ray.front);
-    end.isWhole = !end.isMet && (!isCrossed || GapBehind(ray, MarchMetres(1.0, longest, curve)) >= 0.0);
-    float share = end.isWhole ? 1.0 : clear;
-    if (end.isMet)
+    end.isWhole = !end.isMet && !isHidden;
+    end.metres = MarchMetres(seen, longest, curve);
+    if (isHidden)
     {
-        float doubt = DEPTH_DOUBT * (ray.front + ray.depthStep * MarchMetres(clear, longest, curve));
-        share = max(lerp(clear, behind, clamp((gapClear - doubt) / max(left, 1e-6), -8.0, 1.0)), 0.0);
+        // Pixels beside an edge have a share of what stands before it.
+        float2 ahead = (RayScreen(ray, end.metres + 0.01 * longest) - RayScreen(ray, end.metres)) * _FluidThicknessView.xy;
+        end.metres = max(end.metres - 0.01 * longest * EDGE_PIXELS / max(length(ahead), 1e-3), 0.0);
     }
-    end.metres = MarchMetres(share, longest, curve);
     return end;
 }
 
