@@ -1,43 +1,66 @@
 using System;
-using System.Linq;
+using System.Collections.Generic;
+using System.IO;
 using SphFluid.Editor;
 using UnityEditor;
 using UnityEditor.SceneManagement;
 using UnityEngine;
+using UnityEngine.SceneManagement;
 
 namespace SphFluid.Validation.Editor
 {
     /// <summary>
-    /// A new user's first minute, by the code that the menus call: a new scene with a floor, GameObject > Fluid > Tank, saved as a scene that can be played.
-    /// Run it by -executeMethod SphFluid.Validation.Editor.NewUserWalk.Write, with --scene PATH below the project (Assets/NewUser.unity).
+    /// A new user's first minutes, by the code that the menus call: an empty scene, a floor, GameObject > Fluid > Tank, Emitter, and in scenes of their own
+    /// Surface and Particles. After each step the scene is saved, to be played.
+    /// Run it by -executeMethod SphFluid.Validation.Editor.NewUserWalk.Write, with --folder PATH below the project (Assets/NewUser).
     /// </summary>
     public static class NewUserWalk
     {
-        const string DefaultPath = "Assets/NewUser.unity";
+        const string DefaultFolder = "Assets/NewUser";
 
-        /// <summary>Writes the scene; ends with exit code 1 where the set-up has a message.</summary>
+        /// <summary>Writes the scenes; ends with exit code 1 where one cannot be saved, or its set-up has a message.</summary>
         public static void Write()
         {
             string[] words = Environment.GetCommandLineArgs();
-            int at = Array.IndexOf(words, "--scene");
-            string path = at >= 0 && at + 1 < words.Length ? words[at + 1] : DefaultPath;
-            EditorSceneManager.NewScene(NewSceneSetup.DefaultGameObjects);
-            GameObject.CreatePrimitive(PrimitiveType.Plane);
-            FluidMenu.CreateTank(new MenuCommand(null));
-            FluidSimulation simulation = UnityEngine.Object.FindObjectsByType<FluidSimulation>(FindObjectsSortMode.None).Single();
-            Look(Camera.main, simulation);
-            foreach (FluidMessage message in simulation.Validate()) Console.Error.WriteLine(message.ToString());
-            bool saved = EditorSceneManager.SaveScene(UnityEngine.SceneManagement.SceneManager.GetActiveScene(), path);
-            Console.WriteLine(saved ? $"wrote {path}" : $"could not write {path}");
-            EditorApplication.Exit(saved && simulation.Validate().Count == 0 ? 0 : 1);
+            int at = Array.IndexOf(words, "--folder");
+            string folder = at >= 0 && at + 1 < words.Length ? words[at + 1] : DefaultFolder;
+            Directory.CreateDirectory(folder);
+
+            bool isGood = Begin(folder);
+            isGood &= Step(folder, "2-tank", () => FluidMenu.CreateTank(new MenuCommand(null)));
+            isGood &= Step(folder, "3-emitter", () => FluidMenu.CreateEmitter(new MenuCommand(Liquids()[0].gameObject)));
+            isGood &= Begin(folder) && Step(folder, "4-surface", () => FluidMenu.CreateWithSurface(new MenuCommand(null)));
+            isGood &= Begin(folder) && Step(folder, "5-particles", () => FluidMenu.CreateWithParticles(new MenuCommand(null)));
+            EditorApplication.Exit(isGood ? 0 : 1);
         }
 
-        // As a user does by Align With View.
-        static void Look(Camera camera, FluidSimulation simulation)
+        // A scene as the Editor makes it, seen from where Align With View would put the camera.
+        static bool Begin(string folder)
         {
-            Vector3 centre = simulation.transform.position;
-            camera.transform.position = centre + new Vector3(1.1f, 0.75f, -1.9f);
-            camera.transform.LookAt(centre);
+            EditorSceneManager.NewScene(NewSceneSetup.DefaultGameObjects);
+            Camera.main.transform.position = new Vector3(1.1f, 1.25f, -1.9f);
+            Camera.main.transform.LookAt(new Vector3(0f, 0.5f, 0f));
+            return Step(folder, "1-floor", () => GameObject.CreatePrimitive(PrimitiveType.Plane));
         }
+
+        static bool Step(string folder, string name, Action menu)
+        {
+            menu();
+            int messages = 0;
+            foreach (FluidSimulation simulation in Liquids())
+            {
+                foreach (FluidMessage message in simulation.Validate())
+                {
+                    Console.Error.WriteLine(message.ToString());
+                    messages++;
+                }
+            }
+            string path = $"{folder}/{name}.unity";
+            bool saved = EditorSceneManager.SaveScene(SceneManager.GetActiveScene(), path);
+            Console.WriteLine(saved ? $"wrote {path}" : $"could not write {path}");
+            return saved && messages == 0;
+        }
+
+        static IReadOnlyList<FluidSimulation> Liquids() => UnityEngine.Object.FindObjectsByType<FluidSimulation>(FindObjectsSortMode.None);
     }
 }

@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# A new user's first minutes without the Editor: an empty project with the package in it, the code that GameObject > Fluid > ... calls, and a
+# picture of what each step leaves. Run by hand: ./Headless/Walk/menus.sh [FOLDER], by default Build/walk.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+pictures=${1:-$root/Build/walk}
+"$root/run" build Headless.slnx > /dev/null
+player=$root/Build/dotnet/bin/Headless.Player/release/sphplayer
+assemblies=$root/Build/ScriptAssemblies
+
+project=$(mktemp -d)
+trap 'rm -rf "$project"' EXIT
+mkdir -p "$project/Assets" "$project/Packages" "$pictures"
+cp -r "$root/ProjectSettings" "$project"
+cp "$root/Packages/manifest.json" "$project/Packages"
+cp -r "$root/Packages/com.sphfluid" "$project/Packages"
+cd "$project"
+"$player" exec --project "$project" --assemblies "$assemblies" --executeMethod SphFluid.Validation.Editor.NewUserWalk.Write
+
+failed=0
+play() {
+    "$player" play --project "$project" --assemblies "$assemblies" --executeMethod SphFluid.Validation.CommandLine.Play \
+        --scene "Assets/NewUser/$1.unity" --seconds "$2" --fps 20 --size 640x360 --out "$pictures/$1" > "$pictures/$1.log" 2>&1
+}
+report() {
+    local step=$1
+    shift
+    if "$@"; then
+        echo "ok      $step: $pictures/$step"
+    else
+        echo "FAILED  $step"
+        tail -n 20 "$pictures/$step.log"
+        failed=$((failed + 1))
+    fi
+}
+is_clean() { grep -q '"errors": 0' "$pictures/$1/summary.json" && ! grep -q '^\[\(Warning\|Error\)\]' "$pictures/$1.log"; }
+names_the_menu() { grep -q 'GameObject > Fluid > Tank' "$pictures/$1.log"; }
+
+# Where there is no liquid yet, the message says how to get one.
+play 1-floor 0.1 || true
+report 1-floor names_the_menu 1-floor
+while read -r step seconds; do
+    play "$step" "$seconds" || true
+    report "$step" is_clean "$step"
+done << 'STEPS'
+2-tank 1.5
+3-emitter 1.5
+4-surface 1
+5-particles 1
+STEPS
+echo "$failed failed"
+exit $((failed > 0))
