@@ -81,7 +81,8 @@ namespace SphFluid
                 Prepare(simulation.Profile.Shaders);
                 flow.Advance(solver, simulation.SimulatedTime, new WhitewaterSettings(MaxParticles, Amount, Mathf.Max(foamLife, 0.01f)));
                 drawing.Draw(flow.Buffers, solver.Settings.Spacing, Size, color,
-                    new DrawPlacement(simulation.LocalToWorld, solver.Settings.DomainSize, solver.Settings.Spacing, gameObject.layer, false));
+                    new DrawPlacement(simulation.LocalToWorld, solver.Settings.DomainSize, solver.Settings.Spacing, gameObject.layer, false,
+                        ReceivesShadows(), solver.Settings.Spacing));
             }
             catch (FluidDeviceException exception)
             {
@@ -96,6 +97,9 @@ namespace SphFluid
         FluidMessage Full => new FluidMessage(FluidSeverity.Warning, FluidIssue.WhitewaterFull, this,
             $"The liquid brings forth more whitewater than the {MaxParticles} particles that Max Particles allows, so there is less of it everywhere.",
             "Raise Max Particles, or lower Amount or Foam Life.");
+
+        // As the liquid around it does.
+        bool ReceivesShadows() => TryGetComponent(out FluidRenderer liquid) && liquid.isActiveAndEnabled && liquid.ReceiveShadows;
 
         void Prepare(FluidShaderSet shaders)
         {
