@@ -152,8 +152,8 @@ float ReceivedSun(float3 world, float3 normal, float lift, float own)
         float3 tested = world + normal * (FILTER_REACH * metres * across) + _FluidLightDirection.xyz * (lift * _FluidReceived.y);
         float4 point4 = float4(tested, 1.0);
         float3 place = float3(dot(cascade.rows[0], point4), dot(cascade.rows[1], point4), dot(cascade.rows[2], point4));
-        bool isOnMap = cascade.isThere && all(place == saturate(place)) && place.z > 0.0 && place.z < 1.0;
-        float lit = isOnMap ? LitShare(place, texel) : 1.0;
+        bool isOnMap = cascade.isThere && all(place.xy == saturate(place.xy));
+        float lit = isOnMap ? LitShare(saturate(place), texel) : 1.0; // what lies behind the map's far plane has all casters before it
         lit = own < 0.99 ? saturate(lit / (1.0 - own)) : lit;
         float2 strength = ShadowStrength(world, eyeDepth);
         sun = lerp(1.0 - strength.x * (1.0 - lit), 1.0, strength.y);
