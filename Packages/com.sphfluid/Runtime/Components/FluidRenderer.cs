@@ -30,11 +30,13 @@ namespace SphFluid
         /// <summary>Where and how a drawing of <paramref name="drawn"/> goes.</summary>
         /// <param name="drawn">The simulation.</param>
         /// <param name="margin">How far the drawing reaches beyond the domain [m].</param>
+        /// <param name="waterShadow">Strength of the shadow that it casts as water, 0 to 1.</param>
         /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
-        internal DrawPlacement Placement(FluidSimulation drawn, float margin)
+        internal DrawPlacement Placement(FluidSimulation drawn, float margin, float waterShadow = 0f)
         {
             FluidSolverSettings settings = drawn.Solver.Settings;
-            var placement = new DrawPlacement(drawn.LocalToWorld, settings.DomainSize, margin, gameObject.layer, castShadows, receiveShadows, settings.Spacing);
+            var placement = new DrawPlacement(drawn.LocalToWorld, settings.DomainSize, margin, gameObject.layer, castShadows, receiveShadows, settings.Spacing,
+                waterShadow);
             if (placement.ReceiveShadows)
                 MainLightShadows.Add(this, drawn.Profile.Shaders);
             else

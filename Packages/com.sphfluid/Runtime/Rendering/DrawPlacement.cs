@@ -13,7 +13,9 @@ namespace SphFluid
         /// <param name="castShadows">Whether the drawing casts shadows, where the pipeline lets it.</param>
         /// <param name="receiveShadows">Whether the drawing receives shadows, where the pipeline lets it.</param>
         /// <param name="spacing">Particle spacing dx [m], from which a drawing that receives shadows takes how bumpy it is.</param>
-        public DrawPlacement(Matrix4x4 localToWorld, Vector3 domainSize, float margin, int layer, bool castShadows, bool receiveShadows = false, float spacing = 0f)
+        /// <param name="waterShadow">Strength of the shadow of the water that it is or is in, 0 to 1: that water does not darken it.</param>
+        public DrawPlacement(Matrix4x4 localToWorld, Vector3 domainSize, float margin, int layer, bool castShadows, bool receiveShadows = false, float spacing = 0f,
+            float waterShadow = 0f)
         {
             LocalToWorld = localToWorld;
             WorldBounds = BoundsOf(localToWorld, domainSize + Vector3.one * (2f * margin));
@@ -22,6 +24,7 @@ namespace SphFluid
             CastShadows = castShadows && DrawPipeline.HasShadows(Pipeline);
             ReceiveShadows = receiveShadows && DrawPipeline.HasShadows(Pipeline);
             Spacing = spacing;
+            WaterShadow = waterShadow;
         }
 
         public Matrix4x4 LocalToWorld { get; }
@@ -37,6 +40,9 @@ namespace SphFluid
 
         /// <summary>Particle spacing dx [m].</summary>
         public float Spacing { get; }
+
+        /// <summary>Strength of the shadow of the water around, 0 to 1.</summary>
+        public float WaterShadow { get; }
 
         /// <summary>The render pipeline that draws.</summary>
         public DrawPipelineKind Pipeline { get; }

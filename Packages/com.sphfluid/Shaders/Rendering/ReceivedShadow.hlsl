@@ -6,7 +6,7 @@
 
 #include "FluidShading.hlsl"
 
-float4 _FluidReceived;     // x: 1 if the drawing receives shadows; y: particle spacing [m]
+float4 _FluidReceived;     // x: 1 if the drawing receives shadows; y: particle spacing [m]; z: strength of the shadow of the water around it
 float4 _FluidShadowSource; // x: where shadows come from, SHADOW_*
 
 Texture2D<float> _FluidShadowMap;
@@ -130,10 +130,16 @@ float2 ShadowStrength(float3 world, float eyeDepth)
     return float2(1.0 - data.x, saturate(metres * data.z + data.w));
 }
 
+// Of nine texels of the map, those that the partial shadow of water fills (WaterShading.hlsl).
+float FilledTexels(float strength)
+{
+    return floor(9.0 * strength + 0.5);
+}
+
 // 1 in the light, less in its shadow, and 1 where there is none.
-// normal: of the surface, or zero; lift: towards the light, in spacings; own: share of the light that the shadow of the liquid's own surface takes,
-// which is given back.
-float ReceivedSun(float3 world, float3 normal, float lift, float own)
+// normal: of the surface, or zero; lift: towards the light, in spacings; water: strength of the shadow of the water around, 0 to 1. What its pattern
+// takes is given back, or water would darken itself; only a shadow as of a solid thing, strength 1, darkens what lies under it.
+float ReceivedSun(float3 world, float3 normal, float lift, float water)
 {
     float sun = 1.0;
     [branch]
@@ -154,7 +160,8 @@ float ReceivedSun(float3 world, float3 normal, float lift, float own)
         float3 place = float3(dot(cascade.rows[0], point4), dot(cascade.rows[1], point4), dot(cascade.rows[2], point4));
         bool isOnMap = cascade.isThere && all(place.xy == saturate(place.xy));
         float lit = isOnMap ? LitShare(saturate(place), texel) : 1.0; // what lies behind the map's far plane has all casters before it
-        lit = own < 0.99 ? saturate(lit / (1.0 - own)) : lit;
+        float open = 9.0 - FilledTexels(water);
+        lit = open > 0.5 ? saturate(lit * 9.0 / open) : lit;
         float2 strength = ShadowStrength(world, eyeDepth);
         sun = lerp(1.0 - strength.x * (1.0 - lit), 1.0, strength.y);
     }

@@ -28,17 +28,10 @@ float3 SceneColour(float2 screen)
     return colour;
 }
 
-// Of nine texels of the shadow map, those that water's own shadow fills.
-float FilledTexels()
-{
-    return floor(9.0 * _ShadowStrength + 0.5);
-}
-
-// Share of the main light that reaches a point of the water or its surface. Water does not darken itself, unless its shadow is that of a solid thing:
-// what its own pattern in the map takes is given back.
+// Share of the main light that reaches a point of the water or its surface.
 float WaterSun(float3 world, float3 normal)
 {
-    return ReceivedSun(world, normal, SURFACE_LIFT, FilledTexels() / 9.0);
+    return ReceivedSun(world, normal, SURFACE_LIFT, _ShadowStrength);
 }
 
 // Light that a metre's worth of scattering sends to the camera: half of what comes from above, as water sends it forwards and back alike.
@@ -109,7 +102,7 @@ float4 CastWaterShadow(SurfaceFragment input) : SV_Target
 {
     uint2 texel = (uint2)input.clipPosition.xy % 3u;
     float rank = (float)(3u * ((texel.x + texel.y) % 3u) + texel.y);
-    clip(FilledTexels() - rank - 0.5);
+    clip(FilledTexels(_ShadowStrength) - rank - 0.5);
     return 0.0;
 }
 

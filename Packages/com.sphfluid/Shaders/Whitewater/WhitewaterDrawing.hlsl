@@ -118,7 +118,7 @@ SpotFragment ExpandSpot(uint vertexId, bool behind)
     output.across = corner;
     output.clipPosition = FluidClipPosition(lifted);
     float3 lit = normalize((kind == WHITEWATER_FOAM ? normal : (float3)0.0) + float3(0.0, 1.0, 0.0));
-    float sun = ReceivedSun(world, 0.0, SHADOW_LIFT, 0.0);
+    float sun = ReceivedSun(world, 0.0, SHADOW_LIFT, _FluidReceived.z);
     output.colour = float4(FluidExposed(FluidDiffuse(_Color.rgb, lit, sun)) * cover, cover);
     output.lace = float3(turn.yz + LACE_PART * corner, kind == WHITEWATER_FOAM ? 1.0 : 0.0);
     return output;
