@@ -234,7 +234,7 @@ namespace SphFluid.Tests
                 float fromMiddle = new Vector2((place.x - 0.1f) * Mathf.Sqrt(0.5f), place.y).magnitude; // of a shadow 1.41 times as long
                 if (!isBall && fromMiddle < 0.08f)
                     Assert.Less(own[i], 0.01f * lit[i], $"under it, at {place}");
-                if (!isBall && fromMiddle > 0.11f)
+                if (!isBall && fromMiddle > 0.12f)
                     Assert.AreEqual(lit[i], own[i], 0.01f * lit[i], $"beside it, at {place}");
                 bool facesTheLight = isBall && place.x < -0.22f && (place - new Vector2(-0.2f, 0f)).magnitude < 0.08f;
                 if (facesTheLight)
