@@ -1,4 +1,4 @@
-// How much of the main light reaches a point. No pipeline hands its shadows to transparent things, so the liquid reads the shadow map itself.
+// How much of the main light reaches a point, all of it in HDRP. No pipeline hands its shadows to transparent things, so the liquid reads the shadow map itself.
 // Built-in: the map that MainLightShadows.cs keeps, placed by what ShadowConstants.hlsl copied. URP 14 to 17: the variables of its
 // ShaderLibrary/Shadows.hlsl, as Runtime/Passes/MainLightShadowCasterPass.cs sets them for each camera that has a map.
 #ifndef SPHFLUID_RECEIVED_SHADOW_INCLUDED
@@ -100,20 +100,33 @@ float2 ShadowMapSize()
     return size;
 }
 
-// Three by three texels, each filtered: the pattern of water's partial shadow has a period of three (WaterShading.hlsl), and comes out even.
-float LitShare(float3 place, float2 texel)
+// Of the four texels that meet at a corner those in the light: upper left, upper right, lower right, lower left, v being upwards.
+float4 LitTexels(float2 corner, float depth)
 {
-    float sum = 0.0;
-    [unroll]
-    for (int i = 0; i < 9; i++)
-    {
-        float2 at = place.xy + (float2((uint)i % 3u, (uint)i / 3u) - 1.0) * texel;
-        if (_FluidShadowSource.x == SHADOW_UNIVERSAL)
-            sum += _MainLightShadowmapTexture.SampleCmpLevelZero(sampler_LinearClampCompare, at, place.z);
-        else
-            sum += _FluidShadowMap.SampleCmpLevelZero(sampler_LinearClampCompare, at, place.z);
-    }
-    return sum / 9.0;
+    float4 lit = 0.0;
+    if (_FluidShadowSource.x == SHADOW_UNIVERSAL)
+        lit = _MainLightShadowmapTexture.GatherCmpRed(sampler_LinearClampCompare, corner, depth);
+    else
+        lit = _FluidShadowMap.GatherCmpRed(sampler_LinearClampCompare, corner, depth);
+    return lit;
+}
+
+// The mean of three by three bilinear comparisons, a texel apart, of four by four texels: the pattern of water's partial shadow has a period of three
+// (WaterShading.hlsl), and comes out even.
+float LitShare(float3 place, float2 size)
+{
+    float2 first = floor(place.xy * size - 0.5);
+    float2 within = place.xy * size - 0.5 - first;
+    float4 lowerLeft = LitTexels(first / size, place.z);
+    float4 lowerRight = LitTexels((first + float2(2.0, 0.0)) / size, place.z);
+    float4 upperLeft = LitTexels((first + float2(0.0, 2.0)) / size, place.z);
+    float4 upperRight = LitTexels((first + 2.0) / size, place.z);
+    float4 columns = float4(1.0 - within.x, 1.0, 1.0, within.x);
+    float lowest = dot(columns, float4(lowerLeft.wz, lowerRight.wz));
+    float low = dot(columns, float4(lowerLeft.xy, lowerRight.xy));
+    float high = dot(columns, float4(upperLeft.wz, upperRight.wz));
+    float highest = dot(columns, float4(upperLeft.xy, upperRight.xy));
+    return (lowest * (1.0 - within.y) + low + high + highest * within.y) / 9.0;
 }
 
 // x: light that a full shadow takes away; y: how far it has faded.
@@ -142,6 +155,7 @@ float FilledTexels(float strength)
 float ReceivedSun(float3 world, float3 normal, float lift, float water)
 {
     float sun = 1.0;
+#if !defined(FLUID_HDRP)
     [branch]
     if (_FluidReceived.x > 0.5 && _FluidShadowSource.x != SHADOW_NONE && !(_FluidShadowSource.x == SHADOW_UNIVERSAL && _MainLightShadowParams.x <= 0.0))
     {
@@ -151,7 +165,8 @@ float ReceivedSun(float3 world, float3 normal, float lift, float water)
             cascade = UniversalCascade(world);
         else
             cascade = BuiltInCascade(world, eyeDepth);
-        float2 texel = 1.0 / max(ShadowMapSize(), 1.0);
+        float2 size = max(ShadowMapSize(), 1.0);
+        float2 texel = 1.0 / size;
         float metres = max(texel.x / max(length(cascade.rows[0].xyz), 1e-9), texel.y / max(length(cascade.rows[1].xyz), 1e-9));
         float along = dot(normal, _FluidLightDirection.xyz);
         float across = sqrt(saturate(dot(normal, normal) - along * along));
@@ -159,12 +174,13 @@ float ReceivedSun(float3 world, float3 normal, float lift, float water)
         float4 point4 = float4(tested, 1.0);
         float3 place = float3(dot(cascade.rows[0], point4), dot(cascade.rows[1], point4), dot(cascade.rows[2], point4));
         bool isOnMap = cascade.isThere && all(place.xy == saturate(place.xy));
-        float lit = isOnMap ? LitShare(saturate(place), texel) : 1.0; // what lies behind the map's far plane has all casters before it
+        float lit = isOnMap ? LitShare(saturate(place), size) : 1.0; // what lies behind the map's far plane has all casters before it
         float open = 9.0 - FilledTexels(water);
         lit = open > 0.5 ? saturate(lit * 9.0 / open) : lit;
         float2 strength = ShadowStrength(world, eyeDepth);
         sun = lerp(1.0 - strength.x * (1.0 - lit), 1.0, strength.y);
     }
+#endif
     return sun;
 }
 

@@ -242,6 +242,57 @@ namespace SphFluid.Tests
             }
         }
 
+        // Water with spray and whitewater, and whatever else the components draw: under a lid it looks as it does without the sun.
+        [UnityTest]
+        public IEnumerator UnderALidNothingOfTheSunIsLeft([Values("water", "opaque", "particles", "thesis")] string drawn)
+        {
+            GameObject lid = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            using (var liquids = new SimulationRig())
+            using (var view = new PictureRig(64, 64, 0.25f))
+            {
+                lid.GetComponent<Renderer>().shadowCastingMode = ShadowCastingMode.ShadowsOnly;
+                lid.transform.position = new Vector3(0f, 1f, 0f);
+                lid.transform.localScale = new Vector3(4f, 0.1f, 4f);
+                view.Light.shadows = LightShadows.Soft;
+                view.Light.transform.rotation = Quaternion.Euler(80f, 0f, 0f);
+                FluidSimulation simulation = liquids.Create();
+                FluidVolume lone = liquids.AddVolume(simulation, "Drop");
+                lone.Size = Vector3.one * SimulationRig.Spacing;
+                lone.transform.localPosition = new Vector3(0.15f, 0.15f, 0f);
+                FluidWhitewater whitewater = Add(simulation, drawn);
+                yield return PictureRig.Frames(20);
+                Assert.IsTrue(whitewater == null || whitewater.Counts.Particles > 10, "there is whitewater to be seen");
+                simulation.Paused = true;
+                yield return PictureRig.Frames(2);
+                Color[] covered = view.Pixels();
+                view.Light.color = Color.black;
+                yield return PictureRig.Frames(2);
+                Color[] dark = view.Pixels();
+                view.Light.color = Color.white;
+                lid.SetActive(false);
+                yield return PictureRig.Frames(2);
+                float sunlit = view.Pixels().Sum(p => p.g), left = covered.Sum(p => p.g), nothing = dark.Sum(p => p.g);
+                Assert.Greater(sunlit - nothing, 20f);
+                Assert.AreEqual(nothing, left, 0.01f * (sunlit - nothing));
+            }
+            Object.DestroyImmediate(lid);
+        }
+
+        static FluidWhitewater Add(FluidSimulation simulation, string drawn)
+        {
+            if (drawn == "particles")
+                simulation.gameObject.AddComponent<FluidParticleRenderer>();
+            else if (drawn == "thesis")
+                simulation.gameObject.AddComponent<FluidGeometrySurfaceRenderer>();
+            else
+                simulation.gameObject.AddComponent<FluidSurfaceRenderer>().Look = drawn == "water" ? FluidSurfaceLook.Water : FluidSurfaceLook.Opaque;
+            if (drawn != "water")
+                return null;
+            var whitewater = simulation.gameObject.AddComponent<FluidWhitewater>();
+            whitewater.Amount = 100f;
+            return whitewater;
+        }
+
         // Across the edge, where half of the light is taken away.
         static float Edge(float[] pixels, int size, int row)
         {
