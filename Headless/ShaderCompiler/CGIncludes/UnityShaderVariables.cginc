@@ -40,6 +40,8 @@ CBUFFER_START(UnityLighting)
 CBUFFER_END
 
 CBUFFER_START(UnityShadows)
+    float4 unity_ShadowSplitSpheres[4];
+    float4 unity_ShadowSplitSqRadii;
     float4 unity_LightShadowBias;
     float4 _LightSplitsNear;
     float4 _LightSplitsFar;

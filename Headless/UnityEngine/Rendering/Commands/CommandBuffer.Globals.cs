@@ -108,7 +108,7 @@ public partial class CommandBuffer
         SetGlobalTexture(ShaderNames.Id(name), value, element);
 
     public void SetGlobalTexture(int nameID, RenderTargetIdentifier value, RenderTextureSubElement element) =>
-        Add(c => GlobalProperties.Sheet.SetTexture(nameID, new TextureSlot(c.Texture(value), 0, element)));
+        Add(c => GlobalProperties.Sheet.SetTexture(nameID, new TextureSlot(Source(c, value), 0, element)));
 
     public void EnableShaderKeyword(string keyword) => Add(_ => GlobalKeywords.Set(keyword, true));
 

@@ -21,11 +21,11 @@ internal sealed class BorrowedTexture : Texture
     internal override (int Width, int Height) Size => (texture.Description.Width, texture.Description.Height);
     internal override bool BottomFirst => bottomFirst;
 
-    /// <summary>The color texture of a target, resolved if it is multisampled.</summary>
+    /// <summary>The color texture of a target, resolved if it is multisampled; of a target without colors, its depth.</summary>
     public static BorrowedTexture? Of(DrawTarget? target)
     {
-        GpuTexture? color = target is null ? null : target.Resolves.FirstOrDefault() ?? target.Colors.FirstOrDefault();
-        return color is null ? null : new BorrowedTexture(color, target!.Flipped) { hideFlags = HideFlags.HideAndDontSave };
+        GpuTexture? shown = target is null ? null : target.Resolves.FirstOrDefault() ?? target.Colors.FirstOrDefault() ?? target.Depth;
+        return shown is null ? null : new BorrowedTexture(shown, target!.Flipped) { hideFlags = HideFlags.HideAndDontSave };
     }
 
     internal override GpuTexture? DeviceTexture(RenderTextureSubElement element) => texture;

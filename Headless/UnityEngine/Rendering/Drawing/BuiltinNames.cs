@@ -32,6 +32,11 @@ internal static class BuiltinNames
     public static readonly int LightShadowData = ShaderNames.Id("_LightShadowData");
     public static readonly int LightShadowBias = ShaderNames.Id("unity_LightShadowBias");
     public static readonly int WorldToShadow = ShaderNames.Id("unity_WorldToShadow");
+    public static readonly int ShadowSplitSpheres = ShaderNames.Id("unity_ShadowSplitSpheres");
+    public static readonly int ShadowSplitSqRadii = ShaderNames.Id("unity_ShadowSplitSqRadii");
+    public static readonly int ShadowFadeCenterAndType = ShaderNames.Id("unity_ShadowFadeCenterAndType");
+    public static readonly int LightSplitsNear = ShaderNames.Id("_LightSplitsNear");
+    public static readonly int LightSplitsFar = ShaderNames.Id("_LightSplitsFar");
     public static readonly int ShadowMap = ShaderNames.Id("_ShadowMapTexture");
     public static readonly int AmbientSky = ShaderNames.Id("unity_AmbientSky");
     public static readonly int AmbientEquator = ShaderNames.Id("unity_AmbientEquator");

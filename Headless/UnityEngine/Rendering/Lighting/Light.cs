@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace UnityEngine;
 
-public sealed class Light : Behaviour
+public sealed partial class Light : Behaviour
 {
     public LightType type { get; set; } = LightType.Point;
     public Color color { get; set; } = Color.white;

@@ -9,6 +9,7 @@ internal sealed class ShadowMap
 {
     private const int Size = 2048;
     private RenderTexture? texture;
+    private RenderTexture? mask;
 
     /// <summary>False when nothing casts shadows; receivers then see an empty map.</summary>
     public bool Render(Camera camera, List<DrawRequest> all)
@@ -39,8 +40,12 @@ internal sealed class ShadowMap
             BuiltinNames.LightShadowBias,
             new Vector4(-Mathf.Min(light.shadowBias, texel * 2f) / volume.Depth, 1f, light.shadowNormalBias * texel, 0f));
 
-        TargetState.Set(DrawTarget.Of(texture));
+        DrawTarget map = DrawTarget.Of(texture);
+        TargetState.Set(map);
         TargetState.Clear(false, true, default, 0f);
+        ViewState.Set(volume.View, volume.Projection);
+        Run(light, LightEvent.BeforeShadowMap, map);
+        Run(light, LightEvent.BeforeShadowMapPass, map);
         ViewState.Set(volume.View, volume.Projection);
         foreach (DrawRequest caster in casters)
         {
@@ -48,12 +53,59 @@ internal sealed class ShadowMap
         }
 
         TargetState.Finish();
-        Matrix4x4 worldToShadow = volume.WorldToShadow(texel * 1.5f);
-        sheet.SetMatrices(BuiltinNames.WorldToShadow, [worldToShadow, worldToShadow, worldToShadow, worldToShadow]);
+        Run(light, LightEvent.AfterShadowMapPass, map);
+        Run(light, LightEvent.AfterShadowMap, map);
+
+        SetReceiverConstants(camera, volume, texel);
+        CameraSettings.Apply(camera);
+        Run(light, LightEvent.BeforeScreenspaceMask, Mask());
+        Run(light, LightEvent.AfterScreenspaceMask, Mask());
         return true;
     }
 
-    public void Reset() => texture = null;
+    /// <summary>Of one map without cascades: the first split is the whole, and nothing is in the others.</summary>
+    private static void SetReceiverConstants(Camera camera, ShadowVolume volume, float texel)
+    {
+        PropertySheet sheet = GlobalProperties.Sheet;
+        Matrix4x4 worldToShadow = volume.WorldToShadow(texel * 1.5f);
+        sheet.SetMatrices(BuiltinNames.WorldToShadow, [worldToShadow, worldToShadow, worldToShadow, worldToShadow]);
+        Vector3 center = volume.Center;
+        float radius = volume.Radius;
+        sheet.SetVectors(BuiltinNames.ShadowSplitSpheres, [new Vector4(center.x, center.y, center.z, radius), default, default, default]);
+        sheet.SetVector(BuiltinNames.ShadowSplitSqRadii, new Vector4(radius * radius, 0f, 0f, 0f));
+        sheet.SetVector(BuiltinNames.LightSplitsNear, new Vector4(camera.nearClipPlane, float.MaxValue, float.MaxValue, float.MaxValue));
+        sheet.SetVector(BuiltinNames.LightSplitsFar, new Vector4(camera.farClipPlane, float.MinValue, float.MinValue, float.MinValue));
+        sheet.SetVector(BuiltinNames.ShadowFadeCenterAndType, new Vector4(center.x, center.y, center.z, 1f));
+    }
+
+    /// <summary>Runs what scripts have added to a light; whatever it did to the render target does not last.</summary>
+    private void Run(Light light, LightEvent when, DrawTarget? target)
+    {
+        CommandBuffer[] buffers = light.GetCommandBuffers(when);
+        if (buffers.Length == 0)
+        {
+            return;
+        }
+
+        DrawTarget? before = TargetState.Current;
+        TargetState.Set(target);
+        using var temporaries = new NamedTemporaries();
+        foreach (CommandBuffer buffer in buffers)
+        {
+            buffer.Execute(target, temporaries);
+        }
+
+        TargetState.Set(before);
+    }
+
+    /// <summary>Here shaders read the map itself, and no mask is made of it; scripts find a target of the same kind.</summary>
+    private DrawTarget Mask()
+    {
+        mask = mask != null ? mask : new RenderTexture(16, 16, 0, RenderTextureFormat.R8) { name = "Shadow mask", hideFlags = HideFlags.HideAndDontSave };
+        return DrawTarget.Of(mask);
+    }
+
+    public void Reset() => (texture, mask) = (null, null);
 
     private static RenderTexture Make() => new(Size, Size, 32, RenderTextureFormat.Shadowmap)
     {

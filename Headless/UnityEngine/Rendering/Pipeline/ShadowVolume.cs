@@ -52,6 +52,12 @@ internal readonly record struct ShadowVolume(Matrix4x4 View, Matrix4x4 Projectio
         return new ShadowVolume(view, projection, radius * 2f, far - near);
     }
 
+    /// <summary>Half its diagonal across the light and along it.</summary>
+    public float Radius => 0.5f * Mathf.Sqrt((2f * Width * Width) + (Depth * Depth));
+
+    /// <summary>In world space.</summary>
+    public Vector3 Center => View.inverse.MultiplyPoint3x4(new Vector3(0f, 0f, -0.5f * Depth));
+
     /// <summary>World to texture coordinates and reversed depth, with a bias towards the light in metres.</summary>
     public Matrix4x4 WorldToShadow(float bias)
     {

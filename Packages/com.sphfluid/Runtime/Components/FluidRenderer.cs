@@ -8,15 +8,40 @@ namespace SphFluid
         [SerializeField, Tooltip("Whether the liquid casts shadows.")]
         bool castShadows = true;
 
+        [SerializeField, Tooltip("Whether the main directional light's shadows fall on the liquid. Shadows of other lights never do.")]
+        bool receiveShadows = true;
+
         /// <summary>Whether the liquid casts shadows.</summary>
         public bool CastShadows { get => castShadows; set => castShadows = value; }
+
+        /// <summary>Whether the main directional light's shadows fall on the liquid. Shadows of other lights never do.</summary>
+        public bool ReceiveShadows { get => receiveShadows; set => receiveShadows = value; }
+
+        /// <inheritdoc/>
+        protected override void OnDisable()
+        {
+            MainLightShadows.Remove(this);
+            base.OnDisable();
+        }
+
+        /// <inheritdoc/>
+        protected override void DrawNothing() => MainLightShadows.Remove(this);
 
         /// <summary>Where and how a drawing of <paramref name="drawn"/> goes.</summary>
         /// <param name="drawn">The simulation.</param>
         /// <param name="margin">How far the drawing reaches beyond the domain [m].</param>
-        internal DrawPlacement Placement(FluidSimulation drawn, float margin)
+        /// <param name="waterShadow">Strength of the shadow that it casts as water, 0 to 1.</param>
+        /// <exception cref="FluidDeviceException">A shader is missing, or the device cannot run it.</exception>
+        internal DrawPlacement Placement(FluidSimulation drawn, float margin, float waterShadow = 0f)
         {
-            return new DrawPlacement(drawn.LocalToWorld, drawn.Solver.Settings.DomainSize, margin, gameObject.layer, castShadows);
+            FluidSolverSettings settings = drawn.Solver.Settings;
+            var placement = new DrawPlacement(drawn.LocalToWorld, settings.DomainSize, margin, gameObject.layer, castShadows, receiveShadows, settings.Spacing,
+                waterShadow);
+            if (placement.ReceiveShadows)
+                MainLightShadows.Add(this, drawn.Profile.Shaders);
+            else
+                MainLightShadows.Remove(this);
+            return placement;
         }
     }
 }

@@ -59,6 +59,9 @@ namespace SphFluid
         /// <summary>Surfaces that were made since drawing began.</summary>
         internal int Recordings => drawing?.Surface.Recordings ?? 0;
 
+        /// <summary>Strength of the shadow that it casts as water, 0 to 1; 0 with another look, or where it casts none.</summary>
+        internal float WaterShadow => look == FluidSurfaceLook.Water && CastShadows ? water.Shadow : 0f;
+
         /// <inheritdoc/>
         protected override void CreateResources(FluidShaderSet shaders) => drawing = new LiquidDrawing(shaders);
 
@@ -72,7 +75,7 @@ namespace SphFluid
         /// <inheritdoc/>
         protected override void Draw(FluidSimulation drawn)
         {
-            DrawPlacement placement = Placement(drawn, 0f);
+            DrawPlacement placement = Placement(drawn, 0f, WaterShadow);
             if (look == FluidSurfaceLook.Water)
                 drawing.DrawWater(drawn.Solver, surface, water, material, placement, this);
             else

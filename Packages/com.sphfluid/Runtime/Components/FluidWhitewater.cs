@@ -80,8 +80,7 @@ namespace SphFluid
             {
                 Prepare(simulation.Profile.Shaders);
                 flow.Advance(solver, simulation.SimulatedTime, new WhitewaterSettings(MaxParticles, Amount, Mathf.Max(foamLife, 0.01f)));
-                drawing.Draw(flow.Buffers, solver.Settings.Spacing, Size, color,
-                    new DrawPlacement(simulation.LocalToWorld, solver.Settings.DomainSize, solver.Settings.Spacing, gameObject.layer, false));
+                drawing.Draw(flow.Buffers, solver.Settings.Spacing, Size, color, Placement(solver.Settings));
             }
             catch (FluidDeviceException exception)
             {
@@ -96,6 +95,14 @@ namespace SphFluid
         FluidMessage Full => new FluidMessage(FluidSeverity.Warning, FluidIssue.WhitewaterFull, this,
             $"The liquid brings forth more whitewater than the {MaxParticles} particles that Max Particles allows, so there is less of it everywhere.",
             "Raise Max Particles, or lower Amount or Foam Life.");
+
+        // It receives shadows as the liquid around it does.
+        DrawPlacement Placement(in FluidSolverSettings settings)
+        {
+            bool receives = TryGetComponent(out FluidRenderer liquid) && liquid.isActiveAndEnabled && liquid.ReceiveShadows;
+            float waterShadow = liquid is FluidSurfaceRenderer surface ? surface.WaterShadow : 0f;
+            return new DrawPlacement(simulation.LocalToWorld, settings.DomainSize, settings.Spacing, gameObject.layer, false, receives, settings.Spacing, waterShadow);
+        }
 
         void Prepare(FluidShaderSet shaders)
         {

@@ -38,7 +38,7 @@ namespace SphFluid.Laboratory
             properties.SetFloat(RenderShaderIds.Smoothness, smoothness);
             properties.SetBuffer(SurfaceBuffers.VerticesId, vertices);
             lighting.Apply(properties);
-            DrawPipeline.Apply(properties, placement.Pipeline);
+            DrawPipeline.Apply(properties, placement);
             return properties;
         }
 

@@ -37,7 +37,7 @@ namespace SphFluid
             assetClass == HighDefinitionAsset ? DrawPipelineKind.HighDefinition : DrawPipelineKind.Universal;
 
         /// <summary>
-        /// Whether a liquid can cast shadows. Not in HDRP: it hands the light's matrices to shadow passes in a constant buffer of its own.
+        /// Whether a liquid can cast and receive shadows. Not in HDRP: it hands the light's matrices to shadow passes in a constant buffer of its own.
         /// </summary>
         public static bool HasShadows(DrawPipelineKind kind) => kind != DrawPipelineKind.HighDefinition;
 
@@ -48,5 +48,12 @@ namespace SphFluid
         /// <summary>Sets what shaders need to know of the pipeline: scriptable ones leave <c>unity_LightShadowBias</c> unset.</summary>
         public static void Apply(MaterialPropertyBlock properties, DrawPipelineKind kind) =>
             properties.SetFloat(RenderShaderIds.FluidShadowClamp, kind == DrawPipelineKind.BuiltIn ? 0f : 1f);
+
+        /// <summary>Sets what shaders need to know of the pipeline and of the shadows that they cast and receive.</summary>
+        public static void Apply(MaterialPropertyBlock properties, in DrawPlacement placement)
+        {
+            Apply(properties, placement.Pipeline);
+            properties.SetVector(RenderShaderIds.FluidReceived, new Vector4(placement.ReceiveShadows ? 1f : 0f, placement.Spacing, placement.WaterShadow, 0f));
+        }
     }
 }

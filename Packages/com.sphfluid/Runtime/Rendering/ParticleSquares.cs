@@ -39,7 +39,7 @@ namespace SphFluid
             properties.SetFloat(RenderShaderIds.ParticleSize, look.Size);
             properties.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
             lighting.Apply(properties);
-            DrawPipeline.Apply(properties, placement.Pipeline);
+            DrawPipeline.Apply(properties, placement);
             return properties;
         }
 

@@ -10,6 +10,11 @@ namespace SphFluid
         public static readonly int FluidLightColour = Shader.PropertyToID("_FluidLightColour");
         public static readonly int FluidAmbient = Shader.PropertyToID("_FluidAmbient");
         public static readonly int FluidShadowClamp = Shader.PropertyToID("_FluidShadowClamp");
+        public static readonly int FluidReceived = Shader.PropertyToID("_FluidReceived");
+        public static readonly int FluidShadowSource = Shader.PropertyToID("_FluidShadowSource");
+        public static readonly int FluidShadowMap = Shader.PropertyToID("_FluidShadowMap");
+        public static readonly int FluidShadowConstants = Shader.PropertyToID("_FluidShadowConstants");
+        public static readonly int MainLightShadowParams = Shader.PropertyToID("_MainLightShadowParams");
         public static readonly int Color = Shader.PropertyToID("_Color");
         public static readonly int FastColor = Shader.PropertyToID("_FastColor");
         public static readonly int FastSpeed = Shader.PropertyToID("_FastSpeed");

@@ -83,7 +83,7 @@ namespace SphFluid
 
         // The lighting settings' sun, else the brightest directional light, as Unity chooses its main light. Only the search allocates: scenes
         // whose Sun Source is assigned never do.
-        Light MainLight()
+        internal Light MainLight()
         {
             Light sun = RenderSettings.sun;
             if (IsUsable(sun))

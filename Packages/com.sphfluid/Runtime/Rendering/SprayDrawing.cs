@@ -59,7 +59,7 @@ namespace SphFluid
             block.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
             thickness.Apply(block);
             lighting.Apply(block);
-            DrawPipeline.Apply(block, placement.Pipeline);
+            DrawPipeline.Apply(block, placement);
             DrawPipeline.Prepare(front, placement.Pipeline);
         }
 

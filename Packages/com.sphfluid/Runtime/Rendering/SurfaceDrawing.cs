@@ -56,7 +56,7 @@ namespace SphFluid
             Block.SetGrid(grid, walls);
             Block.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
             lighting.Apply(Block);
-            DrawPipeline.Apply(Block, placement.Pipeline);
+            DrawPipeline.Apply(Block, placement);
         }
     }
 }

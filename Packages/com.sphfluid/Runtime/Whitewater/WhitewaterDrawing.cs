@@ -74,7 +74,7 @@ namespace SphFluid
             block.SetColor(RenderShaderIds.Color, colour);
             block.SetMatrix(RenderShaderIds.FluidLocalToWorld, placement.LocalToWorld);
             lighting.Apply(block);
-            DrawPipeline.Apply(block, placement.Pipeline);
+            DrawPipeline.Apply(block, placement);
             DrawPipeline.Prepare(front, placement.Pipeline);
         }
 

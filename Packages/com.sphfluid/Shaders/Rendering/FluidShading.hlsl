@@ -124,10 +124,10 @@ float3 FluidAmbient(float3 direction)
     return light;
 }
 
-// Lambert's diffuse light of the main light plus the ambient light.
-float3 FluidDiffuse(float3 albedo, float3 normal)
+// Lambert's diffuse light of the main light plus the ambient light. sun: share of the main light that arrives, ReceivedShadow.hlsl.
+float3 FluidDiffuse(float3 albedo, float3 normal, float sun)
 {
-    float lit = saturate(dot(normal, _FluidLightDirection.xyz));
+    float lit = saturate(dot(normal, _FluidLightDirection.xyz)) * sun;
     return albedo * (FluidLampColour() * lit + FluidAmbient(normal));
 }
 

@@ -4,7 +4,7 @@
 #define SPHFLUID_PARTICLE_SQUARES_INCLUDED
 
 #include "../Gpu/FluidTypes.hlsl"
-#include "FluidShading.hlsl"
+#include "ReceivedShadow.hlsl"
 
 StructuredBuffer<Particle> _Particles;
 Texture2D _MainTex;
@@ -74,8 +74,10 @@ float4 ShadeSquare(SquareFragment input) : SV_Target
     float4 sprite = SampleSprite(input.uv);
     float3 normal = BallNormal(input.uv);
     float3 view = normalize(_WorldSpaceCameraPos - input.world);
-    float3 colour = FluidDiffuse(input.colour * sprite.rgb, normal);
-    colour += FluidHighlight(_Smoothness, normal, view);
+    float3 ball = input.world + _FluidLightDirection.xyz * (0.5 * _ParticleSize); // before the squares of neighbours, which cast the shadow
+    float sun = ReceivedSun(ball, 0.0);
+    float3 colour = FluidDiffuse(input.colour * sprite.rgb, normal, sun);
+    colour += FluidHighlight(_Smoothness, normal, view) * sun;
     return float4(FluidExposed(colour), 1.0);
 }
 

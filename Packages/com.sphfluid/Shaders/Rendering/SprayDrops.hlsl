@@ -5,6 +5,7 @@
 
 #include "../Surface/Sparse/SprayParticle.hlsl"
 #include "WaterPath.hlsl"
+#include "ReceivedShadow.hlsl"
 
 StructuredBuffer<SprayParticle> _SprayParticles;
 uint _DropsPerParticle;
@@ -97,7 +98,8 @@ DropFragment ExpandDrop(uint vertexId : SV_VertexID)
     output.world = world + right * offset.x + up * offset.y;
     output.across = float3(corner, halfLength / drawn);
     output.clipPosition = FluidClipPosition(output.world);
-    output.colour = float4(FluidExposed(FluidDiffuse(SPRAY_ALBEDO, float3(0.0, 1.0, 0.0))) * cover, cover);
+    float sun = ReceivedSun(world, 0.0, SURFACE_LIFT, _FluidReceived.z);
+    output.colour = float4(FluidExposed(FluidDiffuse(SPRAY_ALBEDO, float3(0.0, 1.0, 0.0), sun)) * cover, cover);
     return output;
 }
 

@@ -8,16 +8,17 @@
 #define WATER_TO_AIR 1.33333333 // ratio of the refractive indices
 #define SCREEN_MARGIN 0.1       // share of the picture over which what lies beside it comes from the reflection map
 
-float3 WaterBody(float metres)
+// sun: share of the main light that reaches the water in sight.
+float3 WaterBody(float metres, float sun)
 {
-    return _FluidScattering.rgb * (1.0 - exp(-_FluidExtinction.rgb * metres)) * WaterInnerLight();
+    return _FluidScattering.rgb * (1.0 - exp(-_FluidExtinction.rgb * metres)) * WaterInnerLight(sun);
 }
 
 // What a line in the water shows at its end, dimmed on its way there.
-float3 SeenAlong(WaterRay ray, float longest)
+float3 SeenAlong(WaterRay ray, float longest, float sun)
 {
     MarchEnd end = March(ray, longest, 0.0, (uint)max(_FluidRefractionSteps.x, 4.0));
-    return SceneColour(saturate(RayScreen(ray, end.metres))) * exp(-_FluidExtinction.rgb * end.metres) + FluidExposed(WaterBody(end.metres));
+    return SceneColour(saturate(RayScreen(ray, end.metres))) * exp(-_FluidExtinction.rgb * end.metres) + FluidExposed(WaterBody(end.metres, sun));
 }
 
 // What a line in the air shows: the scene, and where it leaves the picture, the sky.
@@ -47,7 +48,9 @@ float4 ShadeFromWithin(SurfaceFragment input) : SV_Target
     bool isAtWall = LeaveDomain(input.world - sight * _MCCellSize.x, sight).metres < 3.0 * _MCCellSize.x;
     float path = min(scene, face) / alongAxis;
     float3 dimmed = exp(-_FluidExtinction.rgb * path);
-    float3 body = FluidExposed(WaterBody(path));
+    float seen = min(path, 1.0 / max(_FluidExtinction.g, 1e-6)); // most of what scatters to the camera does so before
+    float sun = WaterSun(input.world - sight * (face / alongAxis - 0.5 * seen), 0.0);
+    float3 body = FluidExposed(WaterBody(path, sun));
     if (_FluidScene.x == WATER_SCENE_NONE)
         return float4(body, 1.0 - dot(dimmed, 1.0 / 3.0));
 
@@ -62,12 +65,12 @@ float4 ShadeFromWithin(SurfaceFragment input) : SV_Target
         if (dot(bent, bent) < 0.5)
         {
             WaterRay mirrored = StartRay(input.world, reflect(sight, normal));
-            light = SeenAlong(mirrored, LeaveDomain(mirrored.start, mirrored.direction).metres);
+            light = SeenAlong(mirrored, LeaveDomain(mirrored.start, mirrored.direction).metres, sun);
         }
         else
         {
             float reflected = FluidFresnel(normal, bent);
-            light = SeenOutside(StartRay(input.world, bent)) * (1.0 - reflected) + FluidExposed(WaterBody(NOTHING_BEHIND)) * reflected;
+            light = SeenOutside(StartRay(input.world, bent)) * (1.0 - reflected) + FluidExposed(WaterBody(NOTHING_BEHIND, sun)) * reflected;
         }
     }
     return float4(light * dimmed + body, 1.0);

@@ -4,6 +4,7 @@
 
 #include "SurfaceDrawing.hlsl"
 #include "WaterRefraction.hlsl"
+#include "ReceivedShadow.hlsl"
 
 Texture2D<float4> _FluidSceneColour;    // Built-in: a copy of the camera's picture before transparent things
 Texture2D<float4> _CameraOpaqueTexture; // URP
@@ -27,11 +28,17 @@ float3 SceneColour(float2 screen)
     return colour;
 }
 
+// Share of the main light that reaches a point of the water or its surface.
+float WaterSun(float3 world, float3 normal)
+{
+    return ReceivedSun(world, normal, SURFACE_LIFT, _ShadowStrength);
+}
+
 // Light that a metre's worth of scattering sends to the camera: half of what comes from above, as water sends it forwards and back alike.
-float3 WaterInnerLight()
+float3 WaterInnerLight(float sun)
 {
     float3 up = float3(0.0, 1.0, 0.0);
-    return 0.5 * (FluidLampColour() * saturate(_FluidLightDirection.y) + FluidAmbient(up));
+    return 0.5 * (FluidLampColour() * (saturate(_FluidLightDirection.y) * sun) + FluidAmbient(up));
 }
 
 // What is mirrored: the scene's reflection probe or sky where there is one, else the ambient light. Without lighting data Unity 6 hands over
@@ -75,9 +82,11 @@ float4 ShadeWater(SurfaceFragment input) : SV_Target
     SeenThrough seen = SeeThrough(input.world, view, normal, alongAxis, layer, water);
 
     float3 transmitted = exp(-_FluidExtinction.rgb * seen.path);
-    float3 body = _FluidScattering.rgb * (1.0 - transmitted) * WaterInnerLight();
+    float sun = WaterSun(input.world, normal);
+    float3 body = _FluidScattering.rgb * (1.0 - transmitted) * WaterInnerLight(sun);
     float mirrored = FluidFresnel(normal, view);
-    float3 surface = WaterMirror(reflect(-view, normal)) * mirrored + FluidHighlight(_Smoothness, normal, view, NormalVariance(normal));
+    float3 highlight = FluidHighlight(_Smoothness, normal, view, NormalVariance(normal)) * sun;
+    float3 surface = WaterMirror(reflect(-view, normal)) * mirrored + highlight;
     float3 colour = FluidExposed(body * (1.0 - mirrored) + surface);
     float cover = 1.0;
     if (_FluidScene.x == WATER_SCENE_NONE)
@@ -93,7 +102,7 @@ float4 CastWaterShadow(SurfaceFragment input) : SV_Target
 {
     uint2 texel = (uint2)input.clipPosition.xy % 3u;
     float rank = (float)(3u * ((texel.x + texel.y) % 3u) + texel.y);
-    clip(_ShadowStrength * 9.0 - rank - 0.5);
+    clip(FilledTexels(_ShadowStrength) - rank - 0.5);
     return 0.0;
 }
 

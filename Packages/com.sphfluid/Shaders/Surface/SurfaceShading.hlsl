@@ -4,6 +4,7 @@
 #define SPHFLUID_SURFACE_SHADING_INCLUDED
 
 #include "SurfaceFragment.hlsl"
+#include "../Rendering/ReceivedShadow.hlsl"
 
 float4 _Color;
 float _Smoothness;
@@ -17,9 +18,10 @@ float4 ShadeSurface(SurfaceFragment input) : SV_Target
     float edgeOn = 1.0 - saturate(dot(normal, view));
     float3 body = lerp(_Color.rgb, sqrt(max(_Color.rgb, 0.0)), EDGE_BRIGHTENING * edgeOn * edgeOn);
     float mirrored = FluidFresnel(normal, view);
-    float3 colour = FluidDiffuse(body, normal) * (1.0 - mirrored);
+    float sun = ReceivedSun(input.world, normal);
+    float3 colour = FluidDiffuse(body, normal, sun) * (1.0 - mirrored);
     colour += FluidAmbient(reflect(-view, normal)) * mirrored;
-    colour += FluidHighlight(_Smoothness, normal, view);
+    colour += FluidHighlight(_Smoothness, normal, view) * sun;
     return float4(FluidExposed(colour), 1.0);
 }
 

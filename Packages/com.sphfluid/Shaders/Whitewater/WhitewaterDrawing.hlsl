@@ -6,6 +6,7 @@
 #include "WhitewaterTypes.hlsl"
 #include "WhitewaterHash.hlsl"
 #include "../Rendering/WaterPath.hlsl"
+#include "../Rendering/ReceivedShadow.hlsl"
 
 StructuredBuffer<WhitewaterParticle> _Whitewater;
 float4 _ScreenParams;       // y: pixels of the picture's height
@@ -17,6 +18,7 @@ Texture2D<float4> _WhitewaterLace; // LaceTexture.cs
 SamplerState sampler_LinearRepeat;
 
 #define LEAST_RADIUS 1.0   // pixels; smaller spots cover less instead
+#define SHADOW_LIFT 1.0    // dx: how far before the bumpy surface shadows are taken
 #define LIFT 0.7           // dx: how far foam is lifted towards the camera, as the surface is bumpy
 #define FACING 0.35        // how much flakes turn towards the camera: foam has a thickness
 #define FADE_IN 0.04       // s
@@ -123,7 +125,8 @@ SpotFragment ExpandSpot(uint vertexId, bool behind)
     output.across = corner;
     output.clipPosition = FluidClipPosition(lifted);
     float3 lit = normalize((kind == WHITEWATER_FOAM ? normal : (float3)0.0) + float3(0.0, 1.0, 0.0));
-    output.colour = float4(FluidExposed(FluidDiffuse(_Color.rgb, lit)) * cover, cover);
+    float sun = ReceivedSun(world, 0.0, SHADOW_LIFT, _FluidReceived.z);
+    output.colour = float4(FluidExposed(FluidDiffuse(_Color.rgb, lit, sun)) * cover, cover);
     output.lace = float3(turn.yz + LACE_PART * corner, kind == WHITEWATER_FOAM ? 1.0 : 0.0);
     return output;
 }

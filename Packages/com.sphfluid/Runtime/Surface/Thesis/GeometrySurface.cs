@@ -59,7 +59,7 @@ namespace SphFluid
                 properties.SetFloat(RenderShaderIds.Smoothness, smoothness);
             }
             lighting.Apply(properties);
-            DrawPipeline.Apply(properties, placement.Pipeline);
+            DrawPipeline.Apply(properties, placement);
             return properties;
         }
 

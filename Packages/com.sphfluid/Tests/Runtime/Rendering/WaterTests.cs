@@ -153,6 +153,36 @@ namespace SphFluid.Tests
             }
         }
 
+        // As long as a liquid that receives shadows is drawn, two command buffers are on the light, whoever else is there.
+        [UnityTest]
+        public IEnumerator NothingIsLeftOnTheLightAfterwards()
+        {
+            view.Light.shadows = LightShadows.Soft;
+            FluidSurfaceRenderer drawing = Create("Fluid", Vector3.zero, Color.white);
+            var squares = rig.Create("Squares", position: Vector3.right).gameObject.AddComponent<FluidParticleRenderer>();
+            yield return PictureRig.Frames(2);
+            Assert.AreEqual(2, view.Light.commandBufferCount);
+            drawing.enabled = false;
+            Assert.AreEqual(2, view.Light.commandBufferCount, "the other one is there");
+            squares.ReceiveShadows = false;
+            yield return PictureRig.Frames(2);
+            Assert.AreEqual(0, view.Light.commandBufferCount, "nobody receives");
+            drawing.enabled = true;
+            yield return PictureRig.Frames(2);
+            Assert.AreEqual(2, view.Light.commandBufferCount);
+            drawing.Simulation.StopSimulation();
+            yield return PictureRig.Frames(2);
+            Assert.AreEqual(0, view.Light.commandBufferCount, "nothing is drawn");
+            squares.ReceiveShadows = true;
+            yield return PictureRig.Frames(2);
+            Assert.AreEqual(2, view.Light.commandBufferCount);
+            Object.DestroyImmediate(squares.gameObject);
+            Assert.AreEqual(0, view.Light.commandBufferCount);
+            Assert.IsFalse(MainLightShadows.IsListening);
+            yield return null;
+            Assert.AreEqual(0, Resources.FindObjectsOfTypeAll<RenderTexture>().Count(t => t.name == "Fluid Shadow Constants"));
+        }
+
         FluidSurfaceRenderer Create(string name, Vector3 position, Color colourAtOneMetre)
         {
             var drawing = rig.Create(name, position: position).gameObject.AddComponent<FluidSurfaceRenderer>();
