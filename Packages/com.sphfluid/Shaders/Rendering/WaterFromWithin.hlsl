@@ -14,11 +14,18 @@ float3 WaterBody(float metres, float sun)
     return _FluidScattering.rgb * (1.0 - exp(-_FluidExtinction.rgb * metres)) * WaterInnerLight(sun);
 }
 
+// Beside the picture it goes on as its mirror image: there is no telling what stands there, but its border drawn out would be streaks.
+float2 Unfolded(float2 screen)
+{
+    return 1.0 - abs(1.0 - abs(screen) % 2.0);
+}
+
 // What a line in the water shows at its end, dimmed on its way there.
 float3 SeenAlong(WaterRay ray, float longest, float sun)
 {
     MarchEnd end = March(ray, longest, 0.0, (uint)max(_FluidRefractionSteps.x, 4.0));
-    return SceneColour(saturate(RayScreen(ray, end.metres))) * exp(-_FluidExtinction.rgb * end.metres) + FluidExposed(WaterBody(end.metres, sun));
+    float3 scene = SceneColour(Unfolded(RayScreen(ray, end.metres)));
+    return scene * exp(-_FluidExtinction.rgb * end.metres) + FluidExposed(WaterBody(end.metres, sun));
 }
 
 // What a line in the air shows: the scene, and where it leaves the picture, the sky.

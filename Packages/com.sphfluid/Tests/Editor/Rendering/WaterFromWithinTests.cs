@@ -64,6 +64,20 @@ namespace SphFluid.Tests
             Assert.Less(seen.g, 0.1f);
         }
 
+        // The mirrored line leaves the picture on the right: its border must not be drawn out over all that lies beside it.
+        [Test]
+        public void WhatLiesBesideThePictureIsNotItsBorder()
+        {
+            rig.ReplaceScene((x, y) => x > Size - 3 || x < 2 ? Color.red : Color.green);
+            rig.Look.ColorAtOneMetre = Color.white;
+            rig.Look.Visibility = 1e6f;
+            rig.SetDepth((x, y) => WaterRig.Far);
+            Fill(Normal(1.2f));
+            Color seen = WaterRig.Centre(rig.Render(fromWithin: true));
+            Assert.Greater(seen.g, 0.9f);
+            Assert.Less(seen.r, 0.1f);
+        }
+
         [Test]
         public void ACameraOutsideSeesNothingOfIt()
         {
