@@ -48,6 +48,7 @@ internal static class BinaryBuilder
         AtomicOperands.Repair(index.Module);
         WaveOperations.MakePrefixesExclusive(index.Module);
         Remainders.Truncate(index.Module);
+        GatherBias.Remove(index.Module);
         EntryPointName.Set(index.Module, job.EntryPoint);
         Precision.MakeFull(index.Module);
         return new ShaderReflector(

@@ -50,6 +50,7 @@ internal enum SpirVOp : ushort
     ImageSampleProjDrefImplicitLod = 93,
     ImageSampleProjDrefExplicitLod = 94,
     ImageFetch = 95,
+    ImageGather = 96,
     ImageDrefGather = 97,
     ImageQuerySize = 104,
     ConvertFToU = 109,

@@ -53,6 +53,7 @@ namespace SphFluid
         public static void Apply(MaterialPropertyBlock properties, in DrawPlacement placement)
         {
             Apply(properties, placement.Pipeline);
+            NoShadowMap.Bind();
             properties.SetVector(RenderShaderIds.FluidReceived, new Vector4(placement.ReceiveShadows ? 1f : 0f, placement.Spacing, placement.WaterShadow, 0f));
         }
     }

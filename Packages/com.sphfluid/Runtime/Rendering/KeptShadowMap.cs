@@ -74,6 +74,8 @@ namespace SphFluid
                 Light.RemoveCommandBuffer(LightEvent.AfterShadowMap, keep);
                 Light.RemoveCommandBuffer(LightEvent.BeforeScreenspaceMask, copy);
             }
+            if (!ReferenceEquals(Light, null))
+                NoShadowMap.Restore();
             Light = null;
             if (constants != null)
                 constants.Release();

@@ -15,6 +15,7 @@ namespace SphFluid
         public static readonly int FluidShadowMap = Shader.PropertyToID("_FluidShadowMap");
         public static readonly int FluidShadowConstants = Shader.PropertyToID("_FluidShadowConstants");
         public static readonly int MainLightShadowParams = Shader.PropertyToID("_MainLightShadowParams");
+        public static readonly int MainLightShadowmap = Shader.PropertyToID("_MainLightShadowmapTexture");
         public static readonly int Color = Shader.PropertyToID("_Color");
         public static readonly int FastColor = Shader.PropertyToID("_FastColor");
         public static readonly int FastSpeed = Shader.PropertyToID("_FastSpeed");
