@@ -14,7 +14,7 @@ most=3000000 # bytes: what a page loads while its reader looks at it
 
 [[ -e $play/frame_00001.png ]] || { echo "'$play' has no pictures of a play: ./run play --out '$play' makes them." >&2; exit 2; }
 fps=$(sed -n 's/^ *"fps": *\([0-9.]*\),*$/\1/p' "$play/summary.json")
-ffmpeg -hide_banner -loglevel error -y -framerate "${fps:-30}" -i "$play/frame_%05d.png" -vf "fps=15,scale=$width:-2:flags=lanczos" \
+ffmpeg -nostdin -hide_banner -loglevel error -y -framerate "${fps:-30}" -i "$play/frame_%05d.png" -vf "fps=15,scale=$width:-2:flags=lanczos" \
     -c:v libwebp_anim -lossless 0 -quality "$quality" -compression_level 6 -loop 0 "$file"
 size=$(stat -c %s "$file")
 echo "$file: $size bytes"

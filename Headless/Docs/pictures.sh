@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# The pictures of the samples in the manual, played anew: four moments of each, side by side. About ten minutes on two CPU cores.
+#   ./Headless/Docs/pictures.sh [NAME...]   all, or the named ones, e.g. fountain
+# The thesis's surface and the 65,536 particles are not among them: their commands stand on the samples' pages.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+images=$root/Packages/com.sphfluid/Documentation~/images
+plays=$root/Build/pictures
+fps=20
+
+# Pictures of a play by number, in the tiles of one.
+tiles() {
+    local play=$1 layout=$2 file=$3 frame chosen=''
+    shift 3
+    for frame in "$@"; do chosen+="${chosen:++}eq(n\\,$frame)"; done
+    ffmpeg -nostdin -hide_banner -loglevel error -y -framerate "$fps" -i "$play/frame_%05d.png" -vf "select=$chosen,tile=$layout" -frames:v 1 "$file"
+}
+
+# name, sample, size of a tile, tiles, moments [s]
+while read -r name sample size layout moments; do
+    (($# == 0)) || [[ " $* " == *" $name "* ]] || continue
+    frames=()
+    for moment in $moments; do frames+=("$(awk -v t="$moment" -v f=$fps 'BEGIN { printf "%.0f", t * f }')"); done
+    last=${moments##* }
+    "$root/run" play --scene "$root/Packages/com.sphfluid/Samples~/$sample/$sample.unity" --seconds "$last" --fps $fps --size "$size" --out "$plays/$name" \
+        < /dev/null > "$plays-$name.log" 2>&1 || { tail -n 20 "$plays-$name.log"; exit 1; }
+    tiles "$plays/$name" "$layout" "$images/$name.png" "${frames[@]}"
+    echo "$images/$name.png"
+done << 'PICTURES'
+dam-break DamBreak 960x540 1x1 3
+dam-break-water DamBreak 640x360 1x1 0.65
+dam-break-rest DamBreak 640x360 1x1 8
+falling-block-water FallingBlock 640x360 1x1 0.55
+multiple-objects-water MultipleObjects 640x360 1x1 0.65
+floating-crates FloatingCrates 480x270 2x2 0 0.4 1 3
+fountain Fountain 480x270 2x2 0.8 1.5 2.3 3
+getting-started GettingStarted 480x270 2x2 0.6 1.2 1.8 2.4
+heated-water HeatedWater 480x270 2x2 0.4 0.7 1.1 1.6
+pour-and-fill PourAndFill 480x270 2x2 0.4 1.1 2 4
+water-wheel WaterWheel 480x270 2x2 0.3 0.8 1.5 2.4
+wave-tank WaveTank 480x270 2x2 0.6 1.2 1.8 2.4
+weather-proof WeatherProof 480x270 2x2 0.6 1.2 1.8 2.4
+PICTURES
