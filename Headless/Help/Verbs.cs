@@ -19,7 +19,7 @@ internal static class Verbs
             Notes = ["writes DIR/frame_00000.png..., film.mp4, timings.csv and summary.json"],
             Examples =
             [
-                ("", "two seconds of the sample Dam Break: a film in Build/play, in under a minute on two CPU cores"),
+                ("", "a second and a half of the sample Dam Break: a film in Build/play, in under a minute on two CPU cores"),
                 ("--open --size 1280x720 --fps 30", "the same in HD, shown when it is done"),
                 ("--scene Packages/com.sphfluid/Samples~/Fountain/Fountain.unity --seconds 5", "another scene"),
                 ("--particles 4000 --surface particles --seconds 1 --size 640x360", "a quick look with fewer particles"),

@@ -11,7 +11,7 @@ public sealed record PlayOptions
     /// <summary>Those of 8K; device and computer hold a picture several times.</summary>
     private const int MaximumPixels = 7680 * 4320;
     private const int MaximumFrames = 1_000_000;
-    private const double DefaultSeconds = 2, DefaultFps = 24;
+    private const double DefaultSeconds = 1.5, DefaultFps = 24;
     private const string DefaultSize = "960x540", DefaultFolder = "Build/play";
 
     internal static readonly IReadOnlyList<Flag> Flags =
