@@ -14,7 +14,7 @@ public sealed class PlayOptionsTests
     public void DefaultsAreThoseOfTheContract()
     {
         PlayOptions options = Parse();
-        Assert.That((options.Seconds, options.Fps, options.Width, options.Height, options.Frames, options.Images), Is.EqualTo((2d, 24d, 960, 540, 49, true)));
+        Assert.That((options.Seconds, options.Fps, options.Width, options.Height, options.Frames, options.Images), Is.EqualTo((1.5, 24d, 960, 540, 37, true)));
     }
 
     [Test]
