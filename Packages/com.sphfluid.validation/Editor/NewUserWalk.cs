@@ -26,21 +26,23 @@ namespace SphFluid.Validation.Editor
             string folder = at >= 0 && at + 1 < words.Length ? words[at + 1] : DefaultFolder;
             Directory.CreateDirectory(folder);
 
-            bool isGood = Begin(folder);
+            bool isGood = Step(folder, "1-floor", Begin);
             isGood &= Step(folder, "2-tank", () => FluidMenu.CreateTank(new MenuCommand(null)));
             isGood &= Step(folder, "3-emitter", () => FluidMenu.CreateEmitter(new MenuCommand(Liquids()[0].gameObject)));
-            isGood &= Begin(folder) && Step(folder, "4-surface", () => FluidMenu.CreateWithSurface(new MenuCommand(null)));
-            isGood &= Begin(folder) && Step(folder, "5-particles", () => FluidMenu.CreateWithParticles(new MenuCommand(null)));
+            Begin();
+            isGood &= Step(folder, "4-surface", () => FluidMenu.CreateWithSurface(new MenuCommand(null)));
+            Begin();
+            isGood &= Step(folder, "5-particles", () => FluidMenu.CreateWithParticles(new MenuCommand(null)));
             EditorApplication.Exit(isGood ? 0 : 1);
         }
 
-        // A scene as the Editor makes it, seen from where Align With View would put the camera.
-        static bool Begin(string folder)
+        // A scene as the Editor makes it, with a floor, seen from where Align With View would put the camera.
+        static void Begin()
         {
             EditorSceneManager.NewScene(NewSceneSetup.DefaultGameObjects);
             Camera.main.transform.position = new Vector3(1.1f, 1.25f, -1.9f);
             Camera.main.transform.LookAt(new Vector3(0f, 0.5f, 0f));
-            return Step(folder, "1-floor", () => GameObject.CreatePrimitive(PrimitiveType.Plane));
+            GameObject.CreatePrimitive(PrimitiveType.Plane);
         }
 
         static bool Step(string folder, string name, Action menu)

@@ -1,28 +1,21 @@
-using System.Collections.Generic;
-using System.Linq;
-using System;
+using Headless.Engine;
 using UnityEngine.Rendering;
 
 namespace UnityEngine;
 
 public sealed partial class Camera
 {
-    private readonly List<(CameraEvent Event, CommandBuffer Buffer)> commandBuffers = [];
+    private readonly EventBuffers<CameraEvent> commandBuffers = new();
 
     public int commandBufferCount => commandBuffers.Count;
 
-    public void AddCommandBuffer(CameraEvent evt, CommandBuffer buffer)
-    {
-        ArgumentNullException.ThrowIfNull(buffer);
-        commandBuffers.Add((evt, buffer));
-    }
+    public void AddCommandBuffer(CameraEvent evt, CommandBuffer buffer) => commandBuffers.Add(evt, buffer);
 
-    public void RemoveCommandBuffer(CameraEvent evt, CommandBuffer buffer) =>
-        commandBuffers.RemoveAll(c => c.Event == evt && ReferenceEquals(c.Buffer, buffer));
+    public void RemoveCommandBuffer(CameraEvent evt, CommandBuffer buffer) => commandBuffers.Remove(evt, buffer);
 
-    public void RemoveCommandBuffers(CameraEvent evt) => commandBuffers.RemoveAll(c => c.Event == evt);
+    public void RemoveCommandBuffers(CameraEvent evt) => commandBuffers.Remove(evt);
 
     public void RemoveAllCommandBuffers() => commandBuffers.Clear();
 
-    public CommandBuffer[] GetCommandBuffers(CameraEvent evt) => [.. commandBuffers.Where(c => c.Event == evt).Select(c => c.Buffer)];
+    public CommandBuffer[] GetCommandBuffers(CameraEvent evt) => commandBuffers.Of(evt);
 }

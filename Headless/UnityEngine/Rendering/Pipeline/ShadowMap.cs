@@ -58,8 +58,12 @@ internal sealed class ShadowMap
 
         SetReceiverConstants(camera, volume, texel);
         CameraSettings.Apply(camera);
-        Run(light, LightEvent.BeforeScreenspaceMask, Mask());
-        Run(light, LightEvent.AfterScreenspaceMask, Mask());
+        if (light.commandBufferCount > 0)
+        {
+            Run(light, LightEvent.BeforeScreenspaceMask, Mask());
+            Run(light, LightEvent.AfterScreenspaceMask, Mask());
+        }
+
         return true;
     }
 
