@@ -762,7 +762,7 @@ $method2_2 << END
 3.84859 0.390799
 3.90341 0.384687
 END
-set terminal pngcairo size 900,652 noenhanced font 'DejaVu Sans,11' background 'white'
+set terminal pngcairo size 900,692 noenhanced font 'DejaVu Sans,11' background 'white'
 set output 'case-dam-break.png'
 set autoscale xfix
 set xlabel 'T = t √(2g/a)'
@@ -770,7 +770,7 @@ set ylabel 'front Z = x/a, height h = y/(2a)'
 set grid lt 1 lc rgb '#E8E8E8' lw 0.7
 set border 31 lc rgb '#404040'
 set yrange [-0.147877:5.67865]
-set title 'Dam break, n² = 2'."\n".'thesis, as printed: dx 0.00357 m, κ 2, dt 0.75, c 5; thesis, corrected: dx 0.00357 m, κ 2, dt 0.75, c 5; standard: dx 0.00357 m, κ 2.25, dt 0.75, c 5' font ',12'
+set title 'Dam break, n² = 2'."\n".'thesis, as printed: dx 0.00357 m, κ 2, dt 0.75, c 5'."\n".'thesis, corrected: dx 0.00357 m, κ 2, dt 0.75, c 5'."\n".'standard: dx 0.00357 m, κ 2.25, dt 0.75, c 5' font ',12'
 set key outside below Left reverse maxcols 2
 set bmargin 11
 plot $reference0 using 1:2 with points pt 6 ps 1.1 lw 1.5 lc rgb 'black' title 'Z, Martin and Moyce', \

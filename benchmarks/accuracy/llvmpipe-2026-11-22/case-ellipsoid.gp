@@ -491,7 +491,7 @@ $method2_0 << END
 5.94056 1.26857
 6.00584 1.25458
 END
-set terminal pngcairo size 900,564 noenhanced font 'DejaVu Sans,11' background 'white'
+set terminal pngcairo size 900,604 noenhanced font 'DejaVu Sans,11' background 'white'
 set output 'case-ellipsoid.png'
 set autoscale xfix
 set xlabel 't [1/ω]'
@@ -499,7 +499,7 @@ set ylabel 'half axis along z over its start'
 set grid lt 1 lc rgb '#E8E8E8' lw 0.7
 set border 31 lc rgb '#404040'
 set yrange [0.627162:1.42871]
-set title 'Oscillating ellipsoid'."\n".'thesis, as printed: dx 0.124 m, κ 2, dt 0.75, c 7.5; thesis, corrected: dx 0.124 m, κ 2, dt 0.75, c 7.5; standard: dx 0.124 m, κ 2.25, dt 0.75, c 7.5' font ',12'
+set title 'Oscillating ellipsoid'."\n".'thesis, as printed: dx 0.124 m, κ 2, dt 0.75, c 7.5'."\n".'thesis, corrected: dx 0.124 m, κ 2, dt 0.75, c 7.5'."\n".'standard: dx 0.124 m, κ 2.25, dt 0.75, c 7.5' font ',12'
 set key outside below Left reverse maxcols 2
 set bmargin 7
 plot $reference0 using 1:2 with lines lw 2 dt 1 lc rgb 'black' title 'exact', \

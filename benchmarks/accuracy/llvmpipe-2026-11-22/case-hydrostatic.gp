@@ -86,7 +86,7 @@ $method2_0 << END
 0.925 0.914443
 0.975 1.01783
 END
-set terminal pngcairo size 900,564 noenhanced font 'DejaVu Sans,11' background 'white'
+set terminal pngcairo size 900,584 noenhanced font 'DejaVu Sans,11' background 'white'
 set output 'case-hydrostatic.png'
 set autoscale xfix
 set xlabel 'depth/H'
@@ -94,7 +94,7 @@ set ylabel 'p/(ρ g H)'
 set grid lt 1 lc rgb '#E8E8E8' lw 0.7
 set border 31 lc rgb '#404040'
 set yrange [-0.101402:2.12944]
-set title 'Column at rest'."\n".'thesis, corrected: dx 0.05 m, κ 2, dt 0.75, c 6; standard: dx 0.05 m, κ 2.25, dt 0.75, c 6' font ',12'
+set title 'Column at rest'."\n".'thesis, corrected: dx 0.05 m, κ 2, dt 0.75, c 6'."\n".'standard: dx 0.05 m, κ 2.25, dt 0.75, c 6' font ',12'
 set key outside below Left reverse maxcols 2
 set bmargin 7
 plot $reference0 using 1:2 with points pt 6 ps 1.1 lw 1.5 lc rgb 'black' title 'equation of state', \

@@ -1979,16 +1979,16 @@ $method2_3 << END
 6.00206 0.201704
 6.04813 0.201499
 END
-set terminal pngcairo size 1100,830 noenhanced font 'DejaVu Sans,11' background 'white'
+set terminal pngcairo size 1100,870 noenhanced font 'DejaVu Sans,11' background 'white'
 set output 'case-marin.png'
-set multiplot layout 2,2 title 'Dam break against a box (SPHERIC 2)'."\n".'thesis, as printed: dx 0.0774 m, κ 2, dt 0.75, c 5; thesis, corrected: dx 0.0555 m, κ 2, dt 0.75, c 5; standard: dx 0.0555 m, κ 2.25, dt 0.75, c 5'."\n \n " font ',12'
+set multiplot layout 2,2 title 'Dam break against a box (SPHERIC 2)'."\n".'thesis, as printed: dx 0.0774 m, κ 2, dt 0.75, c 5'."\n".'thesis, corrected: dx 0.0555 m, κ 2, dt 0.75, c 5'."\n".'standard: dx 0.0555 m, κ 2.25, dt 0.75, c 5'."\n \n " font ',12'
 set autoscale xfix
 set xlabel 't [s]'
 set ylabel 'height of the water [m]'
 set grid lt 1 lc rgb '#E8E8E8' lw 0.7
 set border 31 lc rgb '#404040'
 set yrange [-0.0345652:0.72587]
-set key at screen 0.5, screen 0.920482 center horizontal maxrows 1
+set key at screen 0.5, screen 0.878161 center horizontal maxrows 1
 set title 'x = 0.496 m, MARIN' font ',11'
 plot $reference0 using 1:2 with lines lw 2 dt 1 lc rgb 'black' title 'reference', \
     $method0_0 using 1:2 with lines lw 2 dt 1 lc rgb '#D55E00' title 'thesis, as printed', \

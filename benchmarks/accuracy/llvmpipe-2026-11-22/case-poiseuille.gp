@@ -387,16 +387,16 @@ $method2_3 << END
 0.90625 0.346715
 0.96875 0.133009
 END
-set terminal pngcairo size 1100,830 noenhanced font 'DejaVu Sans,11' background 'white'
+set terminal pngcairo size 1100,870 noenhanced font 'DejaVu Sans,11' background 'white'
 set output 'case-poiseuille.png'
-set multiplot layout 2,2 title 'Poiseuille start-up'."\n".'thesis, as printed: dx 0.0625 m, κ 2, dt 0.75, c 10; thesis, corrected: dx 0.0625 m, κ 2, dt 0.75, c 10; standard: dx 0.0625 m, κ 2.25, dt 0.75, c 10'."\n \n " font ',12'
+set multiplot layout 2,2 title 'Poiseuille start-up'."\n".'thesis, as printed: dx 0.0625 m, κ 2, dt 0.75, c 10'."\n".'thesis, corrected: dx 0.0625 m, κ 2, dt 0.75, c 10'."\n".'standard: dx 0.0625 m, κ 2.25, dt 0.75, c 10'."\n \n " font ',12'
 set autoscale xfix
 set xlabel 'y/L'
 set ylabel 'u/u_max'
 set grid lt 1 lc rgb '#E8E8E8' lw 0.7
 set border 31 lc rgb '#404040'
 set yrange [-0.0999946:2.09989]
-set key at screen 0.5, screen 0.920482 center horizontal maxrows 1
+set key at screen 0.5, screen 0.878161 center horizontal maxrows 1
 set title 'exact, t = 2 s' font ',11'
 plot $reference0 using 1:2 with lines lw 2 dt 1 lc rgb 'black' title 'reference', \
     $method0_0 using 1:2 with lines lw 2 dt 1 lc rgb '#D55E00' title 'thesis, as printed', \

@@ -1,13 +1,86 @@
 # Draws case-standing-wave.png: gnuplot case-standing-wave.gp
 $reference0 << END
 0 1
-0.110145 0.972579
-0.220291 0.909063
-0.330436 0.812462
-0.440582 0.686979
-0.550727 0.53783
-0.660873 0.371031
-0.771018 0.193157
+0.106269 0.974171
+0.223165 0.906947
+0.329434 0.813479
+0.44633 0.679732
+0.552599 0.535125
+0.669495 0.357419
+0.775764 0.18535
+0.892659 -0.00787431
+0.998928 -0.18039
+1.1052 -0.343718
+1.22209 -0.50614
+1.32836 -0.632787
+1.44526 -0.743941
+1.55153 -0.815993
+1.66842 -0.860815
+1.77469 -0.869249
+1.89159 -0.843247
+1.99786 -0.788987
+2.10413 -0.708002
+2.22102 -0.591989
+2.32729 -0.466469
+2.44419 -0.312139
+2.55046 -0.16264
+2.66735 0.00530426
+2.77362 0.155305
+2.89052 0.310951
+2.99679 0.438716
+3.10305 0.548991
+3.21995 0.645856
+3.32622 0.708736
+3.44311 0.747989
+3.54938 0.755591
+3.66628 0.733281
+3.77255 0.686367
+3.88944 0.608005
+3.99571 0.515569
+4.10198 0.406617
+4.21888 0.272588
+4.32515 0.142699
+4.44204 -0.00327163
+4.54831 -0.133696
+4.66521 -0.269083
+4.77148 -0.380268
+4.88837 -0.48493
+4.99464 -0.5607
+5.10091 -0.615574
+5.21781 -0.649949
+5.32408 -0.656792
+5.44097 -0.637653
+5.54724 -0.597091
+5.66414 -0.529192
+5.77041 -0.449011
+5.8873 -0.344325
+5.99357 -0.238042
+6.09984 -0.125192
+6.21674 0.00167985
+6.323 0.115082
+6.4399 0.232846
+6.54617 0.329604
+6.66307 0.420737
+6.76933 0.486769
+6.88623 0.538388
+6.9925 0.564756
+7.09877 0.570909
+7.21566 0.554494
+7.32193 0.519425
+7.43883 0.460593
+7.5451 0.391042
+7.66199 0.300173
+7.76826 0.207869
+7.88516 0.0998377
+7.99143 -0.000448386
+8.0977 -0.0990499
+8.21459 -0.201485
+8.32086 -0.285686
+8.43776 -0.365039
+8.54403 -0.422584
+8.66092 -0.467634
+8.76719 -0.490729
+8.88409 -0.49584
 END
 $method0_0 << END
 0 0.996885
@@ -185,18 +258,18 @@ $method2_0 << END
 8.76719 -0.341387
 8.88409 -0.35061
 END
-set terminal pngcairo size 900,564 noenhanced font 'DejaVu Sans,11' background 'white'
+set terminal pngcairo size 900,604 noenhanced font 'DejaVu Sans,11' background 'white'
 set output 'case-standing-wave.png'
 set autoscale xfix
 set xlabel 't [s]'
 set ylabel 'first mode of the elevation over its start'
 set grid lt 1 lc rgb '#E8E8E8' lw 0.7
 set border 31 lc rgb '#404040'
-set yrange [-0.694664:1.08686]
-set title 'Standing wave'."\n".'thesis, as printed: dx 0.0769 m, κ 2, dt 0.75, c 6; thesis, corrected: dx 0.05 m, κ 2, dt 0.75, c 6; standard: dx 0.05 m, κ 2.25, dt 0.75, c 6' font ',12'
+set yrange [-1.07495:1.10497]
+set title 'Standing wave'."\n".'thesis, as printed: dx 0.0769 m, κ 2, dt 0.75, c 6'."\n".'thesis, corrected: dx 0.05 m, κ 2, dt 0.75, c 6'."\n".'standard: dx 0.05 m, κ 2.25, dt 0.75, c 6' font ',12'
 set key outside below Left reverse maxcols 2
 set bmargin 7
-plot $reference0 using 1:2 with points pt 6 ps 1.1 lw 1.5 lc rgb 'black' title 'linear wave', \
+plot $reference0 using 1:2 with lines lw 2 dt 1 lc rgb 'black' title 'linear wave', \
     $method0_0 using 1:2 with lines lw 2 dt 1 lc rgb '#D55E00' title 'thesis, as printed: first mode', \
     $method1_0 using 1:2 with lines lw 2 dt 1 lc rgb '#0072B2' title 'thesis, corrected: first mode', \
     $method2_0 using 1:2 with lines lw 2 dt 1 lc rgb '#009E73' title 'standard: first mode'

@@ -34,6 +34,10 @@ namespace SphFluid.Validation
         public override string ErrorName => HydrostaticMetric.ErrorName;
 
         /// <inheritdoc/>
+        public override string Caution => "Compared is the pressure that pushes. Standard reads it; the thesis method reads twice as much, " +
+            "because the ½ of its equation (13) halves the force.";
+
+        /// <inheritdoc/>
         public override (string X, string Y) AxisTitles => ("depth/H", "p/(ρ g H)");
 
         /// <inheritdoc/>

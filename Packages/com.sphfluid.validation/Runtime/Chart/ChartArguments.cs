@@ -12,9 +12,11 @@ namespace SphFluid.Validation
 
         readonly List<ValidationCase> cases = new List<ValidationCase>();
         readonly List<CaseMethod> methods = new List<CaseMethod>();
+        readonly int chartedCount;
 
         ChartArguments(IReadOnlyList<ValidationCase> charted) : base("chart", "Build/chart")
         {
+            chartedCount = charted.Count;
             AddQuick("fewer points: below ten minutes on two CPU cores");
             AddChoice("--case", "these cases", "all", cases, charted, c => c.Name);
             AddChoice("--method", "these methods", "all", methods, CaseMethod.All, m => m.Name);
@@ -27,6 +29,18 @@ namespace SphFluid.Validation
 
         /// <summary>The methods.</summary>
         public IReadOnlyList<CaseMethod> Methods => methods;
+
+        /// <summary>What was asked for, as the command line has it; without folder and slice, which change no result.</summary>
+        internal string Command
+        {
+            get
+            {
+                IEnumerable<string> chosen = Cases.Count == chartedCount ? Enumerable.Empty<string>() : Cases.Select(c => c.Name).Prepend("--case");
+                if (Methods.Count < CaseMethod.All.Count)
+                    chosen = chosen.Concat(Methods.Select(m => m.Name).Prepend("--method"));
+                return string.Join(" ", (Quick ? new[] { "chart", "--quick" } : new[] { "chart" }).Concat(chosen));
+            }
+        }
 
         /// <summary>Reads the command line of the process.</summary>
         /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>

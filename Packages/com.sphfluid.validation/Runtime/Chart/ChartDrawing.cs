@@ -5,16 +5,18 @@ using System.Linq;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Writes what follows from the table: the Pareto fronts, the scripts, and by gnuplot the pictures.</summary>
+    /// <summary>Writes what follows from the table: the Pareto fronts, the comparison at equal time, the report, the scripts, and by gnuplot the pictures.</summary>
     sealed class ChartDrawing
     {
         readonly string folder;
         readonly ResultTable<ChartRow> table;
         readonly IReadOnlyList<ValidationCase> cases;
+        readonly string command;
         readonly SessionProgress progress;
 
-        public ChartDrawing(string folder, ResultTable<ChartRow> table, IReadOnlyList<ValidationCase> selected, SessionProgress progress)
+        public ChartDrawing(string folder, ResultTable<ChartRow> table, IReadOnlyList<ValidationCase> selected, string command, SessionProgress progress)
         {
+            this.command = command;
             this.folder = folder;
             this.table = table;
             this.progress = progress;
@@ -30,9 +32,13 @@ namespace SphFluid.Validation
             List<IReadOnlyList<ChartPoint>> fronts = groups.Select(g => ParetoFront.Of(g[0].Points)).ToList();
             ParetoFront.Format.Write(folder, fronts.SelectMany(f => f));
             SayFronts(groups, fronts);
-            List<EqualCost.Comparison> comparisons = groups.SelectMany(g => EqualCost.Of(g[0].Points, g[0].Case.Floor)).ToList();
+            List<ReportCase> reported = groups.Select(g =>
+                new ReportCase(g, EqualCost.Of(g[0].Points, g[0].Case.Floor), new CaseCurves(g[0].Case, folder))).ToList();
+            List<EqualCost.Comparison> comparisons = reported.SelectMany(r => r.Comparisons).ToList();
             EqualCost.Format.Write(folder, comparisons);
             SayComparisons(comparisons);
+            string unwritten = new ChartReport(reported, table.Rows, table.Device, command).Write(folder);
+            progress.Say(unwritten ?? $"{Path.Combine(folder, ChartReport.FileName)} is written: open it in a browser.");
             var chart = new ChartScript(groups, table.Device, table.Rows.Max(r => r.Date));
             IEnumerable<CurveScript> curves = cases.Select(c => new CurveScript(c, folder)).Where(s => !s.IsEmpty);
             string problem = GnuplotScript.Draw(folder, new GnuplotScript[] { chart }.Concat(curves));
@@ -44,17 +50,12 @@ namespace SphFluid.Validation
         void SayComparisons(IEnumerable<EqualCost.Comparison> comparisons)
         {
             progress.Say("Error over another method's at equal GPU time, along both fronts:");
-            foreach (var pair in comparisons.GroupBy(c => (c.Point.Case, Later: Later(c.Point.Method, c.Other), Earlier: Earlier(c.Point.Method, c.Other))))
+            foreach (EqualCostRange range in EqualCostRange.Of(comparisons))
             {
-                List<double> ratios = pair.Select(c => c.Point.Method == pair.Key.Later ? c.Ratio : 1.0 / c.Ratio).ToList();
-                progress.Say(string.Format(CultureInfo.InvariantCulture, "{0,-18}{1,-32}{2:G3} to {3:G3}", pair.Key.Case, $"{pair.Key.Later} / {pair.Key.Earlier}",
-                    ratios.Min(), ratios.Max()));
+                progress.Say(string.Format(CultureInfo.InvariantCulture, "{0,-18}{1,-32}{2:G3} to {3:G3}", range.Case, $"{range.Method.Name} / {range.Other.Name}",
+                    range.Least, range.Greatest));
             }
         }
-
-        static string Later(string a, string b) => CaseMethod.All.Last(m => m.Name == a || m.Name == b).Name;
-
-        static string Earlier(string a, string b) => CaseMethod.All.First(m => m.Name == a || m.Name == b).Name;
 
         void SayFronts(List<IReadOnlyList<ChartPanel>> groups, List<IReadOnlyList<ChartPoint>> fronts)
         {

@@ -110,14 +110,15 @@ namespace SphFluid.Validation
             {
                 string floor = Gnuplot.Number(panel.Case.Floor);
                 yield return $"set object 1 rectangle from graph 0, graph 0 to graph 1, first {floor} fc rgb '#E6E6E6' fs solid 1.0 noborder behind";
-                yield return $"set label 1 {Gnuplot.Quote("reference floor " + ChartAxis.Percent(Math.Round(panel.Case.Floor, 4)))} at graph 0.985, first {floor} right offset 0,-0.7 " +
+                // In the row that the axis leaves free below the points.
+                yield return $"set label 1 {Gnuplot.Quote("reference floor " + ChartAxis.Percent(Math.Round(panel.Case.Floor, 4)))} at graph 0.985, graph 0.04 right " +
                     "font ',9' tc rgb '#707070'";
             }
             for (int i = 0; i < realTime.Length; i++)
             {
                 string cost = Gnuplot.Number(realTime[i].Cost);
                 yield return $"set arrow {i + 1} from {cost}, graph 0 to {cost}, graph 1 nohead dt 2 lw 1.5 lc rgb '#A0A0A0' back";
-                yield return $"set label {i + 2} {Gnuplot.Quote(realTime[i].Title)} at {cost}, graph 0.02 left rotate by 90 offset 0.8,0 font ',9' tc rgb '#707070'";
+                yield return $"set label {i + 2} {Gnuplot.Quote(realTime[i].Title)} at {cost}, graph 0.02 left rotate by 90 offset 1.3,0 font ',9' tc rgb '#707070'";
             }
             for (int i = 0; i < Notes.Length; i++)
             {

@@ -53,6 +53,9 @@ namespace SphFluid.Validation
         /// <summary>Number of runs that failed.</summary>
         public int Failures { get; private set; }
 
+        /// <summary>Why the first of them failed; empty when none did.</summary>
+        public string Reason { get; private set; } = "";
+
         /// <summary>GPU time per simulated second of the runs that did not fail, or of all when all did [ms/s]; null when it was not measured.</summary>
         public SampleStatistics? Cost { get; private set; }
 
@@ -78,6 +81,7 @@ namespace SphFluid.Validation
                     ErrorName = errorName,
                     Seeds = runs.Count,
                     Failures = runs.Count - passed.Count,
+                    Reason = runs.FirstOrDefault(r => r.Failed)?.Reason ?? "",
                     Cost = Statistics((passed.Count > 0 ? passed : runs).Select(r => r.GpuMsPerSecond)),
                     Error = Statistics(passed.Where(r => r.ErrorName == errorName).Select(r => Math.Abs(r.Error))),
                 });

@@ -58,12 +58,12 @@ namespace SphFluid.Validation
                 yield return Calibrate(shaders, ChartRun.CostOfStandardStep);
         }
 
-        private protected override void Draw() => new ChartDrawing(Folder, table, arguments.Cases, Progress).Write();
+        private protected override void Draw() => new ChartDrawing(Folder, table, arguments.Cases, arguments.Command, Progress).Write();
 
         // Cases that an earlier chart in the folder measured are drawn too.
         static IEnumerable<ResultFile> Files(IEnumerable<ValidationCase> selected)
         {
-            var tables = new[] { ChartRow.Format.File, ParetoFront.Format.File, EqualCost.Format.File };
+            var tables = new[] { ChartRow.Format.File, ParetoFront.Format.File, EqualCost.Format.File, ChartReport.File };
             return tables.Concat(ChartScript.Files()).Concat(CaseCatalogue.All.Union(selected)
                 .SelectMany(c => CurveScript.Files(c).Concat(CaseMethod.All.Select(m => CurveFile.Of(c.Name, m.Name)))));
         }

@@ -12,11 +12,12 @@ namespace SphFluid.Validation
     {
         const int FewestPointsAsMarks = 5, MostPointsAsMarks = 40;
         const int FewestPanels = 3;
+        const int HeadingLineHeight = 20; // px
         const string Page = "noenhanced font 'DejaVu Sans,11' background 'white'";
 
         readonly ValidationCase validationCase;
-        readonly List<(int Method, string Run, List<CaseSeries> Curves)> runs = new List<(int, string, List<CaseSeries>)>();
-        readonly List<CaseSeries> references = new List<CaseSeries>();
+        readonly IReadOnlyList<CaseCurves.Run> runs;
+        readonly IReadOnlyList<CaseSeries> references;
 
         /// <summary>The picture of the curves that a folder has.</summary>
         /// <param name="validationCase">The case.</param>
@@ -24,15 +25,9 @@ namespace SphFluid.Validation
         public CurveScript(ValidationCase validationCase, string folder) : base(StemOf(validationCase), "png")
         {
             this.validationCase = validationCase;
-            for (int m = 0; m < CaseMethod.All.Count; m++)
-            {
-                IReadOnlyList<CaseSeries> curves = CurveFile.Read(folder, validationCase.Name, CaseMethod.All[m].Name, out string run);
-                // The references of all methods are the same.
-                references.AddRange(curves.Where(c => c.IsReference && !references.Any(r => r.Name == c.Name)));
-                List<CaseSeries> measured = curves.Where(c => !c.IsReference).ToList();
-                if (measured.Count > 0)
-                    runs.Add((m, run, measured));
-            }
+            var curves = new CaseCurves(validationCase, folder);
+            references = curves.References;
+            runs = curves.Runs;
         }
 
         /// <summary>Script and picture of a case.</summary>
@@ -46,10 +41,10 @@ namespace SphFluid.Validation
             var lines = new List<string>();
             for (int i = 0; i < references.Count; i++)
                 lines.AddRange(Block(ReferenceName(i), Points(references[i])));
-            foreach ((int method, string _, List<CaseSeries> curves) in runs)
+            foreach (CaseCurves.Run run in runs)
             {
-                for (int i = 0; i < curves.Count; i++)
-                    lines.AddRange(Block(CurveName(method, i), Points(curves[i])));
+                for (int i = 0; i < run.Curves.Count; i++)
+                    lines.AddRange(Block(CurveName(run.Method, i), Points(run.Curves[i])));
             }
             (string x, string y) = validationCase.AxisTitles;
             var axes = new List<string>
@@ -65,9 +60,9 @@ namespace SphFluid.Validation
         IEnumerable<string> Single(List<string> axes)
         {
             List<string> layers = Enumerable.Range(0, references.Count).Select(i => Reference(i, references[i].Name)).ToList();
-            foreach ((int method, string run, List<CaseSeries> curves) in runs)
-                layers.AddRange(curves.Select((curve, i) => Curve(method, i, i, $"{CaseMethod.All[method].Title}: {curve.Name}")));
-            yield return $"set terminal pngcairo size 900,{520 + 22 * ((layers.Count + 1) / 2)} {Page}";
+            foreach (CaseCurves.Run run in runs)
+                layers.AddRange(run.Curves.Select((curve, i) => Curve(run.Method, i, i, $"{CaseMethod.All[run.Method].Title}: {curve.Name}")));
+            yield return $"set terminal pngcairo size 900,{480 + HeadingHeight + 22 * ((layers.Count + 1) / 2)} {Page}";
             yield return Output;
             foreach (string line in axes)
                 yield return line;
@@ -80,7 +75,7 @@ namespace SphFluid.Validation
         IEnumerable<string> Divided(List<string> axes)
         {
             int rows = (references.Count + 1) / 2;
-            int height = 110 + 360 * rows;
+            int height = 70 + HeadingHeight + 360 * rows;
             yield return $"set terminal pngcairo size 1100,{height} {Page}";
             yield return Output;
             yield return $"set multiplot layout {rows},2 title {Heading}.\"\\n \\n \" font ',12'";
@@ -89,7 +84,7 @@ namespace SphFluid.Validation
             for (int i = 0; i < references.Count; i++)
             {
                 // Above the panels, once for all.
-                yield return i == 0 ? $"set key at screen 0.5, screen {Gnuplot.Number(1.0 - 66.0 / height)} center horizontal maxrows 1" : "unset key";
+                yield return i == 0 ? $"set key at screen 0.5, screen {Gnuplot.Number(1.0 - (26.0 + HeadingHeight) / height)} center horizontal maxrows 1" : "unset key";
                 yield return $"set title {Gnuplot.Quote(references[i].Name)} font ',11'";
                 yield return Plot(new[] { Reference(i, "reference", 0) }.Concat(runs.Select(r => Curve(r.Method, i, 0, CaseMethod.All[r.Method].Title))));
             }
@@ -100,14 +95,18 @@ namespace SphFluid.Validation
 
         static string StemOf(ValidationCase validationCase) => $"case-{validationCase.Name}";
 
-        // The constants below the title; each method's where they differ.
-        string Heading
+        string Heading => string.Join(".\"\\n\".", HeadingLines.Select(Gnuplot.Quote));
+
+        int HeadingHeight => HeadingLineHeight * HeadingLines.Count;
+
+        // The constants below the title; each method's on a line of its own where they differ.
+        IReadOnlyList<string> HeadingLines
         {
             get
             {
-                bool same = runs.All(r => r.Run == runs[0].Run);
-                string constants = same ? runs[0].Run : string.Join("; ", runs.Select(r => $"{CaseMethod.All[r.Method].Title}: {r.Run}"));
-                return Gnuplot.Quote(validationCase.Title) + ".\"\\n\"." + Gnuplot.Quote(constants);
+                bool same = runs.All(r => r.Constants == runs[0].Constants);
+                IEnumerable<string> constants = same ? new[] { runs[0].Constants } : runs.Select(r => $"{CaseMethod.All[r.Method].Title}: {r.Constants}");
+                return constants.Prepend(validationCase.Title).ToList();
             }
         }
 

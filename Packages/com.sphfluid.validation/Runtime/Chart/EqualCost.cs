@@ -64,14 +64,21 @@ namespace SphFluid.Validation
         /// <param name="floor">Errors below this are below what the reference is good for.</param>
         public static IReadOnlyList<Comparison> Of(IEnumerable<ChartPoint> points, double floor)
         {
-            List<IReadOnlyList<ChartPoint>> fronts = points.Where(p => p.IsWhole).GroupBy(p => p.Method)
-                .Select(own => ParetoFront.Of(own.Where(p => !own.Any(finer => IsByChance(p, finer, floor))))).Where(f => f.Count > 0).ToList();
+            List<IReadOnlyList<ChartPoint>> fronts = Comparable(points, floor).GroupBy(p => p.Method)
+                .Select(own => ParetoFront.Of(own)).Where(f => f.Count > 0).ToList();
             return (from own in fronts
                     from other in fronts
                     where other != own
                     from point in own
                     where Time(point) >= Time(other[0])
                     select new Comparison(point, other[0].Method, ErrorAt(other, Time(point)), Time(point) > Time(other[other.Count - 1]), floor)).ToList();
+        }
+
+        /// <summary>The points whose every run has an error and a time, without those that are good by chance.</summary>
+        internal static IReadOnlyList<ChartPoint> Comparable(IEnumerable<ChartPoint> points, double floor)
+        {
+            List<ChartPoint> whole = points.Where(p => p.IsWhole).ToList();
+            return whole.Where(p => !whole.Any(finer => finer.Method == p.Method && IsByChance(p, finer, floor))).ToList();
         }
 
         static bool IsByChance(ChartPoint point, ChartPoint finer, double floor) =>

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using System.Text;
 
 namespace SphFluid.Validation
@@ -17,8 +18,10 @@ namespace SphFluid.Validation
         public JsonObject Add(string key, long value) => AddRaw(key, value.ToString(CultureInfo.InvariantCulture));
 
         /// <summary>Adds a number; one that is not finite becomes null, which JSON can hold.</summary>
-        public JsonObject Add(string key, double value) =>
-            AddRaw(key, double.IsNaN(value) || double.IsInfinity(value) ? "null" : value.ToString("R", CultureInfo.InvariantCulture));
+        public JsonObject Add(string key, double value) => AddRaw(key, Number(value));
+
+        /// <summary>Adds an array of numbers; those that are not finite become null.</summary>
+        public JsonObject Add(string key, IEnumerable<double> values) => AddRaw(key, "[" + string.Join(",", values.Select(Number)) + "]");
 
         /// <summary>Adds an object.</summary>
         public JsonObject Add(string key, JsonObject value) => AddRaw(key, value.ToString());
@@ -58,6 +61,9 @@ namespace SphFluid.Validation
             members.Add(Quote(key) + ": " + value);
             return this;
         }
+
+        static string Number(double value) =>
+            double.IsNaN(value) || double.IsInfinity(value) ? "null" : value.ToString("R", CultureInfo.InvariantCulture);
 
         static string Quote(string text)
         {

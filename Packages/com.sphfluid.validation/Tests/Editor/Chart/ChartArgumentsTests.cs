@@ -42,6 +42,12 @@ namespace SphFluid.Tests
             Assert.That(arguments.Quick, Is.True);
         }
 
+        [TestCase("chart")]
+        [TestCase("chart --quick", "--quick", "--slice", "3", "--out", "there")]
+        [TestCase("chart --case two --method standard thesis", "--method", "standard,thesis", "--case", "two")]
+        public void SaysItsCommandInShort(string command, params string[] words) =>
+            Assert.That(Parse(new[] { "player", "--" }.Concat(words).ToArray()).Command, Is.EqualTo(command));
+
         [Test]
         public void AQuickChartEndsInTime()
         {

@@ -91,6 +91,24 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void APictureTakesTheLongestReferenceAndALineForEachMethodsConstants()
+        {
+            IReadOnlyList<CaseSeries> whole = FlatCase.Result(1.0, 0.1).Series;
+            var early = new CaseSeries("rest", true);
+            early.Add(0.0, 1.0);
+            early.Add(0.1, 1.0);
+            CurveFile.Write(folder, "one", "thesis-printed", "dx 0.2 m", new[] { whole[0], early }); // the first of the methods
+            CurveFile.Write(folder, "one", "thesis", "dx 0.1 m", whole);
+            CurveFile.Write(folder, "one", "standard", "dx 0.1 m", new[] { whole[0], early });
+            var curves = new CaseCurves(new FlatCase("one"), folder);
+            string script = string.Join("\n", new CurveScript(new FlatCase("one"), folder).Lines());
+
+            Assert.That(curves.References.Single().X.Last(), Is.EqualTo(0.98));
+            Assert.That(curves.Runs.Select(r => r.Constants), Is.EqualTo(new[] { "dx 0.2 m", "dx 0.1 m", "dx 0.1 m" }));
+            Assert.That(script, Does.Contain(".\"\\n\".'thesis, as printed: dx 0.2 m'.\"\\n\".'thesis, corrected: dx 0.1 m'.\"\\n\".'standard: dx 0.1 m'"));
+        }
+
+        [Test]
         public void ManyReferencesHaveAPanelEach()
         {
             List<CaseSeries> curves = Enumerable.Range(0, 3).SelectMany(i => FlatCase.Result(1.0, 0.1).Series.Select(c => Renamed(c, c.Name + " " + i))).ToList();

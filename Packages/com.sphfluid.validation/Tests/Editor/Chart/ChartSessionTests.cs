@@ -42,7 +42,7 @@ namespace SphFluid.Tests
             Assert.That(done.Select(r => r.ToString()), Is.EqualTo(plan.Runs.Select(r => r.ToString())));
             Assert.That(Lines("accuracy.csv"), Has.Length.EqualTo(1 + 2 * plan.Runs.Count), "two errors each");
             Assert.That(Lines("pareto.csv"), Has.Length.GreaterThan(1));
-            foreach (string file in new[] { "accuracy.gp", "case-one.gp", "case-two.gp", "curves/one.thesis.csv" })
+            foreach (string file in new[] { "accuracy.gp", "case-one.gp", "case-two.gp", "curves/one.thesis.csv", "report.html" })
                 Assert.That(File.Exists(Path.Combine(folder, file)), Is.True, file);
             Assert.That(said, Has.Some.Contains($"1/{plan.Runs.Count}  one, thesis"));
             Assert.That(said.Last(), Does.Contain($"All {plan.Runs.Count} runs are done"));
