@@ -22,6 +22,12 @@ namespace SphFluid.Tests
         public void RemoveFolder() => Directory.Delete(folder, true);
 
         [Test]
+        public void JsonHasArraysOfNumbers()
+        {
+            Assert.That(new JsonObject().Add("some", new[] { 1.5, double.NaN, -2 }).Add("none", new double[0]).ToString(), Is.EqualTo("{\n  \"some\": [1.5,null,-2],\n  \"none\": []\n}"));
+        }
+
+        [Test]
         public void JsonIsAddedToAnObjectOnDisk()
         {
             string file = Path.Combine(folder, "summary.json");
