@@ -64,7 +64,10 @@ namespace SphFluid.Editor
         static string Cost(in FluidSolverSettings constants)
         {
             TimeStepAdvice advice = FluidRules.Advise(constants, constants.MaxSpeed);
-            return advice.Limit == TimeStepLimit.Viscosity ? $" It sets the time step of {TimeStepAdvice.Milliseconds(constants.TimeStep)}." : "";
+            string limits = advice.Limit == TimeStepLimit.Viscosity ? $" It sets the time step of {TimeStepAdvice.Milliseconds(constants.TimeStep)}." : "";
+            if (!advice.ViscosityIsImplicit) return limits;
+            int iterations = ImplicitViscosity.Iterations(constants, constants.TimeStep);
+            return $" It is solved implicitly, in {iterations} iterations a step{(limits == "" ? ", and does not shorten the step." : "." + limits)}";
         }
 
         static string Number(double viscosity) => FormattableString.Invariant($"{viscosity:G2}");

@@ -48,8 +48,12 @@ namespace SphFluid
         /// <summary>The kinematic viscosity that the limits are of [m²/s].</summary>
         public readonly double KinematicViscosity;
 
+        /// <summary>Whether viscosity is solved for, so that <see cref="Viscosity"/> is no limit of stability but of the work that is allowed.</summary>
+        public readonly bool ViscosityIsImplicit;
+
         /// <summary>The limits of a liquid, each the largest step that it allows [s].</summary>
-        internal TimeStepAdvice(double acoustic, double speedStep, double viscous, double viscousBorder, double walls, double sound, double maxSpeed, double kinematic)
+        internal TimeStepAdvice(double acoustic, double speedStep, double viscous, double viscousBorder, double walls, double sound, double maxSpeed, double kinematic,
+            bool isImplicit = false)
         {
             Acoustic = acoustic;
             Speed = speedStep;
@@ -59,6 +63,7 @@ namespace SphFluid
             SoundSpeed = sound;
             MaxSpeed = maxSpeed;
             KinematicViscosity = kinematic;
+            ViscosityIsImplicit = isImplicit;
         }
 
         /// <summary>The step in which a particle moves by <see cref="SpeedLimit"/> spacings [s]; infinite at rest.</summary>
@@ -105,7 +110,11 @@ namespace SphFluid
         /// <param name="timeStep">The step in use [s].</param>
         /// <returns>The sentence, with figures.</returns>
         public string Explain(double timeStep) => FormattableString.Invariant(
-            $"The time step of {Milliseconds(timeStep)} is {100.0 * timeStep / Largest:0} % of the largest stable one, {Milliseconds(Largest)}, which {Cause}; {Cure}.");
+            $"The time step of {Milliseconds(timeStep)} is {100.0 * timeStep / Largest:0} % of the largest stable one, {Milliseconds(Largest)}, which {Cause}; {Cure}.{Implicit}");
+
+        string Implicit => ViscosityIsImplicit && Limit != TimeStepLimit.Viscosity
+            ? FormattableString.Invariant($" The kinematic viscosity ({KinematicViscosity:G3} m²/s) is implicit and sets no limit.")
+            : "";
 
         /// <summary>"the speed of sound (12.5 m/s) sets".</summary>
         internal string Cause

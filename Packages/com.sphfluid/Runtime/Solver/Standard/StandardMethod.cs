@@ -7,7 +7,7 @@ namespace SphFluid
     {
         static readonly ShaderGroup Group = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
             groupThreads: 256, buffers: 15, writableBuffers: 7, groupMemory: 11520, vertexBuffers: 0,
-            "LoadParticles", "ScanCells", "ScatterParticles", "StandardDensity", "MoveParticles", "GatherWalls", "MoveBodies", "FindContacts",
+            "LoadParticles", "ScanCells", "ScatterParticles", "StandardDensity", "MoveParticles", "KickParticles", "DiffuseVelocities", "DriftParticles", "GatherWalls", "MoveBodies", "FindContacts",
             "ResolveContacts", "DampVelocities", "PublishParticles", "DrainParticles", "BirthParticles", "GrowParticles");
 
         static readonly string[] Fields = { "soundSpeedMode" };
@@ -40,6 +40,7 @@ namespace SphFluid
             {
                 state.RequireList();
                 if (hasBodies) state.RequireWalls();
+                if (state.Own.ImplicitViscosity) state.RequireViscous();
                 return state.Bytes;
             }
         }

@@ -34,6 +34,9 @@ namespace SphFluid
         /// <summary>What triangles need; null where there never were any.</summary>
         public MeshWallBuffers Walls { get; private set; }
 
+        /// <summary>What an implicit viscosity needs; null where it never was.</summary>
+        public ViscousBuffers Viscous { get; private set; }
+
         /// <summary>Neighbours of the last density pass; of length 0 for a step that searches twice.</summary>
         public NeighbourList List { get; private set; }
 
@@ -53,10 +56,13 @@ namespace SphFluid
         public StandardSettings Own => Settings.Own<StandardSettings>();
 
         /// <inheritdoc/>
-        protected override long OwnBytes => Buffers.Bytes + (Walls?.Bytes ?? 0) + (List?.Bytes ?? 0);
+        protected override long OwnBytes => Buffers.Bytes + (Walls?.Bytes ?? 0) + (List?.Bytes ?? 0) + (Viscous?.Bytes ?? 0);
 
         /// <summary>Makes <see cref="Walls"/>, if they are not there.</summary>
         public void RequireWalls() => Walls ??= new MeshWallBuffers(Capacity, isPlanned);
+
+        /// <summary>Makes <see cref="Viscous"/>, if it is not there.</summary>
+        public void RequireViscous() => Viscous ??= new ViscousBuffers(Capacity, isPlanned);
 
         /// <summary>Makes <see cref="List"/>, with entries or without as the settings and the device have it.</summary>
         public void RequireList()
@@ -77,11 +83,13 @@ namespace SphFluid
             var replaced = new List<IDisposable>();
             NeighbourList list = new NeighbourList(capacity, length);
             MeshWallBuffers walls = Walls == null ? null : new MeshWallBuffers(capacity);
+            ViscousBuffers viscous = Viscous == null ? null : new ViscousBuffers(capacity);
             Buffers.Resize(capacity, replaced);
             Published.Resize(capacity, replaced);
             if (List != null) replaced.Add(List);
             if (Walls != null) replaced.Add(Walls);
-            (List, Walls, Capacity) = (list, walls, capacity);
+            if (Viscous != null) replaced.Add(Viscous);
+            (List, Walls, Viscous, Capacity) = (list, walls, viscous, capacity);
             foreach (IDisposable old in replaced) Retired.Add(old);
         }
 
@@ -104,6 +112,7 @@ namespace SphFluid
         {
             Walls?.Dispose();
             List?.Dispose();
+            Viscous?.Dispose();
             Buffers.Dispose();
             base.Dispose();
         }

@@ -7,6 +7,7 @@ namespace SphFluid
     /// Steps a liquid by the Standard method in four dependent dispatches: ScanCells, Scatter, StandardDensity, MoveParticles;
     /// the stable order makes Scatter two. Triangles add three: GatherWalls before the density, FindContacts and ResolveContacts after
     /// the motion, and bodies that the liquid moves MoveBodies before the first and after the motion. A step that keeps the order and lists of an earlier one has two, ListedDensity and MoveParticles, and the same three of triangles.
+    /// An implicit viscosity has several in the place of MoveParticles: KickParticles, DiffuseVelocities and DriftParticles.
     /// </summary>
     internal sealed class StandardStepper : IFluidStepper, IExchangingStepper
     {
@@ -22,6 +23,9 @@ namespace SphFluid
         readonly ResolveContactsPass resolveContacts;
         readonly PublishParticlesPass publishParticles;
         readonly FluidShaderSet shaders;
+        KickParticlesPass kickParticles;
+        DiffuseVelocitiesPass diffuseVelocities;
+        DriftParticlesPass driftParticles;
         DrainParticlesPass drainParticles;
         BirthParticlesPass birthParticles;
         GrowParticlesPass growParticles;
@@ -111,7 +115,8 @@ namespace SphFluid
         /// <inheritdoc/>
         public void RecordMotion(CommandBuffer cmd, in FluidStep step)
         {
-            moveParticles.Record(cmd, state, step);
+            if (state.Own.ImplicitViscosity) RecordViscousMotion(cmd, step);
+            else moveParticles.Record(cmd, state, step);
             if (state.HasBodies)
             {
                 if (state.HasFloatingBodies) moveBodies.Record(cmd, state, step);
@@ -120,6 +125,17 @@ namespace SphFluid
             }
 
             order = step.KeepsOrder ? Order.Left : Order.Counted;
+        }
+
+        void RecordViscousMotion(CommandBuffer cmd, in FluidStep step)
+        {
+            state.RequireViscous();
+            kickParticles ??= new KickParticlesPass(shaders);
+            diffuseVelocities ??= new DiffuseVelocitiesPass(shaders);
+            driftParticles ??= new DriftParticlesPass(shaders);
+            kickParticles.Record(cmd, state, step);
+            diffuseVelocities.Record(cmd, state, step);
+            driftParticles.Record(cmd, state, step);
         }
 
         /// <inheritdoc/>

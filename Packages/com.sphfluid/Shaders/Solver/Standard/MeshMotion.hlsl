@@ -35,6 +35,13 @@ uint FrictionalPlane(NearWall wall)
     return (wall.Flags >> 4u) & 3u;
 }
 
+// The rate at which a plane takes the velocity along it, 1/s.
+float MeshFrictionRate(NearWall wall, uint k)
+{
+    const float viscosity = wall.Friction < 0.0 ? _WallViscosity : wall.Friction * _NoSlipViscosity;
+    return viscosity * MirrorDrag(wall.Planes[k].www).x;
+}
+
 float3 MeshFriction(NearWall wall, float3 velocity)
 {
     float3 drag = float3(0.0, 0.0, 0.0);
@@ -46,8 +53,7 @@ float3 MeshFriction(NearWall wall, float3 velocity)
         {
             const float3 n = wall.Planes[k].xyz;
             const float3 relative = velocity - wall.Velocity;
-            const float viscosity = wall.Friction < 0.0 ? _WallViscosity : wall.Friction * _NoSlipViscosity;
-            drag = -viscosity * MirrorDrag(wall.Planes[k].www).x * (relative - n * dot(n, relative));
+            drag = -MeshFrictionRate(wall, k) * (relative - n * dot(n, relative));
         }
     }
     return drag;

@@ -21,6 +21,20 @@ float3 MirrorDrag(float3 d)
     return 42.0 * u2 * u2 * u * (1.0 - 1.5 * u + (4.0 / 7.0) * u2) / q * (_InverseSupport * _InverseSupport);
 }
 
+// The largest rate at which the faces take a velocity along an axis, 1/s.
+float WallFrictionRate(float3 position)
+{
+    const float3 rates = MirrorDrag(position - _WallsLow) + MirrorDrag(_WallsHigh - position);
+    const float3 across = rates.yzx + rates.zxy;
+    return _WallViscosity * max(across.x, max(across.y, across.z));
+}
+
+// Whether a face with friction is within the support radius. By data, not by numbers alone.
+bool IsHeld(float3 position)
+{
+    return _WallViscosity > 0.0 && any(min(position - _WallsLow, _WallsHigh - position) * _InverseSupport < 1.0);
+}
+
 // The six faces; each has friction along its two axes.
 float3 WallFriction(float3 position, float3 velocity)
 {

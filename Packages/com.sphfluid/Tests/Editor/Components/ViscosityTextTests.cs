@@ -52,8 +52,17 @@ namespace SphFluid.Tests
         public void AViscosityThatSetsTheTimeStepSaysSo()
         {
             FluidSimulation tank = Tank(0.025f);
-            profile.KinematicViscosity = 0.5f;
-            Assert.That(ViscosityText.Of(tank, Constants(tank)), Does.StartWith("'Tank': 0.5 m²/s acts, as set. It sets the time step of ").And.EndsWith(" ms."));
+            profile.KinematicViscosity = 0.12f;
+            Assert.That(ViscosityText.Of(tank, Constants(tank)), Does.StartWith("'Tank': 0.12 m²/s acts, as set. It sets the time step of ").And.EndsWith(" ms."));
+        }
+
+        [TestCase(0.5f, "'Tank': 0.5 m²/s acts, as set. It is solved implicitly, in 8 iterations a step, and does not shorten the step.")]
+        [TestCase(10f, "'Tank': 10 m²/s acts, as set. It is solved implicitly, in 31 iterations a step, and does not shorten the step.")]
+        public void AViscosityThatIsSolvedForSaysWhatThatTakes(float viscosity, string text)
+        {
+            FluidSimulation tank = Tank(0.025f);
+            profile.KinematicViscosity = viscosity;
+            Assert.That(ViscosityText.Of(tank, Constants(tank)), Is.EqualTo(text));
         }
 
         [Test]
@@ -87,8 +96,10 @@ namespace SphFluid.Tests
             float water = Constants(tank).TimeStep, least = Constants(tank).Viscosity / Constants(tank).RestDensity;
             profile.KinematicViscosity = 60f * least;
             Assert.That(Constants(tank).TimeStep, Is.EqualTo(water));
-            profile.KinematicViscosity = 124f * least;
-            Assert.That(Constants(tank).TimeStep, Is.EqualTo(0.5f * water).Within(0.01f * water));
+            profile.KinematicViscosity = 100f * least;
+            Assert.That(Constants(tank).TimeStep, Is.EqualTo(0.62f * water).Within(0.01f * water));
+            profile.KinematicViscosity = 128f * least;
+            Assert.That(Constants(tank).TimeStep, Is.EqualTo(water), "implicit");
         }
 
         // Largest spacing at which the viscosity acts as typed, for a fall of 20 cm: 0.01 m ν / (0.001 · 9.905 m/s · 0.0225 m).
@@ -115,13 +126,15 @@ namespace SphFluid.Tests
             return tank;
         }
 
-        FluidSolverSettings Constants(FluidSimulation tank)
+        FluidSolverSettings Constants(FluidSimulation tank) => FluidRules.Derive(Rules(tank));
+
+        FluidRuleInput Rules(FluidSimulation tank)
         {
             FluidRuleInput rules = profile.Spec.Rules;
             rules.Spacing = tank.Spacing;
             rules.DomainSize = Vector3.one;
             rules.LiquidHeight = rules.LiquidDepth = 1f;
-            return FluidRules.Derive(rules);
+            return rules;
         }
     }
 }

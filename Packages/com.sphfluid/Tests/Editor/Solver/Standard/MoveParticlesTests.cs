@@ -34,7 +34,7 @@ namespace SphFluid.Tests
                 Vector3 part = periodic == FluidAxes.All ? Domain : 0.8f * Domain;
                 FluidParticle[] start = rig.FillSorted(ParticleSets.Random(count, part, 0.5f, 4));
                 double[] density = FillDensities(rig, start, 9);
-                FillList(rig, start, listed);
+                rig.FillList(start, listed);
                 const float previous = 0.5f * TimeStep;
                 FluidParticle[] end = Move(rig, new FluidStep(TimeStep, previous, false), out Vector4[] places);
 
@@ -77,7 +77,7 @@ namespace SphFluid.Tests
                     all[i].Position = i < together ? Vector3.zero : new Vector3(0.1f, 0.15f, -0.1f) + Vector3.one * (0.1f * Spacing * i);
                 FluidParticle[] start = rig.FillSorted(all);
                 FillDensities(rig, start, 9);
-                FillList(rig, start, listed);
+                rig.FillList(start, listed);
                 FluidParticle[] end = Move(rig, new FluidStep(TimeStep, TimeStep, false), out _);
                 Vector3 gained = TimeStep * settings.Gravity;
                 Vector3[] pushed = Enumerable.Range(0, start.Length).Where(i => start[i].Position == Vector3.zero)
@@ -181,7 +181,7 @@ namespace SphFluid.Tests
                 FluidParticle[] start = rig.FillSorted(all);
                 int live = start.Count(p => !p.IsRemoved);
                 rig.SetTerms(new Vector2[count]);
-                FillList(rig, start, false);
+                rig.FillList(start, false);
                 FluidParticle[] end = Move(rig, new FluidStep(TimeStep, TimeStep, false), out Vector4[] places);
                 float face = 0.5f * Domain.x;
                 int[] leave = Enumerable.Range(0, live).Where(i => start[i].Position.x > face).ToArray();
@@ -278,33 +278,6 @@ namespace SphFluid.Tests
 
             rig.SetTerms(terms);
             return density;
-        }
-
-        // Lists of those within R, or of nobody: then each has more neighbours than the list holds, and searches.
-        static void FillList(StandardStateRig rig, FluidParticle[] particles, bool listed)
-        {
-            FluidSolverSettings settings = rig.State.Settings;
-            int count = particles.Length, length = rig.State.List.Length;
-            var counts = new uint[count];
-            var entries = new uint[(count + 31) / 32 * 32 * length];
-            for (int i = 0; i < count; i++)
-            {
-                if (!listed) counts[i] = (uint)length + 1u;
-                for (int j = 0; j < count && listed; j++)
-                {
-                    double r = ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength).Length;
-                    if (j == i || r >= 1.000001 * settings.SupportRadius) continue;
-                    if (counts[i] < length) entries[(i / 32 * length + (int)counts[i]) * 32 + i % 32] = (uint)j;
-                    counts[i]++;
-                }
-
-                // After an odd number of neighbours stands the particle itself.
-                if (listed && counts[i] % 2u == 1u && counts[i] < length)
-                    entries[(i / 32 * length + (int)counts[i]) * 32 + i % 32] = (uint)i;
-            }
-
-            rig.State.List.Counts.SetData(counts);
-            rig.State.List.Neighbours.SetData(entries);
         }
 
         static Double3 Force(in FluidSolverSettings settings, Vector3 at)

@@ -141,6 +141,33 @@ namespace SphFluid.Tests
             State.Buffers.PositionTerms.SetData(places.Zip(terms, (p, t) => WithW(p, t.y)).ToArray());
         }
 
+        /// <summary>Lists neighbours: those within R, or nobody, where each has more neighbours than the list holds, and searches.</summary>
+        public void FillList(FluidParticle[] particles, bool listed)
+        {
+            FluidSolverSettings settings = State.Settings;
+            int count = particles.Length, length = State.List.Length;
+            var counts = new uint[count];
+            var entries = new uint[(count + 31) / 32 * 32 * length];
+            for (int i = 0; i < count; i++)
+            {
+                if (!listed) counts[i] = (uint)length + 1u;
+                for (int j = 0; j < count && listed; j++)
+                {
+                    double r = ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength).Length;
+                    if (j == i || r >= 1.000001 * settings.SupportRadius) continue;
+                    if (counts[i] < length) entries[(i / 32 * length + (int)counts[i]) * 32 + i % 32] = (uint)j;
+                    counts[i]++;
+                }
+
+                // After an odd number of neighbours stands the particle itself.
+                if (listed && counts[i] % 2u == 1u && counts[i] < length)
+                    entries[(i / 32 * length + (int)counts[i]) * 32 + i % 32] = (uint)i;
+            }
+
+            State.List.Counts.SetData(counts);
+            State.List.Neighbours.SetData(entries);
+        }
+
         /// <summary>Densities and p/ρ² of the particles.</summary>
         public Vector2[] Terms()
         {

@@ -16,6 +16,15 @@ namespace SphFluid.Tests
             Assert.That(WendlandKernel.LatticeMoment(ratio), Is.EqualTo(StandardReference.Response(settings)).Within(1e-5), "by compression");
         }
 
+        // Morris's sum of a particle that moves among others at rest, by all of a lattice.
+        [TestCase(2.0, 18.216)]
+        [TestCase(2.25, 20.5625)]
+        [TestCase(3.0, 24.362)]
+        public void ViscosityOfALattice(double ratio, double expected)
+        {
+            Assert.That(WendlandKernel.LatticeViscosity(ratio), Is.EqualTo(expected).Within(1e-4 * expected));
+        }
+
         [Test]
         public void StepsAreOfTheForcesAsTheyAre()
         {

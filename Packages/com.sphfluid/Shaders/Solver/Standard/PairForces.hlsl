@@ -1,0 +1,126 @@
+#ifndef SPHFLUID_PAIR_FORCES
+#define SPHFLUID_PAIR_FORCES
+
+// What neighbours do to a particle: symmetric pressure, the parting of close pairs and laminar viscosity (Morris et al. 1997),
+//   a_i = -(1/M) (m sum_j (P_i + P_j) grad W - (2 nu m / rho0) sum_j (W'/r) (v_i - v_j)).
+// A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_PERIODIC" and has FLUID_MESH_WALLS.
+#include "CellRows.hlsl"
+#include "NeighbourList.hlsl"
+#include "Wendland.hlsl"
+#include "ClosePairs.hlsl"
+#include "MeshWalls.hlsl"
+
+StructuredBuffer<float4> _Positions;     // as sorted
+StructuredBuffer<float4> _PositionTerms; // present place, P
+StructuredBuffer<float4> _Velocities;
+StructuredBuffer<uint> _Neighbours;
+StructuredBuffer<uint> _NeighbourCounts; // of all, listed or not
+float _SlopeFactor;     // m 210 / (pi R^5) / M
+float _ViscosityFactor; // 2 nu / rho0
+float _LeastSeparation; // m, for particles that share a place
+
+// What neighbours push and drag, without the factor.
+struct PairSums
+{
+    float3 Push;
+    float3 Drag; // without the viscosity
+    float Weight; // of the drag: the sum of the slopes
+};
+
+bool ShareAPlace(float distanceSquared)
+{
+    return distanceSquared < 1e-2 * _LeastSeparation * _LeastSeparation;
+}
+
+// Where two particles share a place pressure has no direction: they part along x, by their order.
+float Apart(uint id, uint other, float distanceSquared)
+{
+    const float apart = id < other ? _LeastSeparation : -_LeastSeparation;
+    return ShareAPlace(distanceSquared) ? apart : 0.0;
+}
+
+// Adds a neighbour of the list and returns r^2. Of the particle itself, but for its weight, and of those behind a face it adds nothing.
+float AddNeighbour(inout PairSums sums, uint entry, float3 position, float3 velocity, float pressure)
+{
+    const uint j = ListedParticle(entry);
+    const float4 place = _PositionTerms[j];
+    const float3 relativeVelocity = velocity - _Velocities[j].xyz;
+    const float3 d = Separation(position, place.xyz);
+    const float distanceSquared = SeenSquared(entry, dot(d, d));
+    const float slope = WendlandSlope(distanceSquared);
+    sums.Push += (slope * (pressure + place.w) + ClosePair(distanceSquared, dot(d, relativeVelocity))) * d;
+    sums.Drag += slope * relativeVelocity;
+    sums.Weight += slope;
+    return distanceSquared;
+}
+
+// What is missing of one that shares the place, where the slope and the weight of close pairs are 1.
+void PartFromPlace(inout PairSums sums, uint id, uint entry, float3 position, float pressure)
+{
+    const uint j = ListedParticle(entry);
+    const float4 place = _PositionTerms[j];
+    const float3 d = Separation(position, place.xyz);
+    sums.Push.x += (pressure + place.w + _ClosePairs.y) * Apart(id, j, SeenSquared(entry, dot(d, d)));
+}
+
+// Two of the list in a turn: their loads do not wait for each other. An odd list ends with the particle itself.
+PairSums ListedNeighbours(uint id, uint count, float3 position, float3 velocity, float pressure)
+{
+    PairSums sums = (PairSums)0;
+    float leastSquared = 1.0 / (_InverseSupport * _InverseSupport); // to the nearest
+    float secondSquared = leastSquared; // of the turn before: the last may be the particle itself
+    const uint begin = ListPlace(id, 0u);
+    const uint end = begin + count * LIST_LANES;
+    for (uint at = begin; at < end; at += 2u * LIST_LANES)
+    {
+        const uint j = _Neighbours[at];
+        const uint k = _Neighbours[at + LIST_LANES];
+        const float firstSquared = AddNeighbour(sums, j, position, velocity, pressure);
+        leastSquared = min(min(firstSquared, secondSquared), leastSquared);
+        secondSquared = AddNeighbour(sums, k, position, velocity, pressure);
+    }
+    sums.Weight -= count % 2u == 0u ? 0.0 : 1.0;
+    leastSquared = count % 2u == 0u ? min(leastSquared, secondSquared) : leastSquared;
+    for (uint place = ShareAPlace(leastSquared) ? begin : end; place < end; place += LIST_LANES)
+    {
+        PartFromPlace(sums, id, _Neighbours[place], position, pressure);
+    }
+    return sums;
+}
+
+PairSums NeighbourSums(uint id, float3 position, float3 velocity, float pressure)
+{
+    const uint count = _NeighbourCounts[id];
+    const bool listed = count <= _ListLength;
+    PairSums sums = ListedNeighbours(id, listed ? count : 0u, position, velocity, pressure);
+#if defined(FLUID_MESH_WALLS)
+    const uint slot = _WallSlot[id];
+#endif
+    FOR_EACH_NEAR_IF(!listed, CellAt(_Positions[id].xyz), other) // the particles of the cells at the sort
+    {
+        const float3 place = _PositionTerms[other].xyz;
+        const float3 d = Separation(position, place);
+        bool counts = dot(d, d) < 1.0 / (_InverseSupport * _InverseSupport) && other != id;
+#if defined(FLUID_MESH_WALLS)
+        for (bool behind = counts && slot != 0u; behind; behind = false)
+        {
+            counts = !IsCut(WallOf(slot, position), other, place, d);
+        }
+#endif
+        [branch]
+        if (counts)
+        {
+            const float3 parted = position + float3(Apart(id, other, dot(d, d)), 0.0, 0.0);
+            AddNeighbour(sums, other, parted, velocity, pressure);
+        }
+    }
+    return sums;
+}
+
+float3 NeighbourAcceleration(uint id, float3 position, float3 velocity, float pressure)
+{
+    const PairSums sums = NeighbourSums(id, position, velocity, pressure);
+    return (sums.Push - _ViscosityFactor * sums.Drag) * _SlopeFactor;
+}
+
+#endif
