@@ -94,7 +94,8 @@ namespace SphFluid.Validation
                 layers.Add($"{Name(method, factor)}_failed using 1:({Gnuplot.Number(top)}) with points pt {ChartStyle.OpenSymbol(factor)} " +
                     $"ps {ChartStyle.Size(factor)} lw 1.5 lc {ChartStyle.Colour(method)}");
             }
-            yield return "plot " + string.Join(", \\\n    ", layers);
+            // The axes alone, where no run has this error: an older version's table may have it under another name.
+            yield return "plot " + (layers.Count > 0 ? string.Join(", \\\n    ", layers) : "1/0");
         }
 
         // A wider support costs more a step and allows longer ones: which end of its line is which is not to be guessed.

@@ -74,7 +74,11 @@ namespace SphFluid.Validation
         static IEnumerable<string> AtEqualTime(ReportCase reported)
         {
             foreach (EqualCostRange range in EqualCostRange.Of(reported.Comparisons).Reverse())
-                yield return $"At equal GPU time the error of {range.Method.Title} is {range.Ratios} times that of {range.Other.Title}.";
+            {
+                yield return range.Ratios == "1"
+                    ? $"At equal GPU time the errors of {range.Method.Title} and {range.Other.Title} are equal."
+                    : $"At equal GPU time the error of {range.Method.Title} is {range.Ratios} times that of {range.Other.Title}.";
+            }
         }
     }
 }

@@ -77,6 +77,21 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void APanelThatNoRunHasTheErrorOfIsEmptyAndTheOthersAreDrawn()
+        {
+            var table = new ChartRows("device");
+            var renamed = new FlatCase("one") { MainError = "depth" };
+            table.Add(new ChartRun(new ChartConfig(renamed, renamed.Base(CaseMethod.Find("thesis")), ChartFactor.Base), 1), FlatCase.Result(100, 0.1), "2026-11-21");
+            var known = new FlatCase("two");
+            table.Add(new ChartRun(new ChartConfig(known, known.Base(CaseMethod.Find("thesis")), ChartFactor.Base), 1), FlatCase.Result(100, 0.1), "2026-11-21");
+            string script = string.Join("\n", new ChartScript(new[] { ChartPanel.Of(renamed, table.Rows), ChartPanel.Of(known, table.Rows) }, "device", "2026-11-21").Lines());
+
+            Assert.That(script, Does.Contain("set ylabel 'depth'\n").And.Contain("\nplot 1/0\n").And.Contain("\nplot $p1_1_Base using"));
+            if (Gnuplot.Draw(Write("empty.gp", "")) == null)
+                Assert.That(Gnuplot.Draw(Write("accuracy.gp", script)), Is.Null);
+        }
+
+        [Test]
         public void ACasesPictureHasItsCurvesAndTheReference()
         {
             var flat = new FlatCase("one");

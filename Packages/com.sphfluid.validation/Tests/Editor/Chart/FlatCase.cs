@@ -23,7 +23,7 @@ namespace SphFluid.Tests
 
         public override string Source => "made up";
 
-        public override string ErrorName => "height";
+        public override string ErrorName => MainError;
 
         public override double Floor => 0.04;
 
@@ -40,6 +40,9 @@ namespace SphFluid.Tests
         public string Warning { get; set; } = "";
 
         public string Companion { get; set; }
+
+        /// <summary>Results are made up for "height".</summary>
+        public string MainError { get; set; } = "height";
 
         /// <summary>κ from which the case cannot be set up.</summary>
         public double SupportLimit { get; set; } = 10.0;

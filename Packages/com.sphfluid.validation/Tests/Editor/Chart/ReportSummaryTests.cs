@@ -34,6 +34,15 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void ErrorsBelowTheFloorAreSaidToBeEqual()
+        {
+            Add("thesis", 2.0, 100, 0.03);
+            Add("standard", 2.0, 100, 0.01);
+
+            Assert.That(Sentences(), Has.Some.EqualTo("At equal GPU time the errors of standard and thesis, corrected are equal."));
+        }
+
+        [Test]
         public void AMethodWithoutAPointThatCompletedIsSaidToFail()
         {
             Add("thesis-printed", 2.0, 100, 0.3, "energy grew");
