@@ -151,6 +151,20 @@ namespace SphFluid
         /// <exception cref="ArgumentException">The shape is missing or has no triangles.</exception>
         public void Reshape(int mesh, TriangleMesh shape) => EntryOf(mesh).Mesh = Checked(shape, nameof(shape));
 
+        /// <summary>
+        /// Lets a rectangle on which the liquid's force is summed go with a mesh within the steps of a frame. Keep both together:
+        /// call <see cref="WallForces.Move"/> when <see cref="MoveTo"/> is called. On a floating mesh it stays as placed on the mesh at its start.
+        /// </summary>
+        /// <param name="mesh">The number that <see cref="Add(TriangleMesh, in Matrix4x4, float?)"/> or <see cref="AddFloating"/> returned.</param>
+        /// <param name="patch">The rectangle.</param>
+        /// <exception cref="ArgumentOutOfRangeException">There is no such mesh.</exception>
+        /// <exception cref="ArgumentNullException">There is no rectangle.</exception>
+        public void Carry(int mesh, WallPatch patch)
+        {
+            if (patch == null) throw new ArgumentNullException(nameof(patch));
+            patch.Carrier = EntryOf(mesh);
+        }
+
         /// <summary>Lets the liquid move a mesh with a rigid body; several meshes may have the same.</summary>
         /// <param name="mesh">The number that <see cref="Add(TriangleMesh, in Matrix4x4, float?)"/> returned.</param>
         /// <param name="body">The body; null: the mesh goes where <see cref="MoveTo"/> puts it.</param>

@@ -42,6 +42,11 @@ namespace SphFluid
             groupThreads: 256, buffers: 8, writableBuffers: 4, groupMemory: 3072, vertexBuffers: 0,
             "AnswerPoints", "AnswerRays", "AnswerBoxes", "AnswerNearest", "AnswerPatches");
 
+        /// <summary>The sums of what the liquid gives to its walls.</summary>
+        public static readonly ShaderGroup WallForces = new ShaderGroup("the force on walls", "Shaders/Solver/WallForces",
+            groupThreads: 64, buffers: 4, writableBuffers: 2, groupMemory: 0, vertexBuffers: 0,
+            "PlaceWallPatches");
+
         /// <summary>Spray, foam and bubbles.</summary>
         public static readonly ShaderGroup Whitewater = new ShaderGroup("whitewater", "Shaders/Whitewater",
             groupThreads: 256, buffers: 8, writableBuffers: 3, groupMemory: 4096, vertexBuffers: 1,

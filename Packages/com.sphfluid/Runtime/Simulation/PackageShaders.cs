@@ -11,7 +11,7 @@ namespace SphFluid
             get
             {
                 var groups = new List<ShaderGroup>(FluidMethods.ShaderGroups);
-                groups.AddRange(new[] { ShaderGroup.Simulation, ShaderGroup.Surface, ShaderGroup.GeometrySurface, ShaderGroup.Drawing, ShaderGroup.Diagnostics, ShaderGroup.Queries, ShaderGroup.Whitewater });
+                groups.AddRange(new[] { ShaderGroup.Simulation, ShaderGroup.Surface, ShaderGroup.GeometrySurface, ShaderGroup.Drawing, ShaderGroup.Diagnostics, ShaderGroup.Queries, ShaderGroup.WallForces, ShaderGroup.Whitewater });
                 return groups;
             }
         }

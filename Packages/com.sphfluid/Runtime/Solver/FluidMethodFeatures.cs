@@ -37,5 +37,8 @@ namespace SphFluid
 
         /// <summary>Accelerations in parts of the domain: <see cref="SphFluid.ForceZones"/>.</summary>
         ForceZones = 512,
+
+        /// <summary>The force on walls is summed in each step: <see cref="SphFluid.WallForces"/>.</summary>
+        WallForces = 1024,
     }
 }

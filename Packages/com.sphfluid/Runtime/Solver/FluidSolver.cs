@@ -16,6 +16,7 @@ namespace SphFluid
         readonly IFluidStepper stepper;
         readonly FluidState state;
         readonly CounterReadback counters;
+        readonly FluidShaderSet shaderSet;
         ParticleExchange exchange;
         FluidObstacles obstacles;
         float previousStep;
@@ -48,6 +49,7 @@ namespace SphFluid
                 throw new ArgumentException("No fluid shader set is given. Assign one in the fluid profile.", nameof(shaders));
             }
 
+            shaderSet = shaders;
             stepper = method.Start(method.Prepare(settings), shaders, SlotsFor(method, particles.Length, capacity));
             state = stepper.State;
             Upload(particles);
@@ -130,7 +132,7 @@ namespace SphFluid
         internal uint Squeezers => counters.Squeezers;
 
         /// <summary>Bytes of GPU memory that the solver holds.</summary>
-        public long GpuBytes => state.Bytes + (exchange?.GpuBytes ?? 0) + (state.Zones?.GpuBytes ?? 0);
+        public long GpuBytes => state.Bytes + (exchange?.GpuBytes ?? 0) + (state.Zones?.GpuBytes ?? 0) + (state.WallForces?.GpuBytes ?? 0);
 
         /// <summary>Grows with each change of physics, obstacles or particles from outside the steps.</summary>
         internal int Changes => obstacleChanges + SettingsChanges + ParticleChanges;
@@ -159,6 +161,22 @@ namespace SphFluid
             : throw new InvalidOperationException($"The method {Kind} has a fixed number of particles: nothing is born or drained. Use the method Standard.");
 
         internal IFluidStepper Stepper => stepper;
+
+        /// <summary>Whether the method sums the liquid's force on walls, so that <see cref="WallForces"/> can be asked for.</summary>
+        public bool MeasuresWallForces => method.Has(FluidMethodFeatures.WallForces);
+
+        /// <summary>The force of the liquid on rectangles of its walls; costs nothing while there is none.</summary>
+        /// <exception cref="NotSupportedException">The method does not sum what walls do to the liquid: see <see cref="MeasuresWallForces"/>.</exception>
+        public WallForces WallForces
+        {
+            get
+            {
+                ThrowIfDisposed();
+                if (!MeasuresWallForces)
+                    throw new NotSupportedException($"The method {Kind} does not sum the force on walls. Use the method {FluidMethodKind.Standard}.");
+                return state.WallForces ??= new WallForces(shaderSet);
+            }
+        }
 
         /// <summary>
         /// Gives the solver what the liquid collides with; the caller keeps it alive, updates it once a frame and disposes it.
@@ -261,13 +279,16 @@ namespace SphFluid
             if (state.WallsChange()) neighboursFresh = false; // what drawing was given has the walls at rest
             var blocks = new StepBlocks(steps, stepper.StepsPerSetup(steps, timeStep, FlowSpeed));
             stepper.PlanSteps(blocks.LongestBlock, timeStep);
+            state.WallForces?.Begin(state, steps);
             for (int i = 0; i < steps; i++)
             {
                 state.BeginBodyStep(i, steps, timeStep);
                 RecordSetup(cmd);
                 bool keeps = !blocks.IsLast(i);
                 if (!keeps) exchange?.RecordLeaving(cmd, SimulatedTime + timeStep, timeStep);
-                stepper.RecordMotion(cmd, new FluidStep(timeStep, StepCount == 0 ? timeStep : previousStep, StepCount == 0, keeps));
+                var step = new FluidStep(timeStep, StepCount == 0 ? timeStep : previousStep, StepCount == 0, keeps);
+                state.WallForces?.RecordStep(cmd, state, step, SimulatedTime + timeStep);
+                stepper.RecordMotion(cmd, step);
                 if (!keeps) exchange?.RecordBirths(cmd);
                 SetupCount += keeps ? 0 : 1;
                 previousStep = timeStep;
@@ -278,6 +299,7 @@ namespace SphFluid
 
             state.EndBodySteps();
             counters.RecordRequest(cmd);
+            state.WallForces?.End(cmd);
             exchange?.Counts.RecordRequest(cmd);
             state.Retired.EndFrame();
         }
@@ -373,6 +395,7 @@ namespace SphFluid
                 disposed = true;
                 counters.Dispose();
                 exchange?.Dispose();
+                state.WallForces?.Dispose();
                 stepper.Dispose();
             }
         }

@@ -46,6 +46,9 @@ namespace SphFluid
         /// <summary>Force zones for methods that have them; null for none.</summary>
         public ForceZones Zones { get; set; }
 
+        /// <summary>The walls on which the liquid's force is summed, for methods that do so; null for none.</summary>
+        public WallForces WallForces { get; set; }
+
         /// <summary>Whether there is a triangle that a step can hit.</summary>
         public bool HasBodies => Bodies != null && Bodies.Count > 0;
 

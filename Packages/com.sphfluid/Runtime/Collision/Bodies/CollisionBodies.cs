@@ -151,6 +151,13 @@ namespace SphFluid
             return motion == null ? "a collider at rest" : $"'{motion.Name}'";
         }
 
+        /// <summary>Place among the bodies of a collider's motion; −1: it has no triangles in the domain.</summary>
+        public int PlaceOf(BodyMotion motion) => motions.IndexOf(motion);
+
+        /// <summary>The motion of a collider that moves; null: it rests, or there is none.</summary>
+        /// <param name="key">Of the collider's state.</param>
+        public BodyMotion MotionOf(object key) => movers.TryGetValue(key, out BodyMotion motion) ? motion : null;
+
         /// <summary>Records the bodies for a kernel that moves them.</summary>
         public void SetOut(CommandBuffer cmd, ComputeKernel kernel) => kernel.SetBuffer(cmd, BodiesOutId, bodyBuffer);
 

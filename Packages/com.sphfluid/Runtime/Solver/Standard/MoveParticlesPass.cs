@@ -20,6 +20,7 @@ namespace SphFluid
                 MotionBindings.SetForces(cmd, kernel, state, step);
                 MotionBindings.SetWalls(cmd, kernel, state, step);
                 MotionBindings.SetEnd(cmd, kernel, state, step);
+                WallForces.Set(cmd, kernel, state);
                 kernel.DispatchThreads(cmd, state.ParticleCount);
             }
         }

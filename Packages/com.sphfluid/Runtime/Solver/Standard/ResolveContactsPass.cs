@@ -21,6 +21,7 @@ namespace SphFluid
             {
                 MeshContact.SetStep(cmd, kernel, state, step);
                 StandardBindings.SetImpulses(cmd, kernel, state);
+                WallForces.Set(cmd, kernel, state);
                 kernel.SetFloat(cmd, TimeStep, step.Length);
                 kernel.Set(cmd, state.Walls.ContactList);
                 kernel.Set(cmd, state.Walls.ContactArguments);

@@ -6,7 +6,7 @@ namespace SphFluid
     internal sealed class StandardMethod : FluidMethod
     {
         static readonly ShaderGroup Group = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
-            groupThreads: 256, buffers: 15, writableBuffers: 7, groupMemory: 11520, vertexBuffers: 0,
+            groupThreads: 256, buffers: 17, writableBuffers: 7, groupMemory: 11520, vertexBuffers: 0,
             "LoadParticles", "ScanCells", "ScatterParticles", "StandardDensity", "MoveParticles", "KickParticles", "DiffuseVelocities", "DriftParticles", "GatherWalls", "MoveBodies", "FindContacts",
             "ResolveContacts", "DampVelocities", "PublishParticles", "DrainParticles", "BirthParticles", "GrowParticles");
 
@@ -17,7 +17,7 @@ namespace SphFluid
         public override FluidMethodFeatures Features => FluidMethodFeatures.OpenFaces | FluidMethodFeatures.BodyContact |
             FluidMethodFeatures.ColliderFriction | FluidMethodFeatures.RelaxedStart | FluidMethodFeatures.FollowingSoundSpeed |
             FluidMethodFeatures.KeptNeighbours | FluidMethodFeatures.ChangingCount |
-            FluidMethodFeatures.ForceZones;
+            FluidMethodFeatures.ForceZones | FluidMethodFeatures.WallForces;
 
         public override ShaderGroup Shaders => Group;
 

@@ -20,6 +20,7 @@ namespace SphFluid
                 StandardBindings.SetSearch(cmd, kernel, state);
                 MotionBindings.SetWalls(cmd, kernel, state, step);
                 MotionBindings.SetEnd(cmd, kernel, state, step);
+                WallForces.Set(cmd, kernel, state);
                 kernel.Set(cmd, state.Buffers.Velocities);
                 kernel.Set(cmd, state.Viscous.Diffused);
                 kernel.DispatchThreads(cmd, state.ParticleCount);

@@ -1,0 +1,217 @@
+using System;
+using System.Collections.Generic;
+using System.Runtime.InteropServices;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// The force of a liquid on rectangles of its walls, from <see cref="FluidSolver.WallForces"/>. Summed on the GPU in every step in whole
+    /// units, so that equal runs read the same; read back with the steps, without waiting. This is the force with which the wall holds the
+    /// liquid: what a pressure gauge in the wall would feel. A mean of the particles' own pressure is not, least of all in a hit.
+    /// </summary>
+    /// <example>
+    /// <code>
+    /// WallPatch floor = solver.WallForces.Add(new Vector3(0f, -0.5f, 0f), Quaternion.LookRotation(Vector3.up, Vector3.forward), new Vector2(0.2f, 0.2f));
+    /// // record and execute steps, for some frames
+    /// double pressure = floor.MeanPressure(0.1); // Pa, over the last 0.1 s that have been read back
+    /// </code>
+    /// </example>
+    public sealed class WallForces
+    {
+        /// <summary>Most rectangles of a liquid.</summary>
+        public const int Most = 64;
+
+        /// <summary>Most parts that a batch of steps is sampled in; one of more steps has several steps a part.</summary>
+        public const int MostParts = 64;
+
+        const string Keyword = "FLUID_WALL_FORCES";
+
+        static readonly int PatchesId = Shader.PropertyToID("_WallPatches");
+        static readonly int SumsId = Shader.PropertyToID("_WallSums");
+        static readonly int UnitsId = Shader.PropertyToID("_PatchUnits");
+        static readonly int SpacingId = Shader.PropertyToID("_PatchSpacing");
+
+        readonly FluidShaderSet shaders;
+        readonly List<WallPatch> patches = new List<WallPatch>();
+        readonly AskedPatch[] asked = new AskedPatch[Most];
+        readonly WallReadback readback;
+        PlaceWallPatchesPass pass;
+        GraphicsBuffer askedBuffer, placedBuffer, sumBuffer;
+        WallReadback.Batch batch; // of the steps that are recorded; null: nothing is summed
+        bool isCarried;
+
+        internal WallForces(FluidShaderSet shaders)
+        {
+            this.shaders = shaders;
+            readback = new WallReadback(() => Received?.Invoke(this));
+        }
+
+        /// <summary>Raised on the main thread when the sums of some steps have arrived, after every patch has taken its own.</summary>
+        public event Action<WallForces> Received;
+
+        /// <summary>The rectangles.</summary>
+        public IReadOnlyList<WallPatch> Patches => patches;
+
+        /// <summary>GPU memory [bytes].</summary>
+        public long GpuBytes => GpuBuffers.Size(askedBuffer, placedBuffer, sumBuffer);
+
+        /// <summary>Whether the steps that are recorded are summed.</summary>
+        internal bool IsOn => batch != null;
+
+        /// <summary>Adds a rectangle; the next steps that are recorded are summed.</summary>
+        /// <param name="centre">Its centre, on a wall [m, simulation space].</param>
+        /// <param name="rotation">x and y axes along its edges, z out of the wall towards the liquid.</param>
+        /// <param name="size">Edge lengths along its x and y axes [m].</param>
+        /// <param name="depth">How far before and behind it a wall belongs to it [m]; 0: one particle spacing.</param>
+        /// <returns>What holds its sums.</returns>
+        /// <exception cref="ArgumentException">A number is not finite, an edge is not positive, or the depth is negative.</exception>
+        /// <exception cref="InvalidOperationException">There are <see cref="Most"/> already.</exception>
+        public WallPatch Add(Vector3 centre, Quaternion rotation, Vector2 size, float depth = 0f)
+        {
+            Check(centre, rotation, size);
+            if (!(depth >= 0f) || !AffineMath.IsFinite(depth)) throw new ArgumentException($"The depth of a wall patch must be 0 or more and finite [m], and is {depth}.", nameof(depth));
+            if (patches.Count == Most)
+                throw new InvalidOperationException($"A liquid has at most {Most} wall patches. Remove one, or read a larger one.");
+            var patch = new WallPatch { Centre = centre, Rotation = rotation.normalized, Size = size, Depth = depth };
+            patches.Add(patch);
+            return patch;
+        }
+
+        /// <summary>Puts a rectangle elsewhere; its sums go on.</summary>
+        /// <param name="patch">The rectangle.</param>
+        /// <param name="centre">Its centre, on a wall [m, simulation space].</param>
+        /// <param name="rotation">x and y axes along its edges, z out of the wall towards the liquid.</param>
+        /// <param name="size">Edge lengths along its x and y axes [m].</param>
+        /// <exception cref="ArgumentException">As of <see cref="Add"/>, or it is none of these.</exception>
+        public void Move(WallPatch patch, Vector3 centre, Quaternion rotation, Vector2 size)
+        {
+            Check(centre, rotation, size);
+            if (!patches.Contains(patch)) throw new ArgumentException("The wall patch was removed, or is one of another liquid.", nameof(patch));
+            (patch.Centre, patch.Rotation, patch.Size) = (centre, rotation.normalized, size);
+        }
+
+        /// <summary>Ends a rectangle; what it has read stays. One that is none of these is left as it is.</summary>
+        /// <param name="patch">The rectangle.</param>
+        public void Remove(WallPatch patch) => patches.Remove(patch);
+
+        /// <summary>Waits for the sums that are under way; for tools and tests.</summary>
+        public void Complete() => readback.Wait();
+
+        /// <summary>Where the rectangles were in the last step; null before the first.</summary>
+        internal GraphicsBuffer Placed => placedBuffer;
+
+        /// <summary>Begins a batch of steps.</summary>
+        /// <param name="state">The liquid.</param>
+        /// <param name="steps">Number of steps, 1 or more.</param>
+        internal void Begin(FluidState state, int steps)
+        {
+            readback.TakeReady();
+            batch = null;
+            if (patches.Count == 0) return;
+            pass ??= new PlaceWallPatchesPass(shaders);
+            askedBuffer ??= GpuBuffers.Create("Asked Wall Patches", Most, AskedPatch.Stride);
+            placedBuffer ??= GpuBuffers.Create("Wall Patches", Most, PlacedStride);
+            sumBuffer ??= GpuBuffers.Create("Wall Sums", 2L * Most * MostParts, sizeof(uint));
+            FluidSolverSettings settings = state.Settings;
+            isCarried = false;
+            for (int i = 0; i < patches.Count; i++) asked[i] = Asked(patches[i], state);
+            askedBuffer.SetData(asked, 0, 0, patches.Count);
+            batch = readback.Begin(patches, steps, UnitOf(settings));
+        }
+
+        /// <summary>Records where the rectangles are in a step, before its motion.</summary>
+        internal void RecordStep(CommandBuffer cmd, FluidState state, in FluidStep step, double endTime)
+        {
+            if (batch == null) return;
+            bool begins = batch.AddStep(endTime, step.IsFirst ? 0.5f * step.Length : step.Kick);
+            pass.Record(cmd, state, this, patches.Count, batch.FirstWord, begins, isCarried);
+        }
+
+        /// <summary>Records the read-back behind the last step of a batch.</summary>
+        internal void End(CommandBuffer cmd)
+        {
+            if (batch != null) readback.RecordRequest(cmd, sumBuffer, batch);
+            batch = null;
+        }
+
+        /// <summary>Records the keyword and the globals of Shaders/Solver/WallForces/WallPatches.hlsl for a kernel that changes velocities at walls.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="kernel">Kernel with the keyword.</param>
+        /// <param name="state">The liquid.</param>
+        internal static void Set(CommandBuffer cmd, ComputeKernel kernel, FluidState state)
+        {
+            WallForces forces = state.WallForces;
+            bool on = forces != null && forces.IsOn;
+            kernel.SetKeyword(cmd, Keyword, on);
+            if (!on) return;
+            kernel.SetBuffer(cmd, PatchesId, forces.placedBuffer);
+            kernel.SetBuffer(cmd, SumsId, forces.sumBuffer);
+            kernel.SetFloat(cmd, UnitsId, (float)(state.Settings.ParticleMass / forces.batch.Unit));
+            kernel.SetFloat(cmd, SpacingId, state.Settings.Spacing);
+        }
+
+        internal void Bind(CommandBuffer cmd, ComputeKernel kernel, int askedId, int placedId)
+        {
+            kernel.SetBuffer(cmd, askedId, askedBuffer);
+            kernel.SetBuffer(cmd, placedId, placedBuffer);
+            kernel.SetBuffer(cmd, SumsId, sumBuffer);
+        }
+
+        internal void Dispose()
+        {
+            readback.Dispose();
+            GpuBuffers.Dispose(ref askedBuffer);
+            GpuBuffers.Dispose(ref placedBuffer);
+            GpuBuffers.Dispose(ref sumBuffer);
+        }
+
+        AskedPatch Asked(WallPatch patch, FluidState state)
+        {
+            var words = new AskedPatch
+            {
+                Centre = patch.Centre,
+                Rotation = patch.Rotation,
+                HalfSize = 0.5f * patch.Size,
+                Depth = patch.Depth > 0f ? patch.Depth : state.Settings.Spacing,
+            };
+            BodyMotion motion = patch.Carrier != null ? state.Bodies?.MotionOf(patch.Carrier) : null;
+            if (motion == null) return words;
+            Quaternion toBody = Quaternion.Inverse(motion.Rotation1);
+            words.Centre = toBody * (patch.Centre - motion.Position1);
+            words.Rotation = (toBody * patch.Rotation).normalized;
+            words.Body = (uint)(state.Bodies.PlaceOf(motion) + 1);
+            isCarried |= words.Body != 0u;
+            return words;
+        }
+
+        static void Check(Vector3 centre, Quaternion rotation, Vector2 size)
+        {
+            if (!AffineMath.IsFinite(centre)) throw new ArgumentException($"The centre {centre} of a wall patch is not finite. Give a position in metres.", nameof(centre));
+            if (!(size.x > 0f && size.y > 0f && AffineMath.IsFinite(size)))
+                throw new ArgumentException($"A wall patch of {size.x} by {size.y} m has no area. Give it two positive edge lengths.", nameof(size));
+            float norm = rotation.x * rotation.x + rotation.y * rotation.y + rotation.z * rotation.z + rotation.w * rotation.w;
+            if (!(Mathf.Abs(norm - 1f) < 1e-3f)) throw new ArgumentException($"The rotation {rotation} of a wall patch is none. Give a quaternion of length 1.", nameof(rotation));
+        }
+
+        // N s, a power of two: 2^26 of it are a particle at the speed of sound.
+        static double UnitOf(in FluidSolverSettings settings) =>
+            Math.Pow(2.0, Math.Ceiling(Math.Log(settings.ParticleMass * (double)Math.Max(settings.SoundSpeed, settings.MaxSpeed), 2.0)) - 26.0);
+
+        const int PlacedStride = 64;
+
+        [StructLayout(LayoutKind.Sequential)]
+        struct AskedPatch
+        {
+            public const int Stride = 48;
+
+            public Vector3 Centre;
+            public uint Body;
+            public Quaternion Rotation;
+            public Vector2 HalfSize;
+            public float Depth;
+            public uint Unused;
+        }
+    }
+}

@@ -1,0 +1,120 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// A rectangle of a wall on which the force of the liquid is summed over every step: all that particles whose nearest point of a wall lies
+    /// on it are pushed by that wall, by pressure and by contact. Made by <see cref="WallForces.Add"/>. Walls count that are within
+    /// <see cref="Depth"/> of the rectangle and face as it does within 60°: faces of the domain and meshes, at rest or moving.
+    /// </summary>
+    public sealed class WallPatch
+    {
+        readonly List<WallSample> samples = new List<WallSample>();
+        int first; // of those that are kept
+
+        internal WallPatch()
+        {
+        }
+
+        /// <summary>Centre [m, simulation space].</summary>
+        public Vector3 Centre { get; internal set; }
+
+        /// <summary>Its axes: x and y are the edges, z is the normal, out of the wall towards the liquid.</summary>
+        public Quaternion Rotation { get; internal set; } = Quaternion.identity;
+
+        /// <summary>Edge lengths along its x and y axes [m]. Of a spacing or less it sees one particle or none; four spacings and more give a steady mean.</summary>
+        public Vector2 Size { get; internal set; }
+
+        /// <summary>How far before and behind it a wall belongs to it [m]: a spacing, unless it was given.</summary>
+        public float Depth { get; internal set; }
+
+        /// <summary>Area [m²].</summary>
+        public double Area => (double)Size.x * Size.y;
+
+        /// <summary>Impulse of the liquid on the wall since the patch was added, against its normal [N s]; negative where it pulls.</summary>
+        public double Impulse { get; private set; }
+
+        /// <summary>Time over which <see cref="Impulse"/> was summed [s].</summary>
+        public double Seconds { get; private set; }
+
+        /// <summary>Simulated time up to which the sums have arrived [s]; −1 while there are none.</summary>
+        public double Time => HasValue ? samples[samples.Count - 1].Time : -1.0;
+
+        /// <summary>Whether a sum has arrived.</summary>
+        public bool HasValue => samples.Count > first;
+
+        /// <summary>How far back single samples are kept [simulated s], 1 by default: as long as the longest mean that is asked for.</summary>
+        public double Memory { get; set; } = 1.0;
+
+        /// <summary>The samples that are kept, oldest first: one a step, or one of several steps where a batch has more than <see cref="WallForces.MostParts"/>.</summary>
+        public IEnumerable<WallSample> Samples
+        {
+            get
+            {
+                for (int i = first; i < samples.Count; i++) yield return samples[i];
+            }
+        }
+
+        /// <summary>What it goes with in the motion of a frame, at whose end both are in place: the key of a collider's state; null: nothing.</summary>
+        internal object Carrier { get; set; }
+
+        /// <summary>Number of samples that have arrived since it was added.</summary>
+        internal long Received { get; private set; }
+
+        /// <summary>Mean force on the wall, against the normal [N].</summary>
+        /// <param name="seconds">Simulated time before <see cref="Time"/> to take the mean of; at most <see cref="Memory"/>. 0: the last sample alone.</param>
+        /// <returns>The force; 0 while no sum has arrived.</returns>
+        public double MeanForce(double seconds) => MeanForce(samples.Count, seconds);
+
+        /// <summary>Mean pressure on the wall: force per area [Pa].</summary>
+        /// <param name="seconds">As of <see cref="MeanForce(double)"/>.</param>
+        /// <returns>The pressure; 0 while no sum has arrived.</returns>
+        public double MeanPressure(double seconds) => Area > 0.0 ? MeanForce(seconds) / Area : 0.0;
+
+        /// <summary>The largest mean pressure that any of the last samples ended [Pa]: a hit lasts less than a frame.</summary>
+        /// <param name="seconds">As of <see cref="MeanForce(double)"/>.</param>
+        /// <param name="last">Number of samples, as many as there are at most.</param>
+        internal double PeakPressure(double seconds, long last)
+        {
+            double peak = double.NegativeInfinity;
+            for (int end = samples.Count; end > first && last > 0; end--, last--) peak = Math.Max(peak, MeanForce(end, seconds));
+            return Area > 0.0 ? peak / Area : 0.0;
+        }
+
+        /// <summary>Forgets all sums: <see cref="Impulse"/> begins anew.</summary>
+        public void Clear()
+        {
+            samples.Clear();
+            first = 0;
+            Impulse = Seconds = 0.0;
+        }
+
+        internal void Take(in WallSample sample)
+        {
+            samples.Add(sample);
+            Impulse += sample.Impulse;
+            Seconds += sample.Seconds;
+            Received++;
+            while (first < samples.Count - 1 && samples[first].Time < sample.Time - Memory) first++;
+            if (first < 64 || 2 * first < samples.Count) return;
+            samples.RemoveRange(0, first);
+            first = 0;
+        }
+
+        // Of the samples before one; of the first in the span the part that lies in it.
+        double MeanForce(int end, double seconds)
+        {
+            double impulse = 0.0, time = 0.0;
+            for (int i = end - 1; i >= first && (i == end - 1 || time < seconds); i--)
+            {
+                WallSample sample = samples[i];
+                double share = i == end - 1 || !(time + sample.Seconds > seconds) ? 1.0 : (seconds - time) / sample.Seconds;
+                impulse += share * sample.Impulse;
+                time += share * sample.Seconds;
+            }
+            return time > 0.0 ? impulse / time : 0.0;
+        }
+    }
+}

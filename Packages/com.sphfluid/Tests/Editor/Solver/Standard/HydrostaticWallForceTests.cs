@@ -1,0 +1,76 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Pressure of water at rest on floor, side wall, mesh and a box under water, by the force on the wall.</summary>
+    public sealed class HydrostaticWallForceTests
+    {
+        const float Spacing = 0.025f;
+        const int Deep = 14;
+
+        [Test]
+        public void WallsOfStillWaterAreReadWithinFivePercent()
+        {
+            // The last two spacings along x are a mesh's, the box is five wide.
+            var domain = Spacing * new Vector3(20f, Deep + 4f, 14f);
+            FluidSolverSettings settings = BodyRig.Water(domain, Spacing, Deep * Spacing);
+            settings.Viscosity = 0.01f; // comes to rest soon
+            Vector3 box = 5f * Spacing * Vector3.one, centre = new Vector3(-Spacing, -0.5f * domain.y + 6.5f * Spacing, 0f);
+            Vector3 clear = 0.5f * box + 0.4f * Spacing * Vector3.one;
+            FluidParticle[] water = WallForceRig.Block(new Vector3Int(18, Deep, 14), Spacing, -0.5f * domain, Vector3.zero)
+                .Where(p => Mathf.Abs(p.Position.x - centre.x) > clear.x || Mathf.Abs(p.Position.y - centre.y) > clear.y || Mathf.Abs(p.Position.z) > clear.z).ToArray();
+            for (int i = 0; i < water.Length; i++) water[i].Id = (uint)i;
+            using (var rig = new WallForceRig(settings, water))
+            {
+                float face = 0.5f * domain.x - 2f * Spacing, floor = -0.5f * domain.y;
+                rig.Obstacles.Add(TriangleMesh.Box(Matrix4x4.TRS(new Vector3(face + 2f * Spacing, 0f, 0f), Quaternion.identity, new Vector3(4f * Spacing, 2f * domain.y, 2f * domain.z))), Matrix4x4.identity);
+                rig.Obstacles.Add(TriangleMesh.Box(Matrix4x4.TRS(centre, Quaternion.identity, box)), Matrix4x4.identity);
+                float middle = floor + 5f * Spacing;
+                var patches = new Dictionary<string, WallPatch>
+                {
+                    ["floor"] = rig.Add(new Vector3(-Spacing, floor, 0f), Vector3.up, 12f * Spacing, 8f * Spacing),
+                    ["side wall"] = rig.Add(new Vector3(-0.5f * domain.x, middle, 0f), Vector3.right, 8f * Spacing, 6f * Spacing),
+                    ["mesh"] = rig.Add(new Vector3(face, middle, 0f), Vector3.left, 8f * Spacing, 6f * Spacing),
+                    ["top of the box"] = rig.Add(centre + 0.5f * box.y * Vector3.up, Vector3.up, 4f * Spacing, 4f * Spacing),
+                    ["bottom of the box"] = rig.Add(centre - 0.5f * box.y * Vector3.up, Vector3.down, 4f * Spacing, 4f * Spacing),
+                    ["side of the box"] = rig.Add(centre + 0.5f * box.x * Vector3.right, Vector3.right, 4f * Spacing, 4f * Spacing),
+                };
+                foreach (WallPatch patch in patches.Values) patch.Memory = 2.0;
+                rig.Play(0.6);
+                rig.Play(0.4);
+                double area = (double)(domain.x - 2f * Spacing) * domain.z;
+                double level = floor + (water.Length * (double)settings.ParticleMass / settings.RestDensity + (double)box.x * box.y * box.z) / area;
+                var figures = new List<string>();
+                bool within = true;
+                foreach (KeyValuePair<string, WallPatch> patch in patches)
+                {
+                    double expected = settings.RestDensity * -settings.Gravity.y * (level - patch.Value.Centre.y);
+                    double ratio = patch.Value.MeanPressure(0.4) / expected;
+                    within &= Math.Abs(ratio - 1.0) < 0.05;
+                    figures.Add($"{patch.Key} {ratio:f3} of {expected:f0} Pa (particles' mean {Shepard(rig, patch.Value.Centre) / expected:f3})");
+                }
+                TestContext.WriteLine(string.Join("; ", figures));
+                Assert.That(within, Is.True, string.Join("; ", figures));
+            }
+        }
+
+        static double Shepard(WallForceRig rig, Vector3 point)
+        {
+            FluidParticle[] particles = rig.Particles();
+            float[] pressures = rig.Pressures();
+            double weights = 0.0, sum = 0.0, support = rig.Solver.Settings.SupportRadius;
+            for (int i = 0; i < particles.Length; i++)
+            {
+                double q = ((Double3)particles[i].Position - (Double3)point).Length / support, u = Math.Max(0.0, 1.0 - q);
+                double weight = u * u * u * u * (4.0 * q + 1.0);
+                weights += weight;
+                sum += weight * pressures[i];
+            }
+            return sum / weights;
+        }
+    }
+}

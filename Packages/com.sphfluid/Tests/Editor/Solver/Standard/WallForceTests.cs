@@ -1,0 +1,215 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Sums of what walls do to the liquid, against the liquid's own momentum and against sums in double precision.</summary>
+    public sealed class WallForceTests
+    {
+        const float Spacing = 0.05f;
+        const float TimeStep = 1e-4f;
+
+        // Nobody has a neighbour, so that all that changes a velocity is a face, by pressure or by the shell.
+        [Test]
+        public void FacesGiveEachPatchWhatTheyTakeOfTheParticlesThatStandOnIt([Values(0, 1, 63, 64, 65, 257, 1009)] int count)
+        {
+            FluidSolverSettings settings = Still(new Vector3(0.6f, 0.5f, 0.7f));
+            using (var rig = new StandardStateRig(settings, count))
+            {
+                FluidParticle[] start = rig.FillSorted(ParticleSets.Random(count, settings.DomainSize, 40f, 6));
+                rig.State.List.Counts.SetData(new uint[Math.Max(count, 1)]);
+                rig.SetTerms(Enumerable.Range(0, count).Select(i => new Vector2(settings.RestDensity, 1e-3f * (i % 7))).ToArray());
+                WallPatch[] patches = MovedOver(rig, out Vector4[] velocities, new WallPlan(new Vector3(-0.3f, 0.04f, -0.1f), Vector3.right, new Vector2(0.31f, 0.17f)),
+                    new WallPlan(new Vector3(0.3f, -0.1f, 0f), Vector3.left, new Vector2(2f, 2f)), new WallPlan(new Vector3(0.05f, -0.25f, 0.02f), Vector3.up, new Vector2(0.02f, 0.4f)));
+                double step = TimeStep, push = settings.RestDensity / StandardReference.Response(settings) * step;
+                foreach (WallPatch patch in patches)
+                {
+                    double sum = 0.0, size = 0.0;
+                    Vector3 normal = patch.Rotation * Vector3.forward;
+                    for (int i = 0; i < count; i++)
+                    {
+                        double change = Double3.Dot((Double3)(Vector3)velocities[i] - (Double3)start[i].VelT0, (Double3)normal);
+                        double away = Double3.Dot((Double3)start[i].Position - (Double3)patch.Centre, (Double3)normal);
+                        if (away > settings.SupportRadius) continue; // of the face at the other side
+                        double share = change * Share(patch, start[i].Position, settings.Spacing);
+                        sum += share;
+                        size += Math.Abs(share);
+                    }
+
+                    Assert.That(patch.Impulse, Is.EqualTo(settings.ParticleMass * sum).Within(settings.ParticleMass * (2e-6 * size + 1e-7)));
+                    if (count > 256) Assert.That(size, Is.GreaterThan(0.01), "something is there");
+                    Assert.That(patch.Seconds, Is.EqualTo(step).Within(1e-6).Percent);
+                }
+            }
+        }
+
+        // Both planes are square to each other, so that each pushes along its own normal.
+        [Test]
+        public void PlanesOfMeshesGiveEachPatchItsOwnPart([Values(1, 63, 64, 65, 257)] int count)
+        {
+            FluidSolverSettings settings = Still(Vector3.one);
+            Vector3 first = new Vector3(0.6f, 0.8f, 0f), second = new Vector3(-0.8f, 0.6f, 0f);
+            var random = new System.Random(count);
+            using (StandardStateRig rig = WalledStateRig.Create(settings, count, out CollisionBodies bodies))
+            using (bodies)
+            {
+                FluidParticle[] corner = ParticleSets.Random(count, Vector3.one, 20f, 5);
+                for (int i = 0; i < count; i++)
+                    corner[i].Position = (0.1f + (float)random.NextDouble()) * Spacing * first + (0.1f + (float)random.NextDouble()) * Spacing * second + 0.4f * (float)(random.NextDouble() - 0.5) * Vector3.forward;
+                FluidParticle[] start = rig.FillSorted(corner);
+                rig.State.List.Counts.SetData(new uint[count]);
+                WalledStateRig.SetWalls(rig, start.Select(p => StoredWall.Pack(p.Position, 0.8f, false,
+                    (first, Vector3.Dot(p.Position, first)), (second, Vector3.Dot(p.Position, second)))).ToList());
+                rig.SetTerms(Enumerable.Range(0, count).Select(i => new Vector2(settings.RestDensity, 1e-3f * (1 + i % 7))).ToArray());
+                WallPatch[] patches = MovedOver(rig, out Vector4[] velocities, new WallPlan(Vector3.zero, first, new Vector2(2f, 2f)), new WallPlan(Vector3.zero, second, new Vector2(0.17f, 2f)));
+                foreach (WallPatch patch in patches)
+                {
+                    Vector3 normal = patch.Rotation * Vector3.forward;
+                    double sum = 0.0, size = 0.0;
+                    for (int i = 0; i < count; i++)
+                    {
+                        double share = Share(patch, start[i].Position, settings.Spacing) * Double3.Dot((Double3)(Vector3)velocities[i] - (Double3)start[i].VelT0, (Double3)normal);
+                        sum += share;
+                        size += Math.Abs(share);
+                    }
+
+                    // Normals are stored to 3e-5.
+                    Assert.That(patch.Impulse, Is.EqualTo(settings.ParticleMass * sum).Within(settings.ParticleMass * (5e-4 * size + 1e-6)));
+                }
+            }
+        }
+
+        // From pressure, shell and contact alike: what the liquid loses the walls have.
+        [TestCase(false)]
+        [TestCase(true)]
+        public void TheMomentumOfAHitIsAllOnTheWalls(bool onMesh)
+        {
+            var domain = new Vector3(0.8f, 0.6f, 0.6f);
+            FluidSolverSettings settings = BodyRig.Water(domain, Spacing, 0.3f, 4f);
+            settings.Gravity = Vector3.zero;
+            settings.Boundaries.Friction = 0f;
+            using (var rig = new WallForceRig(settings, WallForceRig.Block(new Vector3Int(5, 6, 6), Spacing, new Vector3(-0.3f, -0.15f, -0.15f), new Vector3(4f, 0.5f, 0f))))
+            {
+                WallPatch[] faces = rig.AddFaces();
+                WallPatch front = rig.Add(new Vector3(0.1f, 0f, 0f), Vector3.left, 4f, 4f);
+                if (onMesh) rig.Obstacles.Add(TriangleMesh.Box(Matrix4x4.TRS(new Vector3(0.2f, 0f, 0f), Quaternion.identity, new Vector3(0.2f, 2f, 2f))), Matrix4x4.identity, 0f);
+                Double3 before = rig.Momentum();
+                for (int frame = 0; frame < 8; frame++) rig.Frame(20);
+                rig.Forces.Complete();
+                Double3 gone = before - rig.Momentum();
+                WallPatch high = onMesh ? front : faces[1];
+                Assert.That(high.Impulse, Is.GreaterThan(0.8 * before.X), "the block has hit");
+                Assert.That(high.Impulse - faces[0].Impulse, Is.EqualTo(gone.X).Within(2e-4 * before.X));
+                Assert.That(faces[3].Impulse - faces[2].Impulse, Is.EqualTo(gone.Y).Within(2e-4 * before.X));
+                Assert.That(rig.Solver.ReadCountersNow().ImpulseLimits, Is.Zero);
+                Assert.That(high.PeakPressure(0.002, 1000), Is.GreaterThan(3.0 * high.MeanPressure(rig.Solver.SimulatedTime)), "a hit is short");
+            }
+        }
+
+        [Test]
+        public void APatchGoesWithItsMeshInTheStepsOfAFrame()
+        {
+            var domain = new Vector3(1.2f, 0.5f, 0.5f);
+            FluidSolverSettings settings = BodyRig.Water(domain, Spacing, 0.3f, 4f);
+            settings.Gravity = Vector3.zero;
+            using (var rig = new WallForceRig(settings, WallForceRig.Block(new Vector3Int(4, 6, 6), Spacing, new Vector3(-0.35f, -0.15f, -0.15f), Vector3.zero)))
+            {
+                int plate = rig.Obstacles.Add(TriangleMesh.Box(Matrix4x4.Scale(new Vector3(0.1f, 2f, 2f))), At(0f), 0f);
+                WallPatch face = rig.Add(new Vector3(-0.4f, 0f, 0f), Vector3.right, 4f, 4f);
+                rig.Obstacles.Carry(plate, face);
+                rig.Frame(1);
+                for (int frame = 1; frame <= 6; frame++)
+                {
+                    float gone = 0.05f * frame; // a spacing, beyond the patch's depth if it stayed
+                    rig.Obstacles.MoveTo(plate, At(gone));
+                    rig.Forces.Move(face, new Vector3(-0.4f + gone, 0f, 0f), face.Rotation, face.Size);
+                    rig.Frame(20);
+                }
+
+                rig.Forces.Complete();
+                double momentum = rig.Momentum().X;
+                Assert.That(momentum, Is.GreaterThan(0.5 * 4 * 36 * settings.ParticleMass * 0.05 / (20 * settings.TimeStep)), "the plate pushes the liquid");
+                Assert.That(face.Impulse, Is.EqualTo(momentum).Within(2e-3 * momentum));
+            }
+        }
+
+        [Test]
+        public void TheLiquidMovesToTheBitAsWithoutPatches()
+        {
+            FluidParticle[] Run(bool read)
+            {
+                FluidSolverSettings settings = BodyRig.Water(new Vector3(0.5f, 0.5f, 0.5f), Spacing, 0.3f);
+                using (var rig = new WallForceRig(settings, WallForceRig.Block(new Vector3Int(5, 6, 6), Spacing, -0.25f * Vector3.one, Vector3.right)))
+                {
+                    rig.Obstacles.Add(TriangleMesh.Box(Matrix4x4.TRS(new Vector3(0f, -0.2f, 0f), Quaternion.Euler(0f, 30f, 0f), 0.1f * Vector3.one)), Matrix4x4.identity);
+                    if (read) rig.AddFaces();
+                    for (int frame = 0; frame < 4; frame++) rig.Frame(25);
+                    return rig.Particles();
+                }
+            }
+
+            FluidParticle[] with = Run(true), without = Run(false);
+            Assert.That(with.Select(p => (p.Id, p.Position, p.VelT0)), Is.EqualTo(without.Select(p => (p.Id, p.Position, p.VelT0))));
+        }
+
+        static Matrix4x4 At(float gone) => Matrix4x4.Translate(new Vector3(-0.45f + gone, 0f, 0f));
+
+        static FluidSolverSettings Still(Vector3 domain)
+        {
+            FluidSolverSettings settings = StandardStateRig.Water(domain, Spacing);
+            settings.Gravity = Vector3.zero;
+            settings.Boundaries.Friction = 0f;
+            return settings;
+        }
+
+        // Records a single step of MoveParticles with patches, and hands out the velocities after it.
+        static WallPatch[] MovedOver(StandardStateRig rig, out Vector4[] velocities, params WallPlan[] plans)
+        {
+            var forces = new WallForces(rig.Shaders);
+            rig.State.WallForces = forces;
+            WallPatch[] patches = plans.Select(p => forces.Add(p.Centre, WallForceRig.Facing(p.Normal), p.Size)).ToArray();
+            var step = new FluidStep(TimeStep, TimeStep, false);
+            GpuTest.Run(cmd =>
+            {
+                forces.Begin(rig.State, 1);
+                forces.RecordStep(cmd, rig.State, step, TimeStep);
+                new MoveParticlesPass(rig.Shaders).Record(cmd, rig.State, step);
+                forces.End(cmd);
+            });
+            forces.Complete();
+            velocities = GpuTest.Read<Vector4>(rig.State.Buffers.NewVelocities, rig.State.ParticleCount);
+            forces.Dispose();
+            rig.State.WallForces = null;
+            return patches;
+        }
+
+        // Part of the square that a particle stands on that lies on a patch.
+        static double Share(WallPatch patch, Vector3 position, double edge)
+        {
+            var d = (Double3)position - (Double3)patch.Centre;
+            double Along(Vector3 axis, double length)
+            {
+                double x = Double3.Dot(d, (Double3)(patch.Rotation * axis));
+                return Math.Max(0.0, Math.Min(x + 0.5 * edge, 0.5 * length) - Math.Max(x - 0.5 * edge, -0.5 * length)) / edge;
+            }
+
+            return Along(Vector3.right, patch.Size.x) * Along(Vector3.up, patch.Size.y);
+        }
+
+        readonly struct WallPlan
+        {
+            public readonly Vector3 Centre, Normal;
+            public readonly Vector2 Size;
+
+            public WallPlan(Vector3 centre, Vector3 normal, Vector2 size)
+            {
+                Centre = centre;
+                Normal = normal;
+                Size = size;
+            }
+        }
+    }
+}
