@@ -46,6 +46,20 @@ internal static class Verbs
             Notes = ["writes DIR/accuracy.csv after every run and at the end accuracy.svg, accuracy.png, pareto.csv, equal-cost.csv and case-NAME.png", Resumed],
             Examples = [("--quick", "fewer points"), ("--case hydrostatic --method standard", "one case of one method")],
         },
+        Measured("choose", "which method, which spacing: for an error or a time, from this device's chart") with
+        {
+            Notes =
+            [
+                "reads the newest chart of the device in benchmarks/accuracy and Build/chart; writes DIR/choose.csv, choose.svg and choose.png, with --verify DIR/choose-verify.csv",
+                "For a liquid of another size than the case's own give --length, and --volume where its shape is another; --speed where no gravity moves it.",
+            ],
+            Examples =
+            [
+                ("--case splash --error 5% --ms 4", "the fastest way to 5 %, if 4 ms a frame hold it; else the nearest in both directions"),
+                ("--case waves --ms 2 --length 1.5 --volume 9", "the most accurate way for 9 cubic metres of water 1.5 m deep in 2 ms"),
+                ("--verify 10 --out Build/verify", "ten questions, each answer run and compared"),
+            ],
+        },
         Measured("stability", "where the methods are stable, as CSV and pictures") with
         {
             Notes = ["writes DIR/stability.csv and limits.csv after every run and at the end stability-m1.svg, stability-m1.png and so on", Resumed],

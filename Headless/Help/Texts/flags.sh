@@ -1,9 +1,10 @@
 # Written by ./run help --update from the flags that the parsers read; run reads it.
-verbs='play bench chart stability leaks surfaces figures check model mutate docs devices publish build help'
+verbs='play bench chart choose stability leaks surfaces figures check model mutate docs devices publish build help'
 declare -A all_flags=(
     [play]='--scene --seconds --fps --size --out --device --no-images --open --validate --method --surface --particles --seed --state --mesh --record'
     [bench]='--device --validate --table --particles --grids --repeat --out --sweep --no-sweep --scene --phases --against --fps --size --method --surface --seed'
     [chart]='--device --validate --quick --case --method --out --slice'
+    [choose]='--device --validate --case --error --ms --fps --length --speed --volume --compression --chart --verify --out'
     [stability]='--device --validate --quick --map --method --out --slice'
     [leaks]='--device --validate --scene --out'
     [surfaces]='--device --validate --quick --state --variant --out'
@@ -16,6 +17,7 @@ declare -A player_values=(
     [play]='--scene --seconds --fps --size --out --device'
     [bench]='--device'
     [chart]='--device'
+    [choose]='--device'
     [stability]='--device'
     [leaks]='--device'
     [surfaces]='--device'
@@ -24,6 +26,7 @@ declare -A player_switches=(
     [play]='--no-images --open --validate'
     [bench]='--validate'
     [chart]='--validate'
+    [choose]='--validate'
     [stability]='--validate'
     [leaks]='--validate'
     [surfaces]='--validate'

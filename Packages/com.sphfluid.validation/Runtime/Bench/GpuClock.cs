@@ -17,6 +17,7 @@ namespace SphFluid.Validation
         readonly List<ProfilerRecorderSample> samples = new List<ProfilerRecorderSample>();
         readonly List<ProfilerRecorder> recorders = new List<ProfilerRecorder>();
         readonly List<int> blockOf = new List<int>(); // of each recorder; the frame comes after the blocks
+        readonly List<double> frameMilliseconds = new List<double>();
         readonly long[] nanoseconds;
         readonly int blockCount;
         long frames, setups;
@@ -35,11 +36,15 @@ namespace SphFluid.Validation
                 Listen(marker, SetupIndex);
         }
 
+        /// <summary>The time of each benchmark frame that came so far, in their order [ms]; frames of the engine with several count as their sum.</summary>
+        public IReadOnlyList<double> FrameMilliseconds => frameMilliseconds;
+
         /// <summary>Forgets what came so far.</summary>
         public void Restart()
         {
             Collect(0);
             Array.Clear(nanoseconds, 0, nanoseconds.Length);
+            frameMilliseconds.Clear();
             frames = setups = 0;
         }
 
@@ -55,7 +60,10 @@ namespace SphFluid.Validation
                         setups += sample.Count;
                     else
                         nanoseconds[blockOf[i]] += sample.Value;
-                    frames += blockOf[i] == blockCount ? sample.Count : 0;
+                    if (blockOf[i] != blockCount || sample.Count == 0)
+                        continue;
+                    frames += sample.Count;
+                    frameMilliseconds.Add(sample.Value * 1e-6);
                 }
             }
             return frames >= expectedFrames;

@@ -26,6 +26,12 @@ namespace SphFluid.Validation
         /// <summary>Simulated time [s]; less than the case's length when it failed.</summary>
         public double SimulatedSeconds;
 
+        /// <summary>Length of a step [s].</summary>
+        public double TimeStep = double.NaN;
+
+        /// <summary>GPU times of a step over the parts of the run [ms].</summary>
+        public StepTimes GpuTimes = StepTimes.None;
+
         /// <summary>GPU time of the steps per simulated second [ms/s]; not a number when it was not measured.</summary>
         public double GpuMsPerSecond = double.NaN;
 

@@ -135,7 +135,9 @@ namespace SphFluid.Validation
                 Counters = solver.ReadCountersNow(),
                 SimulatedSeconds = solver.SimulatedTime,
                 Series = metric.Series(),
-                GpuMsPerSecond = stepper.GpuMilliseconds / setup.Settings.TimeStep,
+                TimeStep = setup.Settings.TimeStep,
+                GpuTimes = stepper.GpuTimes,
+                GpuMsPerSecond = stepper.GpuTimes.Median / setup.Settings.TimeStep,
                 CpuMsPerSecond = stepper.CpuMilliseconds / setup.Settings.TimeStep,
             };
             if (failure == null)

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Diagnostics;
 using Unity.Profiling;
 using UnityEngine;
@@ -22,7 +23,8 @@ namespace SphFluid.Validation
         readonly GpuClock clock;
         readonly CommandBuffer cmd = new CommandBuffer { name = "Validation Case" };
         readonly Stopwatch recording = new Stopwatch();
-        int atOnce = 1, submissions;
+        readonly List<int> counts = new List<int>(); // steps of each submission
+        int atOnce = 1;
         long steps;
 
         /// <param name="solver">The solver, with fresh neighbours.</param>
@@ -33,8 +35,13 @@ namespace SphFluid.Validation
             clock = timed ? new GpuClock(Array.Empty<BenchBlock>()) : null;
         }
 
-        /// <summary>GPU time of a step [ms]; not a number when there is none.</summary>
-        public double GpuMilliseconds => clock == null || steps == 0 ? double.NaN : clock.Times(1).Total / steps;
+        /// <summary>GPU times of a step; not numbers when there are none.</summary>
+        public StepTimes GpuTimes => clock == null || steps == 0 ? StepTimes.None
+            : clock.FrameMilliseconds.Count == counts.Count ? StepTimes.Of(clock.FrameMilliseconds, counts)
+            : StepTimes.Whole(clock.Times(1).Total, steps);
+
+        /// <summary>Steps since the start, or since <see cref="Restart"/>.</summary>
+        public long Steps => steps;
 
         /// <summary>CPU time of recording and submitting a step [ms].</summary>
         public double CpuMilliseconds => steps == 0 ? double.NaN : recording.Elapsed.TotalMilliseconds / steps;
@@ -55,7 +62,7 @@ namespace SphFluid.Validation
             Graphics.ExecuteCommandBuffer(cmd);
             recording.Stop();
             FluidCounters counters = solver.ReadCountersNow();
-            submissions++;
+            counts.Add(count);
             steps += count;
             double fits = SubmissionSeconds * count / Math.Max(1e-6, submission.Elapsed.TotalSeconds);
             // A first step also builds pipelines: its time says little.
@@ -64,14 +71,14 @@ namespace SphFluid.Validation
         }
 
         /// <summary>Whether all GPU times are in; called once a frame of the engine until they are.</summary>
-        public bool Collect() => clock == null || clock.Collect(submissions);
+        public bool Collect() => clock == null || clock.Collect(counts.Count);
 
         /// <summary>Forgets the times so far: those of a first step are no example of the others.</summary>
         public void Restart()
         {
             clock?.Restart();
             recording.Reset();
-            submissions = 0;
+            counts.Clear();
             steps = 0;
         }
 

@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+
 namespace SphFluid.Validation
 {
     /// <summary>The upper wall moves from t = 0 on: in the end a straight line.</summary>
@@ -5,6 +7,12 @@ namespace SphFluid.Validation
     {
         /// <inheritdoc/>
         public override string Name => "couette";
+
+        /// <inheritdoc/>
+        public override IReadOnlyList<string> Words => new[] { "shear" };
+
+        /// <inheritdoc/>
+        public override string LengthTitle => "the gap";
 
         /// <inheritdoc/>
         public override string Title => "Couette start-up";

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace SphFluid.Validation
@@ -20,6 +21,12 @@ namespace SphFluid.Validation
 
         /// <inheritdoc/>
         public override string Name => "dam-break";
+
+        /// <inheritdoc/>
+        public override IReadOnlyList<string> Words => new[] { "splash", "collapse" };
+
+        /// <inheritdoc/>
+        public override string LengthTitle => "the column's width, half of its height";
 
         /// <inheritdoc/>
         public override string Title => "Dam break, n² = 2";

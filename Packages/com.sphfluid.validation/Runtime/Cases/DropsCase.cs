@@ -22,6 +22,12 @@ namespace SphFluid.Validation
         public override string Name => "drops";
 
         /// <inheritdoc/>
+        public override IReadOnlyList<string> Words => new[] { "impact", "collision" };
+
+        /// <inheritdoc/>
+        public override string LengthTitle => "a drop's radius";
+
+        /// <inheritdoc/>
         public override string Title => "Two drops collide";
 
         /// <inheritdoc/>

@@ -22,6 +22,12 @@ namespace SphFluid.Validation
         public override string Name => "ellipsoid";
 
         /// <inheritdoc/>
+        public override IReadOnlyList<string> Words => new[] { "drop" };
+
+        /// <inheritdoc/>
+        public override string LengthTitle => "the drop's radius";
+
+        /// <inheritdoc/>
         public override string Title => "Oscillating ellipsoid";
 
         /// <inheritdoc/>

@@ -25,6 +25,12 @@ namespace SphFluid.Validation
         public override string Name => "hydrostatic";
 
         /// <inheritdoc/>
+        public override IReadOnlyList<string> Words => new[] { "pool", "rest" };
+
+        /// <inheritdoc/>
+        public override string LengthTitle => "the depth of the water";
+
+        /// <inheritdoc/>
         public override string Title => "Column at rest";
 
         /// <inheritdoc/>

@@ -27,6 +27,12 @@ namespace SphFluid.Validation
         public override string Name => "marin";
 
         /// <inheritdoc/>
+        public override IReadOnlyList<string> Words => new[] { "flood", "obstacle" };
+
+        /// <inheritdoc/>
+        public override string LengthTitle => "the depth of the water";
+
+        /// <inheritdoc/>
         public override string Title => "Dam break against a box (SPHERIC 2)";
 
         /// <inheritdoc/>

@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+
 namespace SphFluid.Validation
 {
     /// <summary>A force along the channel from t = 0 on, walls at rest: in the end a parabola.</summary>
@@ -5,6 +7,12 @@ namespace SphFluid.Validation
     {
         /// <inheritdoc/>
         public override string Name => "poiseuille";
+
+        /// <inheritdoc/>
+        public override IReadOnlyList<string> Words => new[] { "channel", "pipe" };
+
+        /// <inheritdoc/>
+        public override string LengthTitle => "the gap";
 
         /// <inheritdoc/>
         public override string Title => "Poiseuille start-up";

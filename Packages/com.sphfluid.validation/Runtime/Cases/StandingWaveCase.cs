@@ -28,6 +28,12 @@ namespace SphFluid.Validation
         public override string Name => "standing-wave";
 
         /// <inheritdoc/>
+        public override IReadOnlyList<string> Words => new[] { "waves" };
+
+        /// <inheritdoc/>
+        public override string LengthTitle => "the depth of the water";
+
+        /// <inheritdoc/>
         public override string Title => "Standing wave";
 
         /// <inheritdoc/>

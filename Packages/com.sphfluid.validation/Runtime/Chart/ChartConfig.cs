@@ -13,7 +13,8 @@ namespace SphFluid.Validation
         bool built;
         double spacing = double.NaN;
         int particles;
-        double steps;
+        double steps, timeStep, speed;
+        bool hasGravity;
         string problem;
 
         /// <summary>A point.</summary>
@@ -55,6 +56,15 @@ namespace SphFluid.Validation
         /// <summary>Steps of a whole run.</summary>
         public double Steps => Built().steps;
 
+        /// <summary>Length of a step [s].</summary>
+        public double TimeStep => Built().timeStep;
+
+        /// <summary>The case's own speed [m/s].</summary>
+        public double Speed => Built().speed;
+
+        /// <summary>Whether gravity moves the liquid, so that its speed follows from its size.</summary>
+        public bool HasGravity => Built().hasGravity;
+
         /// <summary>Why the case cannot be set up at this point; null when it can.</summary>
         public string Problem => Built().problem;
 
@@ -90,6 +100,9 @@ namespace SphFluid.Validation
                 CaseSetup setup = Case.Build(Parameters(1));
                 spacing = setup.Settings.Spacing;
                 particles = setup.Particles.Length;
+                timeStep = setup.Settings.TimeStep;
+                speed = setup.Settings.MaxSpeed;
+                hasGravity = setup.Settings.Gravity != UnityEngine.Vector3.zero;
                 steps = Math.Ceiling(setup.Duration / setup.Settings.TimeStep);
             }
             catch (ArgumentException exception)

@@ -5,56 +5,44 @@ using System.Linq;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// Which runs a chart is made of, in their order: about each case's base one factor is changed at a time. The bases of all
-    /// cases come first, so that a chart that is stopped early has every panel.
+    /// Which runs a chart is made of, in their order, within a budget that all cases and methods share: an expensive case gets coarser or fewer
+    /// points and takes nothing from others. The first run of each case and method comes first, then the second, ..., so that a chart that is
+    /// stopped early has every panel.
     /// </summary>
     public sealed class ChartPlan
     {
-        /// <summary>Seeds of a base, and of a base of the short plan.</summary>
-        internal const int BaseSeeds = 5, QuickBaseSeeds = 3;
+        /// <summary>Work of the whole short plan: seven minutes of llvmpipe on two cores; start, pictures and surprises have the rest of ten.</summary>
+        internal const double QuickBudget = 420.0 * StepWork.SoftwareRate;
 
-        /// <summary>Seeds of the other points; one in the short plan.</summary>
-        internal const int SweepSeeds = 3;
-
-        /// <summary>Work a second of llvmpipe on two cores.</summary>
-        internal const double SoftwareRate = 0.5e6;
-
-        /// <summary>Work of the whole short plan: eight minutes of llvmpipe on two cores.</summary>
-        internal const double QuickBudget = 480.0 * SoftwareRate;
+        // Time of a full chart; the costs of steps and the pictures come on top.
+        const double FullSeconds = 75.0 * 60.0;
 
         /// <summary>Most work of one run on a software device, five minutes: a slice of eight holds it.</summary>
-        internal const double SoftwareRunLimit = 300.0 * SoftwareRate;
-
-        static readonly double[] spacings = { 0.5, 0.67, 1.5, 2.0 };
-        static readonly double[] supports = { 1.75, 2.0, 2.25, 2.5, 3.0 };
-        static readonly double[] timeSteps = { 0.25, 0.5, 0.75 };
-        static readonly double[] soundSpeeds = { 0.5, 2.0 };
-
-        // From fine to coarse.
-        static readonly double[] quickSpacings = { 0.67, 0.5 };
-
-        // κ of the Standard method that a user chooses among; of the thesis method one besides its base.
-        static readonly double[] standardSupports = { 2.0, 2.25, 2.5 }, thesisSupports = { 2.5 };
+        internal const double SoftwareRunLimit = 300.0 * StepWork.SoftwareRate;
 
         readonly List<ChartRun> runs = new List<ChartRun>();
         readonly List<ChartConfig> unbuildable = new List<ChartConfig>();
         readonly List<ChartRun> leftOut = new List<ChartRun>();
 
-        ChartPlan()
-        {
-        }
+        ChartPlan(IReadOnlyList<StepCostPoint> stepCosts) => StepCosts = stepCosts;
 
         /// <summary>The runs in their order.</summary>
         public IReadOnlyList<ChartRun> Runs => runs;
 
+        /// <summary>Liquids whose step is timed beside the cases.</summary>
+        public IReadOnlyList<StepCostPoint> StepCosts { get; }
+
         /// <summary>Points that their case cannot be set up at.</summary>
         public IReadOnlyList<ChartConfig> Unbuildable => unbuildable;
 
-        /// <summary>Runs that would take too long on this device, or do not fit into the short plan's time.</summary>
+        /// <summary>Runs that would take too long on this device, or do not fit into the plan's time.</summary>
         public IReadOnlyList<ChartRun> LeftOut => leftOut;
 
         /// <summary>Work of all runs.</summary>
         public double Cost => runs.Sum(r => r.Cost);
+
+        /// <summary>Work of a full chart: 75 minutes of a software device on two cores, or of a graphics card.</summary>
+        internal static double FullBudget(bool isSoftware) => FullSeconds * (isSoftware ? StepWork.SoftwareRate : StepWork.CardRate);
 
         /// <summary>What is left out in a few words, for instance "the time step of marin; further seeds".</summary>
         public string DescribeLeftOut()
@@ -67,138 +55,106 @@ namespace SphFluid.Validation
             return string.Join("; ", seeds ? factors.Append("further seeds") : factors);
         }
 
-        /// <summary>All sweeps: 5 seeds at the base, 3 elsewhere.</summary>
+        /// <summary>All sweeps, with three seeds at every point and five at the bases, as far as the budget goes.</summary>
         /// <param name="cases">The cases.</param>
         /// <param name="methods">The methods.</param>
+        /// <param name="budget">Work of the whole plan.</param>
         /// <param name="runLimit">Most work of a run; longer ones are left out.</param>
-        public static ChartPlan Full(IReadOnlyList<ValidationCase> cases, IReadOnlyList<CaseMethod> methods, double runLimit = double.PositiveInfinity)
-        {
-            var plan = new ChartPlan();
-            List<ChartConfig> bases = plan.Buildable(Bases(cases, methods));
-            List<ChartConfig> others = plan.Buildable(RoundRobin(cases, methods, Sweeps));
-            foreach (ChartRun run in Seeded(bases, 1, 1).Concat(Seeded(bases, 2, BaseSeeds)).Concat(Seeded(others, 1, SweepSeeds)))
-                (run.Cost <= runLimit ? plan.runs : plan.leftOut).Add(run);
-            return plan;
-        }
+        /// <param name="stepCosts">Liquids whose step is timed; null for none.</param>
+        public static ChartPlan Full(IReadOnlyList<ValidationCase> cases, IReadOnlyList<CaseMethod> methods,
+            double budget = double.PositiveInfinity, double runLimit = double.PositiveInfinity, IReadOnlyList<StepCostPoint> stepCosts = null) =>
+            Of(cases, methods, budget, runLimit, (c, m, share) => ChartSweep.Full(c, m), stepCosts);
 
         /// <summary>
-        /// The most telling runs that fit into the budget: the bases first, or where a base would take more than its share, the
-        /// finest coarser spacing that does not; then the Standard method's supports, among which its users choose, spacings, a point of each
-        /// other factor, and further seeds of the bases. The thesis as printed has its base alone.
+        /// The most telling runs that fit into the budget: spacings and supports of the methods that users choose, the base of the others, and
+        /// seeds of the cheap points.
         /// </summary>
         /// <param name="cases">The cases.</param>
         /// <param name="methods">The methods.</param>
         /// <param name="budget">Work of the whole plan.</param>
-        public static ChartPlan Quick(IReadOnlyList<ValidationCase> cases, IReadOnlyList<CaseMethod> methods, double budget = QuickBudget)
+        /// <param name="stepCosts">Liquids whose step is timed; null for none.</param>
+        public static ChartPlan Quick(IReadOnlyList<ValidationCase> cases, IReadOnlyList<CaseMethod> methods, double budget = QuickBudget,
+            IReadOnlyList<StepCostPoint> stepCosts = null) =>
+            Of(cases, methods, budget, double.PositiveInfinity, ChartSweep.Quick, stepCosts);
+
+        static ChartPlan Of(IReadOnlyList<ValidationCase> cases, IReadOnlyList<CaseMethod> methods, double budget, double runLimit,
+            Func<ValidationCase, CaseMethod, double, IEnumerable<ChartRun>> sweep, IReadOnlyList<StepCostPoint> stepCosts)
         {
-            var plan = new ChartPlan();
-            double share = budget / Math.Max(1, cases.Count * methods.Count);
-            List<ChartConfig> bases = plan.Buildable(Bases(cases, methods));
-            List<ChartConfig> others = plan.Buildable(RoundRobin(cases, methods, QuickSweeps));
-            List<ChartConfig> first = bases.Select(b => Affordable(b, share)).ToList();
-            IEnumerable<ChartRun> candidates = Seeded(first, 1, 1).Concat(Seeded(others, 1, 1)).Concat(Seeded(bases.Where(IsSwept), 1, QuickBaseSeeds));
-            var taken = new HashSet<string>();
-            double cost = 0.0;
-            foreach (ChartRun run in candidates.Where(r => taken.Add(r.Key)))
+            var plan = new ChartPlan(stepCosts ?? Array.Empty<StepCostPoint>());
+            double weights = cases.Count * methods.Sum(ChartSweep.Weight);
+            var kept = new List<List<ChartRun>>();
+            var waiting = new List<List<ChartRun>>();
+            double left = budget;
+            foreach (ValidationCase validationCase in cases)
             {
-                bool fits = cost + run.Cost <= budget;
-                (fits ? plan.runs : plan.leftOut).Add(run);
-                cost += fits ? run.Cost : 0.0;
+                foreach (CaseMethod method in methods)
+                {
+                    double share = budget * ChartSweep.Weight(method) / weights;
+                    List<ChartRun> wanted = plan.Distinct(sweep(validationCase, method, share));
+                    plan.leftOut.AddRange(wanted.Where(r => r.Cost > runLimit));
+                    wanted.RemoveAll(r => r.Cost > runLimit);
+                    List<ChartRun> own = Within(wanted, share);
+                    kept.Add(own);
+                    waiting.Add(wanted.Except(own).ToList());
+                    left -= own.Sum(r => r.Cost);
+                }
             }
+            // What one case leaves goes to the others, in turn.
+            foreach ((int list, ChartRun run) in InTurn(waiting))
+            {
+                bool fits = run.Cost <= left;
+                (fits ? kept[list] : plan.leftOut).Add(run);
+                left -= fits ? run.Cost : 0.0;
+            }
+            plan.runs.AddRange(InTurn(kept).Select(r => r.Run));
             return plan;
         }
 
-        static ChartConfig Affordable(ChartConfig start, double share)
+        List<ChartRun> Distinct(IEnumerable<ChartRun> wanted)
         {
-            if (new ChartRun(start, 1).Cost <= share)
-                return start;
-            List<ChartConfig> coarser = Points(start.Case, start.Parameters(1), ChartFactor.Spacing, quickSpacings).Where(c => c.Problem == null).ToList();
-            return coarser.FirstOrDefault(c => new ChartRun(c, 1).Cost <= share) ?? coarser.LastOrDefault() ?? start;
+            var taken = new HashSet<string>();
+            var result = new List<ChartRun>();
+            foreach (ChartRun run in wanted)
+            {
+                if (run.Config.Problem == null)
+                {
+                    if (taken.Add(run.Key))
+                        result.Add(run);
+                }
+                else if (!unbuildable.Contains(run.Config))
+                {
+                    unbuildable.Add(run.Config);
+                }
+            }
+            return result;
         }
 
-        static bool IsSwept(ChartConfig config) => config.Method.Kind != FluidMethodKind.ThesisPrinted;
-
-        List<ChartConfig> Buildable(IEnumerable<ChartConfig> configs)
+        // In their order, without those that do not fit; the cheapest alone where none does, so that each panel has a point.
+        static List<ChartRun> Within(List<ChartRun> wanted, double share)
         {
-            var buildable = new List<ChartConfig>();
-            foreach (ChartConfig config in configs)
-                (config.Problem == null ? buildable : unbuildable).Add(config);
-            return buildable;
+            var result = new List<ChartRun>();
+            double cost = 0.0;
+            foreach (ChartRun run in wanted.Where(r => cost + r.Cost <= share))
+            {
+                result.Add(run);
+                cost += run.Cost;
+            }
+            if (result.Count == 0 && wanted.Count > 0)
+                result.Add(wanted.OrderBy(r => r.Cost).First());
+            return result;
         }
 
-        static IEnumerable<ChartConfig> Bases(IReadOnlyList<ValidationCase> cases, IReadOnlyList<CaseMethod> methods) =>
-            from c in cases from m in methods select new ChartConfig(c, c.Base(m), ChartFactor.Base);
-
-        // The first point of every case and method, then the second, ...
-        static IEnumerable<ChartConfig> RoundRobin(IReadOnlyList<ValidationCase> cases, IReadOnlyList<CaseMethod> methods,
-            Func<ValidationCase, CaseMethod, IEnumerable<ChartConfig>> sweep)
+        // The first of every list, then the second, ...
+        static IEnumerable<(int List, ChartRun Run)> InTurn(List<List<ChartRun>> lists)
         {
-            List<List<ChartConfig>> sweeps = (from c in cases from m in methods select sweep(c, m).ToList()).ToList();
-            int longest = sweeps.Count == 0 ? 0 : sweeps.Max(s => s.Count);
+            int longest = lists.Count == 0 ? 0 : lists.Max(l => l.Count);
             for (int i = 0; i < longest; i++)
             {
-                foreach (List<ChartConfig> points in sweeps.Where(s => i < s.Count))
-                    yield return points[i];
-            }
-        }
-
-        static IEnumerable<ChartConfig> Sweeps(ValidationCase validationCase, CaseMethod method)
-        {
-            CaseParameters start = validationCase.Base(method);
-            return Points(validationCase, start, ChartFactor.Spacing, spacings)
-                .Concat(Points(validationCase, start, ChartFactor.Support, supports))
-                .Concat(Points(validationCase, start, ChartFactor.TimeStep, timeSteps))
-                .Concat(Points(validationCase, start, ChartFactor.SoundSpeed, soundSpeeds));
-        }
-
-        static IEnumerable<ChartConfig> QuickSweeps(ValidationCase validationCase, CaseMethod method)
-        {
-            CaseParameters start = validationCase.Base(method);
-            if (method.Kind == FluidMethodKind.ThesisPrinted)
-                return Enumerable.Empty<ChartConfig>();
-            IEnumerable<ChartConfig> spacing = Points(validationCase, start, ChartFactor.Spacing, quickSpacings);
-            IEnumerable<ChartConfig> leading = method.Kind == FluidMethodKind.Standard
-                ? Points(validationCase, start, ChartFactor.Support, standardSupports).Concat(spacing)
-                : spacing.Concat(Points(validationCase, start, ChartFactor.Support, thesisSupports));
-            return leading.Concat(Points(validationCase, start, ChartFactor.SoundSpeed, 0.5))
-                .Concat(Points(validationCase, start, ChartFactor.TimeStep, 0.5, 0.75).Take(1));
-        }
-
-        static IEnumerable<ChartConfig> Points(ValidationCase validationCase, CaseParameters start, ChartFactor factor, params double[] values)
-        {
-            foreach (double value in values)
-            {
-                CaseParameters point = start;
-                switch (factor)
+                for (int list = 0; list < lists.Count; list++)
                 {
-                    case ChartFactor.Spacing:
-                        point.Resolution = (int)Math.Round(start.Resolution * value);
-                        break;
-                    case ChartFactor.Support:
-                        point.SupportRatio = value;
-                        break;
-                    case ChartFactor.TimeStep:
-                        point.TimeStepFraction = value;
-                        break;
-                    case ChartFactor.SoundSpeed:
-                        point.SoundSpeedRatio = start.SoundSpeedRatio * value;
-                        break;
+                    if (i < lists[list].Count)
+                        yield return (list, lists[list][i]);
                 }
-                if (!IsSame(point, start) && point.Resolution > 0)
-                    yield return new ChartConfig(validationCase, point, factor);
-            }
-        }
-
-        static bool IsSame(in CaseParameters a, in CaseParameters b) => a.Resolution == b.Resolution && a.SupportRatio.Equals(b.SupportRatio) &&
-            a.TimeStepFraction.Equals(b.TimeStepFraction) && a.SoundSpeedRatio.Equals(b.SoundSpeedRatio);
-
-        static IEnumerable<ChartRun> Seeded(IEnumerable<ChartConfig> configs, int first, int last)
-        {
-            List<ChartConfig> list = configs.ToList();
-            for (int seed = first; seed <= last; seed++)
-            {
-                foreach (ChartConfig config in list)
-                    yield return new ChartRun(config, seed);
             }
         }
     }

@@ -24,7 +24,12 @@ namespace SphFluid.Validation
             .Text("reason", r => r.Reason, (r, v) => r.Reason = v)
             .Text("device", r => r.Device, (r, v) => r.Device = v)
             .Text("date", r => r.Date, (r, v) => r.Date = v)
-            .Count("steps", r => r.Steps, (r, v) => r.Steps = v);
+            .Count("steps", r => r.Steps, (r, v) => r.Steps = v)
+            .Later()
+            .Number("dt_s", r => r.TimeStep, (r, v) => r.TimeStep = v)
+            .Number("gpu_ms_low", r => r.GpuMsLow, (r, v) => r.GpuMsLow = v)
+            .Number("gpu_ms_high", r => r.GpuMsHigh, (r, v) => r.GpuMsHigh = v)
+            .Number("time_spread", r => r.TimeSpread, (r, v) => r.TimeSpread = v);
 
         /// <summary>Name of the case.</summary>
         public string Case { get; private set; }
@@ -71,6 +76,18 @@ namespace SphFluid.Validation
         /// <summary>Steps done.</summary>
         public long Steps { get; private set; }
 
+        /// <summary>Length of a step [s]; not a number in files from before it was written.</summary>
+        public double TimeStep { get; private set; } = double.NaN;
+
+        /// <summary>Lower quartile of the run's parts, as <see cref="GpuMsPerSecond"/> [ms/s]; not a number where it was not measured.</summary>
+        public double GpuMsLow { get; private set; } = double.NaN;
+
+        /// <summary>Upper quartile of the run's parts [ms/s].</summary>
+        public double GpuMsHigh { get; private set; } = double.NaN;
+
+        /// <summary>The quartiles' distance over the time: above <see cref="StepTimes.BusySpread"/> something else used the device.</summary>
+        public double TimeSpread { get; private set; } = double.NaN;
+
         /// <summary>Equal to the key of its run, which may have several errors.</summary>
         public override string Key => ChartRun.KeyOf(Point, Seed);
 
@@ -103,6 +120,10 @@ namespace SphFluid.Validation
                 Failed = result.Failed || unmeasured,
                 Reason = reason,
                 Steps = result.Steps,
+                TimeStep = result.TimeStep,
+                GpuMsLow = result.GpuTimes.Low / result.TimeStep,
+                GpuMsHigh = result.GpuTimes.High / result.TimeStep,
+                TimeSpread = result.GpuTimes.Spread,
             }).ToArray();
         }
     }

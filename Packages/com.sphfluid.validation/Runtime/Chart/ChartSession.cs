@@ -18,6 +18,7 @@ namespace SphFluid.Validation
         readonly ChartArguments arguments;
         readonly Runner runner;
         readonly ResultTable<ChartRow> table;
+        readonly ResultTable<StepCostRow> costs;
         readonly ChartPlan plan;
 
         /// <summary>Prepares a chart; nothing is measured yet.</summary>
@@ -40,6 +41,7 @@ namespace SphFluid.Validation
             this.plan = plan;
             this.runner = runner;
             table = ResultTable<ChartRow>.Resume(ChartRow.Format, Folder, device, () => new ChartRow());
+            costs = ResultTable<StepCostRow>.Resume(StepCostRow.Format, Folder, device, () => new StepCostRow());
             Claim(Files(arguments.Cases));
         }
 
@@ -48,32 +50,76 @@ namespace SphFluid.Validation
             foreach (ChartConfig config in plan.Unbuildable)
                 Progress.Say($"Not part of the chart: {config}: {config.Problem}");
             if (plan.LeftOut.Count > 0)
-                Progress.Say($"{plan.LeftOut.Count} runs are left out, {(arguments.Quick ? "they do not fit into the short plan's time" : "they take too long on this device")}: {plan.DescribeLeftOut()}.");
-            return plan.Runs.Select(Job);
+                Progress.Say($"{plan.LeftOut.Count} runs are left out, {(arguments.Quick ? "they do not fit into the short plan's time" : "they take too long on this device, or do not fit into the chart's time")}: {plan.DescribeLeftOut()}.");
+            // A run each of every case and method comes first.
+            int first = Math.Min(plan.Runs.Count, arguments.Cases.Count * arguments.Methods.Count);
+            return plan.Runs.Take(first).Select(Job).Concat(plan.StepCosts.Select(Job)).Concat(plan.Runs.Skip(first).Select(Job));
         }
 
         private protected override IEnumerator Begin()
         {
             if (shaders != null)
-                yield return Calibrate(shaders, ChartRun.CostOfStandardStep);
+                yield return Calibrate(shaders, StepWork.OfStandard);
         }
 
+<<<<<<< HEAD
         private protected override void Draw() => new ChartDrawing(Folder, table, arguments.Cases, arguments.Command, Progress).Write();
+=======
+        private protected override void Draw()
+        {
+            SayBusy();
+            new ChartDrawing(Folder, table, arguments.Cases, Progress).Write();
+        }
+
+        void SayBusy()
+        {
+            int busy = table.Rows.Where(r => r.TimeSpread > StepTimes.BusySpread).Select(r => r.Key).Distinct().Count() +
+                costs.Rows.Count(r => r.Spread > StepTimes.BusySpread);
+            if (busy > 0)
+            {
+                Progress.Say(string.Format(CultureInfo.InvariantCulture, "The times of {0} runs spread by more than {1:0} % (column time_spread): " +
+                    "something else used the device, or the flow changed. Errors do not depend on that.", busy, 100.0 * StepTimes.BusySpread));
+            }
+        }
+>>>>>>> 9c9ec60c (The chart times steps and parts of runs, shares its time, and answers which method and spacing a flow needs)
 
         // Cases that an earlier chart in the folder measured are drawn too.
         static IEnumerable<ResultFile> Files(IEnumerable<ValidationCase> selected)
         {
+<<<<<<< HEAD
             var tables = new[] { ChartRow.Format.File, ParetoFront.Format.File, EqualCost.Format.File, ChartReport.File };
+=======
+            var tables = new[] { ChartRow.Format.File, StepCostRow.Format.File, ParetoFront.Format.File, EqualCost.Format.File };
+>>>>>>> 9c9ec60c (The chart times steps and parts of runs, shares its time, and answers which method and spacing a flow needs)
             return tables.Concat(ChartScript.Files()).Concat(CaseCatalogue.All.Union(selected)
                 .SelectMany(c => CurveScript.Files(c).Concat(CaseMethod.All.Select(m => CurveFile.Of(c.Name, m.Name)))));
         }
 
         static ChartPlan PlanFor(ChartArguments arguments)
         {
+            bool software = FluidSupport.IsSoftwareDevice;
+            IReadOnlyList<StepCostPoint> stepCosts = StepCostPoint.Of(arguments.Methods, arguments.Quick, software);
             if (arguments.Quick)
-                return ChartPlan.Quick(arguments.Cases, arguments.Methods);
-            return ChartPlan.Full(arguments.Cases, arguments.Methods,
-                FluidSupport.IsSoftwareDevice ? ChartPlan.SoftwareRunLimit : double.PositiveInfinity);
+                return ChartPlan.Quick(arguments.Cases, arguments.Methods, stepCosts: stepCosts);
+            return ChartPlan.Full(arguments.Cases, arguments.Methods, ChartPlan.FullBudget(software),
+                software ? ChartPlan.SoftwareRunLimit : double.PositiveInfinity, stepCosts);
+        }
+
+        SessionJob Job(StepCostPoint point)
+        {
+            // About a second each, or a dozen steps where these take longer, beside the start.
+            double cost = 12.0 * StepWork.Of(point.Method, point.Particles, point.SupportRatio) + 1.5 * StepWork.SoftwareRate;
+            StepCostRow row = null;
+            return new SessionJob(point.ToString(), cost, () => costs.Contains(point.Key), () => Measure(point, r => row = r), () => Progress.Say(
+                string.Format(CultureInfo.InvariantCulture, "{0}/{1}  {2}: {3:G3} ms{4}", Done, Count, point, row.Milliseconds, TimeLeft(", "))), "step");
+        }
+
+        IEnumerator Measure(StepCostPoint point, Action<StepCostRow> done)
+        {
+            StepCostRow row = null;
+            yield return new StepCostRun(shaders).Run(point, r => row = r);
+            costs.Add(row);
+            done(row);
         }
 
         SessionJob Job(ChartRun run)

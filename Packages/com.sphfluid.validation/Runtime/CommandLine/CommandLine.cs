@@ -56,6 +56,14 @@ namespace SphFluid.Validation
             Measure("chart", (words, progress) => new ChartSession(ChartArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         /// <summary>
+        /// Answers which method, κ and spacing a flow needs for an error or a time, from a chart of this device: the flags --case, --error, --ms, --fps,
+        /// --length, --speed, --volume, --compression, --chart, --verify and --out; see <see cref="ChooseArguments"/>. The program ends with it. A wrong
+        /// flag, or a question that no chart answers, ends it with exit code 2.
+        /// </summary>
+        public static void Choose() =>
+            Measure("choose", (words, progress) => new ChooseSession(ChooseArguments.Parse(words), SessionAssets.FindShaders(), progress));
+
+        /// <summary>
         /// Measures where the methods are stable: the flags --quick, --map, --method, --out and --slice; see <see cref="StabilityArguments"/>.
         /// The program ends with it. A wrong flag, or a folder with another device's maps, ends it with exit code 2.
         /// </summary>

@@ -6,8 +6,8 @@ namespace SphFluid.Validation
     /// <summary>The flags of the package's verbs, for programs that print help.</summary>
     public static class CommandLineHelp
     {
-        /// <summary>The verbs: play, bench, chart, stability, leaks, surfaces and figures.</summary>
-        public static IReadOnlyList<string> Verbs { get; } = new[] { "play", "bench", "chart", "stability", "leaks", "surfaces", "figures" };
+        /// <summary>The verbs: play, bench, chart, choose, stability, leaks, surfaces and figures.</summary>
+        public static IReadOnlyList<string> Verbs { get; } = new[] { "play", "bench", "chart", "choose", "stability", "leaks", "surfaces", "figures" };
 
         /// <summary>The flags of a verb, as its parser reads them.</summary>
         /// <param name="verb">One of <see cref="Verbs"/>.</param>
@@ -19,6 +19,7 @@ namespace SphFluid.Validation
                 case "play": return new PlayArguments().Options;
                 case "bench": return new BenchArguments().Options;
                 case "chart": return ChartArguments.Of(CaseCatalogue.All).Options;
+                case "choose": return ChooseArguments.Empty().Options;
                 case "stability": return new StabilityArguments().Options;
                 case "leaks": return new LeakArguments().Options;
                 case "surfaces": return new SurfaceArguments().Options;

@@ -81,6 +81,28 @@ namespace SphFluid.Validation
             throw new CommandLineException($"{flag} must be a whole number from {least} to {most}, found '{Shown(value)}'.");
         }
 
+        /// <summary>A number above zero, at most 1e9.</summary>
+        /// <exception cref="CommandLineException">It is none.</exception>
+        public static double Positive(string flag, string value)
+        {
+            if (TryNumber(value, out double number))
+                return number;
+            throw new CommandLineException($"{flag} must be a number above zero and at most 1000000000, found '{Shown(value)}'.");
+        }
+
+        /// <summary>A part of one: "5%" and "0.05" are the same.</summary>
+        /// <exception cref="CommandLineException">It is none.</exception>
+        public static double Share(string flag, string value)
+        {
+            bool percent = value.EndsWith("%", StringComparison.Ordinal);
+            if (TryNumber((percent ? value.Substring(0, value.Length - 1) : value).Trim(), out double number))
+                return percent ? 0.01 * number : number;
+            throw new CommandLineException($"{flag} must be a part above zero, such as 5% or 0.05, found '{Shown(value)}'.");
+        }
+
+        static bool TryNumber(string value, out double number) =>
+            double.TryParse(value, NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent, CultureInfo.InvariantCulture, out number) && number > 0.0 && number <= 1e9;
+
         /// <summary>A number of minutes above zero.</summary>
         /// <exception cref="CommandLineException">It is none.</exception>
         public static TimeSpan Minutes(string flag, string value)

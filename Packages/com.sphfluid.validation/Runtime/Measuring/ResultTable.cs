@@ -83,7 +83,7 @@ namespace SphFluid.Validation
         {
             string[] lines = File.ReadAllLines(file);
             if (lines.Length == 0 || lines[0] != Format.FirstLine)
-                throw new CommandLineException($"'{file}' does not have the columns of this version. {Cure}");
+                throw new CommandLineException($"'{file}' does not have the columns of this version{(lines.Length > 0 && Format.Reads(lines[0]) ? ", but those of an earlier one" : "")}. {Cure}");
             for (int i = 1; i < lines.Length; i++)
             {
                 TRow row = create();

@@ -15,6 +15,9 @@ namespace SphFluid.Validation
         readonly List<(string Name, Func<TRow, string> Cell, Action<TRow, string> Take)> columns =
             new List<(string, Func<TRow, string>, Action<TRow, string>)>();
 
+        int required;
+        bool hasLater;
+
         /// <summary>A table without columns.</summary>
         /// <param name="fileName">Name of the file.</param>
         public TableFormat(string fileName) => FileName = fileName;
@@ -25,11 +28,25 @@ namespace SphFluid.Validation
         /// <summary>Names of the columns.</summary>
         public IEnumerable<string> Names => columns.Select(c => c.Name);
 
+        /// <summary>
+        /// The first lines that are read: that of today, and those of files from before the columns behind <see cref="Later"/> were added.
+        /// </summary>
+        public bool Reads(string firstLine) => firstLine == FirstLine ||
+            Enumerable.Range(required, columns.Count - required).Any(count => firstLine == CsvText.Join(Names.Take(count)));
+
         /// <summary>The first line of the file.</summary>
         public string FirstLine => CsvText.Join(Names);
 
         /// <summary>The file, for <see cref="ResultFolder"/>.</summary>
         internal ResultFile File => ResultFile.Text(FileName, FirstLine);
+
+        /// <summary>The columns from here on were added later: files without them are read, but not continued.</summary>
+        public TableFormat<TRow> Later()
+        {
+            required = columns.Count;
+            hasLater = true;
+            return this;
+        }
 
         /// <summary>Adds a column of text.</summary>
         /// <param name="name">Name in the first line.</param>
@@ -38,6 +55,8 @@ namespace SphFluid.Validation
         public TableFormat<TRow> Text(string name, Func<TRow, string> cell, Action<TRow, string> take = null)
         {
             columns.Add((name, cell, take));
+            if (!hasLater)
+                required = columns.Count;
             return this;
         }
 
@@ -81,10 +100,39 @@ namespace SphFluid.Validation
         public void Read(string line, TRow row)
         {
             string[] cells = CsvText.Split(line);
-            if (cells.Length != columns.Count)
+            if (cells.Length < required || cells.Length > columns.Count)
                 throw new FormatException($"{cells.Length} cells instead of {columns.Count}");
             for (int i = 0; i < cells.Length; i++)
                 columns[i].Take?.Invoke(row, cells[i]);
+        }
+
+        /// <summary>The rows of a whole file, also of one from before later columns.</summary>
+        /// <param name="file">The file.</param>
+        /// <param name="create">An empty row.</param>
+        /// <exception cref="FormatException">It has other columns, or a broken line; the message names the line.</exception>
+        public List<TRow> ReadAll(string file, Func<TRow> create)
+        {
+            string[] lines = System.IO.File.ReadAllLines(file);
+            if (lines.Length == 0 || !Reads(lines[0]))
+                throw new FormatException($"'{file}' does not have the columns of {FileName}");
+            int cells = CsvText.Split(lines[0]).Length;
+            var rows = new List<TRow>();
+            for (int i = 1; i < lines.Length; i++)
+            {
+                TRow row = create();
+                try
+                {
+                    if (CsvText.Split(lines[i]).Length != cells)
+                        throw new FormatException($"it does not have {cells} cells");
+                    Read(lines[i], row);
+                }
+                catch (Exception exception) when (exception is FormatException || exception is OverflowException)
+                {
+                    throw new FormatException($"'{file}' has a broken line {i + 1}: {exception.Message}");
+                }
+                rows.Add(row);
+            }
+            return rows;
         }
 
         static Action<TRow, string> Parsed<T>(Action<TRow, T> take, Func<string, T> parse) =>

@@ -14,6 +14,7 @@ namespace SphFluid.Tests
             ["play"] = w => PlayArguments.Parse(w),
             ["bench"] = w => BenchArguments.Parse(w),
             ["chart"] = w => ChartArguments.Parse(w),
+            ["choose"] = w => ChooseArguments.Parse(w),
             ["stability"] = w => StabilityArguments.Parse(w),
             ["leaks"] = w => LeakArguments.Parse(w),
             ["surfaces"] = w => SurfaceArguments.Parse(w),

@@ -14,6 +14,7 @@ namespace SphFluid.Tests
         static readonly string[] NoCounts = { "", " ", "-1", "0", "NaN", "1.5", "1e30", "0x10", "1_000", "99999999999999999999", "many" };
         static readonly string[] NoSeeds = { "", "-1", "NaN", "1.5", "1e30", "99999999999999999999", "many" };
         static readonly string[] NoMinutes = { "", "-1", "0", "NaN", "Infinity", "1e30", "1e-30", "99999999999999999999", "soon" };
+        static readonly string[] NoShares = { "", " ", "-1", "-5%", "0", "0%", "%", "NaN", "Infinity", "1e30", "5 per cent", "soon" };
         static readonly string[] NoFolders = { "", " " };
         static readonly string[] NoFiles = { "", " ", "a", ".ply", ".csv", "a.txt" };
 
@@ -28,6 +29,11 @@ namespace SphFluid.Tests
                 ("--table", NoNames), ("--particles", NoCounts), ("--grids", NoCounts), ("--repeat", NoCounts), ("--out", NoFolders),
             }),
             ("chart", w => ChartArguments.Parse(w), new[] { ("--case", NoNames), ("--method", NoNames), ("--slice", NoMinutes), ("--out", NoFolders) }),
+            ("choose", w => ChooseArguments.Parse(w), new[]
+            {
+                ("--case", NoNames), ("--error", NoShares), ("--ms", NoShares), ("--fps", NoShares), ("--length", NoShares), ("--speed", NoShares),
+                ("--volume", NoShares), ("--compression", NoShares), ("--chart", NoFolders), ("--verify", NoCounts), ("--out", NoFolders),
+            }),
             ("stability", w => StabilityArguments.Parse(w), new[] { ("--map", NoNames), ("--method", NoNames), ("--slice", NoMinutes), ("--out", NoFolders) }),
             ("leaks", w => LeakArguments.Parse(w), new[] { ("--scene", NoNames), ("--out", NoFolders) }),
             ("surfaces", w => SurfaceArguments.Parse(w), new[] { ("--state", NoNames), ("--variant", NoNames), ("--out", NoFolders) }),

@@ -15,9 +15,12 @@ namespace SphFluid.Tests
         static IEnumerable<TestCaseData> Tables()
         {
             yield return Table("accuracy.csv", ChartRow.Format.Names);
+            yield return Table("step-costs.csv", StepCostRow.Format.Names);
             yield return Table("pareto.csv", ParetoFront.Format.Names);
             yield return Table("equal-cost.csv", EqualCost.Format.Names);
             yield return Table("curves", CsvText.Split(CurveFile.FirstLine));
+            yield return Table("choose.csv", ChoiceRow.Format.Names);
+            yield return Table("choose-verify.csv", VerificationRow.Format.Names);
             yield return Table("stability.csv", StabilityRow.Format.Names);
             yield return Table("limits.csv", LimitRow.Format.Names);
             yield return Table("leaks.csv", LeakResult.Format.Names);

@@ -15,12 +15,27 @@ namespace SphFluid.Tests
             ChartPlan plan = ChartPlan.Full(cases, CaseMethod.All);
 
             List<ChartRun> runs = plan.Runs.Where(r => r.Config.Case == cases[1] && r.Config.Method.Name == "thesis").ToList();
-            // 12 × 0.5, 0.67, 1.5, 2; κ without 2; dt without 0.5; c × 0.5 and 2.
-            Assert.That(Values(runs, ChartFactor.Spacing, c => 1.0 / c.Spacing), Is.EqualTo(new[] { 6.0, 8.0, 18.0, 24.0 }).Within(1e-5));
-            Assert.That(Values(runs, ChartFactor.Support, c => c.SupportRatio), Is.EqualTo(new[] { 1.75, 2.25, 2.5, 3.0 }));
-            Assert.That(Values(runs, ChartFactor.TimeStep, c => c.TimeStepFraction), Is.EqualTo(new[] { 0.25, 0.75 }));
-            Assert.That(Values(runs, ChartFactor.SoundSpeed, c => c.SoundSpeedRatio), Is.EqualTo(new[] { 2.5, 10.0 }));
+            // 12 × 0.5, 0.67, 1.5, 2; κ besides 2; dt besides 0.5; c × 0.5 and 2.
+            Assert.That(Values(runs, ChartFactor.Spacing, c => System.Math.Round(1.0 / c.Spacing)), Is.EquivalentTo(new[] { 6.0, 8.0, 18.0, 24.0 }));
+            Assert.That(Values(runs, ChartFactor.Support, c => c.SupportRatio), Is.EquivalentTo(new[] { 1.75, 2.5, 3.0 }));
+            Assert.That(Values(runs, ChartFactor.TimeStep, c => c.TimeStepFraction), Is.EquivalentTo(new[] { 0.25, 0.75 }));
+            Assert.That(Values(runs, ChartFactor.SoundSpeed, c => c.SoundSpeedRatio), Is.EquivalentTo(new[] { 2.5, 10.0 }));
             Assert.That(runs.Where(r => r.Config.Factor != ChartFactor.Base).All(r => DiffersInOne(r.Config)), Is.True);
+            // The text as printed is there to be compared with.
+            Assert.That(plan.Runs.Where(r => r.Config.Method.Kind == FluidMethodKind.ThesisPrinted).Select(r => r.Config.Factor).Distinct(),
+                Is.EquivalentTo(new[] { ChartFactor.Base, ChartFactor.Spacing }));
+        }
+
+        [Test]
+        public void EachSupportAndHalfTheSpeedOfSoundHaveSpacingsOfTheirOwnInAMethodThatUsersChoose()
+        {
+            List<ChartConfig> own = ChartPlan.Full(cases, CaseMethod.All).Runs.Where(r => r.Seed == 1 && r.Config.Case == cases[0] && r.Config.Method.Name == "standard")
+                .Select(r => r.Config).ToList();
+
+            foreach (double support in new[] { 2.25, 2.5 })
+                Assert.That(own.Where(c => c.SupportRatio == support && c.SoundSpeedRatio == 5.0).Select(c => System.Math.Round(1.0 / c.Spacing)), Is.EquivalentTo(new[] { 6.0, 8.0, 12.0 }));
+            Assert.That(own.Where(c => c.SupportRatio == 2.0 && c.SoundSpeedRatio == 2.5).Select(c => System.Math.Round(1.0 / c.Spacing)), Is.EquivalentTo(new[] { 6.0, 8.0, 12.0 }));
+            Assert.That(own.Where(c => c.Factor == ChartFactor.Several).All(c => c.TimeStepFraction == 0.5), Is.True);
         }
 
         [Test]
@@ -30,11 +45,11 @@ namespace SphFluid.Tests
 
             foreach (IGrouping<string, ChartRun> seeds in plan.Runs.GroupBy(r => r.Config.Key))
             {
-                int expected = seeds.First().Config.Factor == ChartFactor.Base ? 5 : 3;
+                ChartConfig config = seeds.First().Config;
+                int expected = config.Factor == ChartFactor.Base && config.Method.Kind != FluidMethodKind.ThesisPrinted ? 5 : 3;
                 Assert.That(seeds.Select(r => r.Seed), Is.EqualTo(Enumerable.Range(1, expected)), seeds.Key);
             }
             int points = cases.Length * CaseMethod.All.Count;
-            Assert.That(plan.Runs, Has.Count.EqualTo(points * (5 + 12 * 3)));
             Assert.That(plan.Runs.Take(points).All(r => r.Config.Factor == ChartFactor.Base && r.Seed == 1), Is.True);
             Assert.That(plan.Runs.All(r => r.Config.Parameters(r.Seed).Jitter == 0.01 && r.Config.Parameters(r.Seed).Seed == r.Seed), Is.True);
         }
@@ -44,12 +59,42 @@ namespace SphFluid.Tests
         {
             double limit = new ChartRun(new ChartConfig(cases[0], cases[0].Base(CaseMethod.Find("thesis")), ChartFactor.Base), 1).Cost * 4.0;
             CaseMethod[] method = { CaseMethod.Find("thesis") };
-            ChartPlan all = ChartPlan.Full(cases, method), limited = ChartPlan.Full(cases, method, limit);
+            ChartPlan all = ChartPlan.Full(cases, method), limited = ChartPlan.Full(cases, method, runLimit: limit);
 
             Assert.That(limited.Runs.Count + limited.LeftOut.Count, Is.EqualTo(all.Runs.Count));
             Assert.That(limited.LeftOut.Any(r => r.Config.Factor == ChartFactor.Spacing && r.Config.Particles == 24 * 24 * 24), Is.True);
             Assert.That(limited.Runs.All(r => r.Cost <= limit), Is.True);
             Assert.That(limited.DescribeLeftOut(), Is.EqualTo("spacing dx of one, two"));
+        }
+
+        [Test]
+        public void AFullPlanKeepsItsBudgetAndAnExpensiveCaseTakesNothingFromACheapOne()
+        {
+            ValidationCase[] mixed = { new FlatCase("costly", 20), new FlatCase("cheap", 8) };
+            ChartPlan whole = ChartPlan.Full(new[] { mixed[1] }, CaseMethod.All);
+            double budget = 6.0 * whole.Cost;
+            ChartPlan plan = ChartPlan.Full(mixed, CaseMethod.All, budget);
+
+            Assert.That(plan.Cost, Is.LessThanOrEqualTo(budget));
+            Assert.That(plan.Runs.Count(r => r.Config.Case == mixed[1]), Is.EqualTo(whole.Runs.Count));
+            Assert.That(plan.Runs.Count(r => r.Config.Case == mixed[0]), Is.GreaterThan(0));
+            Assert.That(plan.LeftOut.All(r => r.Config.Case == mixed[0]), Is.True);
+        }
+
+        [Test]
+        public void TheFullPlanOfAllCasesHasThreeSeedsOfEverySpacingThatTheFitsNeedWithinNinetyMinutesOfTwoCores()
+        {
+            ValidationCase[] charted = CaseCatalogue.All.Where(c => !c.IsGate).ToArray();
+            ChartPlan plan = ChartPlan.Full(charted, CaseMethod.All, ChartPlan.FullBudget(true), ChartPlan.SoftwareRunLimit);
+
+            Assert.That(plan.Cost / StepWork.SoftwareRate, Is.LessThan(90.0 * 60.0));
+            foreach (ValidationCase c in charted)
+            {
+                List<ChartRun> own = plan.Runs.Where(r => r.Config.Case == c && r.Config.Method.Name == "standard").ToList();
+                double[] dense = own.Where(r => r.Config.SupportRatio == 2.25 && r.Config.SoundSpeedRatio == c.Base(CaseMethod.Find("standard")).SoundSpeedRatio && r.Config.TimeStepFraction == 0.75)
+                    .GroupBy(r => r.Config.Key).Where(g => g.Count() >= 3).Select(g => g.First().Config.Spacing).ToArray();
+                Assert.That(dense, Has.Length.GreaterThanOrEqualTo(3), c.Name);
+            }
         }
 
         [Test]
@@ -64,23 +109,21 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void QuickPlanSweepsAllButThePrintedMethodAndHasThreeSeedsAtTheirBases()
+        public void QuickPlanSweepsAllButThePrintedMethodAndHasThreeSeedsOfItsSpacings()
         {
             ChartPlan plan = ChartPlan.Quick(cases, CaseMethod.All, double.PositiveInfinity);
 
             Assert.That(plan.LeftOut, Is.Empty);
             foreach (IGrouping<string, ChartRun> runs in plan.Runs.GroupBy(r => r.Config.Case.Name + r.Config.Method.Name))
             {
-                FluidMethodKind kind = runs.First().Config.Method.Kind;
+                bool printed = runs.First().Config.Method.Kind == FluidMethodKind.ThesisPrinted;
                 List<ChartRun> sweep = runs.Where(r => r.Config.Factor != ChartFactor.Base).ToList();
-                Assert.That(runs.Count() - sweep.Count, Is.EqualTo(kind == FluidMethodKind.ThesisPrinted ? 1 : 3), runs.Key);
-                Assert.That(sweep.All(r => r.Seed == 1), Is.True);
-                if (kind == FluidMethodKind.ThesisPrinted)
-                    Assert.That(sweep, Is.Empty);
-                else
+                Assert.That(runs.Count() - sweep.Count, Is.EqualTo(printed ? 1 : 3), runs.Key);
+                Assert.That(sweep.Where(r => r.Config.Factor == ChartFactor.Spacing).GroupBy(r => r.Config.Key).Select(g => g.Count()), Is.EqualTo(printed ? new[] { 1, 1 } : new[] { 3, 3 }));
+                if (!printed)
                     Assert.That(sweep.Select(r => r.Config.Factor).Distinct(), Is.EquivalentTo(new[] { ChartFactor.Spacing, ChartFactor.Support, ChartFactor.TimeStep, ChartFactor.SoundSpeed }));
                 // κ = 2 is the made-up case's base.
-                if (kind == FluidMethodKind.Standard)
+                if (runs.First().Config.Method.Kind == FluidMethodKind.Standard)
                     Assert.That(Values(sweep, ChartFactor.Support, c => c.SupportRatio), Is.EqualTo(new[] { 2.25, 2.5 }));
             }
         }
@@ -96,7 +139,7 @@ namespace SphFluid.Tests
             Assert.That(plan.Cost, Is.LessThanOrEqualTo(budget));
             Assert.That(plan.LeftOut, Is.Not.Empty);
             Assert.That(plan.DescribeLeftOut(), Does.Contain("base of costly").And.Not.Contain("cheap"));
-            // What the cheap case leaves goes to the costly one's coarser points: each panel has one at least.
+            // The costly one has coarser points: each panel has one at least.
             foreach (ValidationCase c in mixed)
                 Assert.That(plan.Runs.Count(r => r.Config.Case == c), Is.GreaterThan(0), c.Name);
         }
@@ -107,13 +150,13 @@ namespace SphFluid.Tests
             ValidationCase[] charted = CaseCatalogue.All.Where(c => !c.IsGate).ToArray();
             ChartPlan plan = ChartPlan.Quick(charted, CaseMethod.All);
 
-            Assert.That(plan.Cost / ChartPlan.SoftwareRate, Is.LessThan(540.0));
+            Assert.That(plan.Cost / StepWork.SoftwareRate, Is.LessThan(480.0));
             foreach (ValidationCase c in charted)
             {
                 foreach (CaseMethod method in CaseMethod.All)
                     Assert.That(plan.Runs.Any(r => r.Config.Case == c && r.Config.Method == method), Is.True, $"{c.Name}, {method.Name}");
                 Assert.That(plan.Runs.Where(r => r.Config.Case == c && r.Config.Method.Kind == FluidMethodKind.Standard).Select(r => r.Config.SupportRatio).Distinct(),
-                    Is.SupersetOf(new[] { 2.0, 2.25, 2.5 }), c.Name);
+                    Is.SupersetOf(new[] { 2.0, 2.25, 2.5 }), c.Name + ": " + string.Join("; ", plan.Unbuildable.Concat(plan.LeftOut.Select(r => r.Config)).Where(u => u.Case == c)));
             }
         }
 

@@ -49,6 +49,31 @@ namespace SphFluid.Tests
         public void ANumberThatIsTooLargeIsRefused() =>
             Assert.That(() => Read("a,1,99999999999999999999,yes,d,e"), Throws.TypeOf<OverflowException>());
 
+        [Test]
+        public void AFileFromBeforeLaterColumnsIsReadAndOneWithOthersIsNot()
+        {
+            TableFormat<MadeUpRow> grown = new TableFormat<MadeUpRow>("grown.csv").Text("name", r => r.Name, (r, v) => r.Name = v)
+                .Later().Number("speed_m_s", r => r.Speed, (r, v) => r.Speed = v).Count("steps", r => r.Steps, (r, v) => r.Steps = v);
+            string file = System.IO.Path.GetTempFileName();
+            try
+            {
+                System.IO.File.WriteAllLines(file, new[] { "name", "a", "b" });
+                Assert.That(grown.ReadAll(file, () => new MadeUpRow { Speed = 7.0 }).Select(r => (r.Name, r.Speed)), Is.EqualTo(new[] { ("a", 7.0), ("b", 7.0) }));
+                System.IO.File.WriteAllLines(file, new[] { "name,speed_m_s", "a,2" });
+                Assert.That(grown.ReadAll(file, () => new MadeUpRow()).Single().Speed, Is.EqualTo(2.0));
+                System.IO.File.WriteAllLines(file, new[] { "name,speed_m_s", "a,2", "b" });
+                Assert.That(() => grown.ReadAll(file, () => new MadeUpRow()), Throws.TypeOf<FormatException>().With.Message.Contains("line 3"));
+                System.IO.File.WriteAllLines(file, new[] { "name,colour", "a,2" });
+                Assert.That(() => grown.ReadAll(file, () => new MadeUpRow()), Throws.TypeOf<FormatException>().With.Message.Contains("columns"));
+            }
+            finally
+            {
+                System.IO.File.Delete(file);
+            }
+            Assert.That(grown.Reads("name"), Is.True);
+            Assert.That(grown.Reads("speed_m_s"), Is.False);
+        }
+
         static MadeUpRow Read(string line)
         {
             var row = new MadeUpRow();

@@ -1,0 +1,58 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace SphFluid.Validation
+{
+    /// <summary>What a chart answers: the best way within what was asked, or the nearest ones in both directions.</summary>
+    public sealed class ChoiceAnswer
+    {
+        internal ChoiceAnswer(ChoiceQuestion question, ChartData chart, IReadOnlyList<ChoiceOption> options)
+        {
+            Question = question;
+            Chart = chart;
+            Options = options;
+            bool asksError = !double.IsNaN(question.Error), asksTime = !double.IsNaN(question.Milliseconds);
+            IEnumerable<ChoiceOption> accurate = options.Where(o => !asksError || o.Error.Likely <= question.Error);
+            IEnumerable<ChoiceOption> fast = options.Where(o => !asksTime || o.Milliseconds.Likely <= question.Milliseconds);
+            Fastest = asksError ? Cheapest(accurate) : null;
+            MostAccurate = asksTime ? LeastWrong(fast) : null;
+            Best = asksError && (!asksTime || Fastest != null && Fastest.Milliseconds.Likely <= question.Milliseconds) ? Fastest
+                : asksError ? null : MostAccurate;
+            PerMethod = options.GroupBy(o => o.Method).Select(own => asksError
+                ? Cheapest(own.Where(o => o.Error.Likely <= question.Error)) ?? LeastWrong(own)
+                : LeastWrong(own.Where(o => o.Milliseconds.Likely <= question.Milliseconds)) ?? Cheapest(own)).ToList();
+        }
+
+        /// <summary>What was asked.</summary>
+        public ChoiceQuestion Question { get; }
+
+        /// <summary>The chart that answers.</summary>
+        public ChartData Chart { get; }
+
+        /// <summary>All ways within what the chart measured.</summary>
+        public IReadOnlyList<ChoiceOption> Options { get; }
+
+        /// <summary>The answer: the fastest with the error asked for, or with a time alone the most accurate; null when there is none.</summary>
+        public ChoiceOption Best { get; }
+
+        /// <summary>The fastest with the error asked for, however long it takes; null when none has it, or no error was asked for.</summary>
+        public ChoiceOption Fastest { get; }
+
+        /// <summary>The most accurate within the time asked for; null when none is within it, or no time was asked for.</summary>
+        public ChoiceOption MostAccurate { get; }
+
+        /// <summary>The best of each method; where a method has none, its nearest.</summary>
+        public IReadOnlyList<ChoiceOption> PerMethod { get; }
+
+        /// <summary>The most accurate of all, however long it takes.</summary>
+        public ChoiceOption Finest => LeastWrong(Options);
+
+        /// <summary>The fastest of all, however wrong it is.</summary>
+        public ChoiceOption Quickest => Cheapest(Options);
+
+        static ChoiceOption Cheapest(IEnumerable<ChoiceOption> options) => options.OrderBy(o => o.Milliseconds.Likely).FirstOrDefault();
+
+        // Of equal errors, as below a reference's floor, the fastest.
+        static ChoiceOption LeastWrong(IEnumerable<ChoiceOption> options) => options.OrderBy(o => o.Error.Likely).ThenBy(o => o.Milliseconds.Likely).FirstOrDefault();
+    }
+}

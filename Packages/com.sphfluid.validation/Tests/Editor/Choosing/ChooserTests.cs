@@ -1,0 +1,219 @@
+using System;
+using System.Linq;
+using NUnit.Framework;
+using SphFluid.Validation;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Answers of a chart whose laws are known.</summary>
+    public sealed class ChooserTests
+    {
+        MadeUpChart chart;
+        Chooser chooser;
+
+        [SetUp]
+        public void SetUp()
+        {
+            chart = new MadeUpChart();
+            foreach (string method in new[] { "standard", "thesis" })
+            {
+                chart.Sweep(method, 2.0, 5.0, 6, 8, 12, 18);
+                chart.Sweep(method, 2.5, 5.0, 6, 8, 12, 18);
+            }
+            chooser = new Chooser(chart.Data(), new[] { chart.Case });
+        }
+
+        [Test]
+        public void ErrorAndTimeOfAnOptionFollowTheLaws()
+        {
+            ChoiceAnswer answer = Ask(0.5, double.NaN);
+
+            foreach (ChoiceOption option in answer.Options)
+            {
+                int count = option.Resolution * option.Resolution * option.Resolution;
+                // dt = 0.5 dx/c, c = 5: 10 n steps a second.
+                double frame = MadeUpChart.StepTimeOf(option.Method, option.SupportRatio, count) * 10.0 * option.Resolution / 60.0;
+                double error = Math.Max(0.04, MadeUpChart.ErrorOf(option.Method, option.SupportRatio, option.Resolution));
+                Assert.That(option.Particles, Is.EqualTo(count).Within(0.02 * count), $"{option}");
+                Assert.That(option.Milliseconds.Value, Is.EqualTo(frame).Within(0.06 * frame), $"{option}");
+                Assert.That(option.Error.Value, Is.EqualTo(error).Within(0.01 * error), $"{option}");
+                Assert.That(option.Milliseconds.Contains(frame), Is.True);
+            }
+            Assert.That(answer.Options.Select(o => o.Resolution).Distinct(), Is.EquivalentTo(Enumerable.Range(6, 13)));
+        }
+
+        [Test]
+        public void TheFastestWithTheErrorIsChosen()
+        {
+            ChoiceAnswer answer = Ask(0.2, double.NaN);
+            ChoiceOption expected = answer.Options.Where(o => Math.Sqrt(o.Error.Value * o.Error.High) <= 0.2).OrderBy(o => o.Milliseconds.Likely).First();
+
+            Assert.That(answer.Best, Is.SameAs(expected));
+            // 20/n² of κ = 2.5: eleven along the length; 3/n of κ = 2 needs sixteen.
+            Assert.That((answer.Best.Method, answer.Best.SupportRatio), Is.EqualTo(("standard", 2.5)));
+            Assert.That(answer.Best.Resolution, Is.InRange(10, 13));
+            Assert.That(answer.PerMethod.Select(o => o.Method), Is.EquivalentTo(new[] { "standard", "thesis" }));
+        }
+
+        [Test]
+        public void TheMostAccurateWithinTheTimeIsChosen()
+        {
+            ChoiceOption best = Ask(double.NaN, 6.0).Best;
+
+            Assert.That(best.Milliseconds.Likely, Is.LessThanOrEqualTo(6.0));
+            Assert.That(Ask(double.NaN, 6.0).Options.Where(o => o.Milliseconds.Likely <= 6.0).Min(o => o.Error.Likely), Is.EqualTo(best.Error.Likely));
+        }
+
+        [Test]
+        public void AskingForMoreCostsMore()
+        {
+            double last = double.PositiveInfinity;
+            for (double error = 0.05; error < 0.6; error *= 1.1)
+            {
+                ChoiceOption best = Ask(error, double.NaN).Best;
+                double time = best?.Milliseconds.Likely ?? double.PositiveInfinity;
+                Assert.That(time, Is.LessThanOrEqualTo(last), $"{error}");
+                last = time;
+            }
+            last = double.PositiveInfinity;
+            for (double time = 0.5; time < 100.0; time *= 1.2)
+            {
+                double error = Ask(double.NaN, time).Best?.Error.Likely ?? double.PositiveInfinity;
+                Assert.That(error, Is.LessThanOrEqualTo(last), $"{time} ms");
+                last = error;
+            }
+        }
+
+        [Test]
+        public void WhatCannotBeHasItsNearestInBothDirections()
+        {
+            ChoiceAnswer answer = Ask(0.1, 2.0);
+            string text = string.Join("\n", ChoiceText.Lines(answer));
+
+            Assert.That(answer.Best, Is.Null);
+            Assert.That(answer.Fastest.Error.Likely, Is.LessThanOrEqualTo(0.1));
+            Assert.That(answer.Fastest.Milliseconds.Likely, Is.GreaterThan(2.0));
+            Assert.That(answer.MostAccurate.Milliseconds.Likely, Is.LessThanOrEqualTo(2.0));
+            Assert.That(answer.MostAccurate.Error.Likely, Is.GreaterThan(0.1));
+            Assert.That(text, Does.Contain("keeps an error of at most 10 % and at most 2 ms a frame at once").And.Contain("with that error: ").And.Contain("within that time: "));
+        }
+
+        [Test]
+        public void WhatWasNotMeasuredIsSaid()
+        {
+            ChoiceAnswer answer = Ask(double.NaN, 0.001);
+
+            Assert.That(answer.Best, Is.Null);
+            Assert.That(string.Join("\n", ChoiceText.Lines(answer)), Does.Contain("the least time that was measured").And.Contain("a coarser spacing was not measured"));
+        }
+
+        [Test]
+        public void ALiquidFourTimesAsLongHasItsOwnSpacingAndVolume()
+        {
+            ChoiceQuestion question = Question(0.2, double.NaN);
+            (question.Length, question.Volume) = (4.0, 16.0);
+            ChoiceOption own = Ask(0.2, double.NaN).Options[0], scaled = chooser.Answer(question).Options[0];
+
+            Assert.That(scaled.Spacing, Is.EqualTo(4.0 * own.Spacing).Within(1e-6));
+            // A quarter of 4³.
+            Assert.That(scaled.Particles, Is.EqualTo(0.25 * own.Particles).Within(0.01 * own.Particles));
+            // No gravity, the same speed: four times the time.
+            Assert.That(scaled.StepsPerFrame, Is.EqualTo(0.25 * own.StepsPerFrame).Within(1e-6));
+            Assert.That(scaled.Error.Value, Is.EqualTo(own.Error.Value));
+        }
+
+        [Test]
+        public void ALongerFrameHasMoreSteps()
+        {
+            ChoiceQuestion question = Question(0.2, double.NaN);
+            question.FramesPerSecond = 30.0;
+
+            Assert.That(chooser.Answer(question).Options[0].Milliseconds.Value, Is.EqualTo(2.0 * Ask(0.2, double.NaN).Options[0].Milliseconds.Value).Within(1e-9));
+        }
+
+        [Test]
+        public void AnExtrapolatedCostIsSaid()
+        {
+            ChoiceQuestion question = Question(0.2, double.NaN);
+            question.Volume = 1000.0;
+            ChoiceAnswer answer = chooser.Answer(question);
+
+            Assert.That(answer.Best.IsBeyondMeasured, Is.True);
+            Assert.That(string.Join("\n", ChoiceText.Lines(answer)), Does.Contain("an extrapolation"));
+            Assert.That(Ask(0.2, double.NaN).Best.IsBeyondMeasured, Is.False);
+        }
+
+        [Test]
+        public void SoftLiquidIsChosenOnlyWhereItIsAllowed()
+        {
+            chart.Sweep("standard", 2.5, 2.5, 6, 8, 12);
+            chooser = new Chooser(chart.Data(), new[] { chart.Case });
+            ChoiceQuestion soft = Question(0.2, double.NaN);
+            soft.Compression = 0.2;
+
+            Assert.That(Ask(0.2, double.NaN).Best.SoundSpeedRatio, Is.EqualTo(5.0));
+            Assert.That(chooser.Answer(soft).Best.SoundSpeedRatio, Is.EqualTo(2.5));
+        }
+
+        [Test]
+        public void StifferThanMeasuredIsRefused()
+        {
+            ChoiceQuestion stiff = Question(0.2, double.NaN);
+            stiff.Compression = 0.001;
+
+            Assert.That(() => chooser.Answer(stiff), Throws.TypeOf<CommandLineException>().With.Message.Contains("--compression").And.Message.Contains("4 %"));
+        }
+
+        [Test]
+        public void NearAFailedRunNothingIsOffered()
+        {
+            chart.Add("standard", 2.5, 5.0, 15, 1, "it flew apart");
+            chooser = new Chooser(chart.Data(), new[] { chart.Case });
+
+            Assert.That(Ask(0.2, double.NaN).Options.Where(o => o.Method == "standard" && o.SupportRatio == 2.5).Select(o => o.Resolution),
+                Is.EquivalentTo(Enumerable.Range(6, 7).Append(18)));
+        }
+
+        [Test]
+        public void TheTextAsPrintedIsNeverChosen()
+        {
+            chart.Sweep("thesis-printed", 2.0, 5.0, 6, 12);
+            chooser = new Chooser(chart.Data(), new[] { chart.Case });
+
+            Assert.That(Ask(0.5, double.NaN).Options.Any(o => o.Method == "thesis-printed"), Is.False);
+        }
+
+        [Test]
+        public void QuestionsWithoutAnAnswerAreRefused()
+        {
+            Assert.That(() => Ask(double.NaN, double.NaN), Throws.TypeOf<CommandLineException>().With.Message.Contains("--error").And.Message.Contains("--ms"));
+            Assert.That(() => Ask(0.03, double.NaN), Throws.TypeOf<CommandLineException>().With.Message.Contains("good for 4 %"));
+            Assert.That(() => chooser.Answer(new ChoiceQuestion { Case = new FlatCase("another"), Error = 0.1 }),
+                Throws.TypeOf<CommandLineException>().With.Message.Contains("./run chart --case another"));
+        }
+
+        [Test]
+        public void QuestionsThatAreVerifiedHaveAnswers()
+        {
+            var questions = ChoiceVerification.Questions(chooser, new ChoiceQuestion(), 10).ToList();
+
+            Assert.That(questions, Has.Count.EqualTo(10));
+            Assert.That(questions.Count(q => double.IsNaN(q.Error)), Is.InRange(3, 7));
+            Assert.That(questions.All(q => chooser.Answer(q).Best != null), Is.True);
+            Assert.That(questions.Select(q => (q.Error, q.Milliseconds)).Distinct().Count(), Is.GreaterThan(5));
+        }
+
+        [Test]
+        public void ThePictureHasWhatWasAskedAndTheAnswer()
+        {
+            string asked = string.Join("\n", new ChoiceScript(Ask(0.2, 50.0)).Lines()), nothing = string.Join("\n", new ChoiceScript(Ask(0.1, 2.0)).Lines());
+
+            Assert.That(asked, Does.Contain("$answer << END").And.Contain("first 0.2 to graph 1").And.Contain("from 50, graph 0").And.Contain("the answer, and where 19 of 20"));
+            Assert.That(nothing, Does.Contain("the nearest in both directions").And.Contain("nothing that was measured has what was asked for"));
+        }
+
+        ChoiceAnswer Ask(double error, double milliseconds) => chooser.Answer(Question(error, milliseconds));
+
+        ChoiceQuestion Question(double error, double milliseconds) => new ChoiceQuestion { Case = chart.Case, Error = error, Milliseconds = milliseconds };
+    }
+}
