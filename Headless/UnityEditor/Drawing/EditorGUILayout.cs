@@ -35,6 +35,7 @@ public sealed class EditorGUILayout
     public static int IntSlider(string label, int value, int leftValue, int rightValue, params GUILayoutOption[] options) => value;
     public static Vector3 Vector3Field(string label, Vector3 value, params GUILayoutOption[] options) => value;
     public static string TextField(string label, string text, params GUILayoutOption[] options) => text;
+    public static int Popup(string label, int selectedIndex, string[] displayedOptions, params GUILayoutOption[] options) => selectedIndex;
     public static Enum EnumPopup(string label, Enum selected, params GUILayoutOption[] options) => selected;
     public static bool Foldout(bool foldout, string content) => foldout;
     public static bool Foldout(bool foldout, string content, bool toggleOnLabelClick) => foldout;

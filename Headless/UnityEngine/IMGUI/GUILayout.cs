@@ -8,6 +8,7 @@ public class GUILayout
     public static void Label(string text, params GUILayoutOption[] options) { }
     public static void Label(string text, GUIStyle style, params GUILayoutOption[] options) { }
     public static void Label(GUIContent content, params GUILayoutOption[] options) { }
+    public static void Label(Texture image, params GUILayoutOption[] options) { }
     public static bool Button(string text, params GUILayoutOption[] options) => false;
     public static bool Button(string text, GUIStyle style, params GUILayoutOption[] options) => false;
     public static bool Button(GUIContent content, params GUILayoutOption[] options) => false;

@@ -32,7 +32,27 @@ namespace SphFluid.Editor
                 ("Steps a frame", needed <= most ? Invariant($"{steps:0.#} at {Frames} frames a second")
                     : Invariant($"{most:0}, the most allowed; {needed:0.#} keep up with time at {Frames} frames a second")),
                 ("GPU time a frame", Estimate(preview.Constants.Method, preview.Particles, steps)),
+                ("Error class", Class(preview, 1.0)),
+                ("Half the spacing", Finer(preview, needed)),
             });
+        }
+
+        // Particles fill a volume, and steps are as long as the spacing.
+        static string Finer(FluidPreview preview, double steps)
+        {
+            if (preview.Particles == 0) return "depends on what is poured";
+            long particles = 8L * preview.Particles;
+            string cost = StepCost.TryFind(preview.Constants.Method, particles, out double nanoseconds, out _)
+                ? Invariant($", about {2e-6 * nanoseconds * particles * steps:0.0} ms") : "";
+            return Invariant($"{particles:N0} particles, {2.0 * steps:0.#} steps a frame{cost}; class {Class(preview, 2.0)}");
+        }
+
+        static string Class(FluidPreview preview, double finer)
+        {
+            if (preview.Particles == 0) return "depends on what is poured";
+            FluidSolverSettings constants = preview.Constants;
+            return preview.Depth > 0f ? ErrorClass.Of(constants.Method, constants.SupportRadius / constants.Spacing, finer * preview.Depth / constants.Spacing)
+                : "none: without gravity there are no waves to measure it by";
         }
 
         /// <summary>Time that a number of steps takes, by what was measured on this device.</summary>

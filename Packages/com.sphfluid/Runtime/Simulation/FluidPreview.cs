@@ -1,4 +1,5 @@
 using System;
+using UnityEngine;
 
 namespace SphFluid
 {
@@ -13,6 +14,8 @@ namespace SphFluid
         {
             Constants = start.Constants;
             Particles = start.Count;
+            Vector3 gravity = spec.LocalGravity;
+            Depth = gravity.sqrMagnitude > 0f ? FluidConstants.DepthAtRest(spec, start, gravity) : 0f;
             try
             {
                 GpuBytes = BytesOf(spec, start, collision);
@@ -28,6 +31,9 @@ namespace SphFluid
 
         /// <summary>Number of particles.</summary>
         public long Particles { get; }
+
+        /// <summary>Depth of the liquid at rest, were its volume spread over the domain [m]; 0 without gravity.</summary>
+        public float Depth { get; }
 
         /// <summary>GPU memory after the start [bytes], colliders included, as the running liquid reports it; 0 where <see cref="Lack"/> says why.</summary>
         public long GpuBytes { get; }

@@ -42,6 +42,31 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void TheInspectorSaysHowDeepAndHowWrongItIsAndWhatHalfTheSpacingCosts()
+        {
+            Look();
+            double layers = memory.Preview.Depth / memory.Preview.Constants.Spacing;
+            double depth = 64.0 * System.Math.Pow(simulation.Spacing, 3.0) / simulation.DomainSize.x / simulation.DomainSize.z;
+            Dictionary<string, string> text = SphFluid.Editor.DomainText.Before(simulation, memory.Preview).Lines.ToDictionary(l => l.Label, l => l.Value);
+            double steps = 2.0 / 60.0 / SphFluid.Editor.TimeStepText.StepOf(simulation, memory.Preview.Constants);
+
+            Assert.That(memory.Preview.Depth, Is.EqualTo(depth).Within(1e-4 * depth));
+            Assert.That(text["Error class"], Is.EqualTo(SphFluid.Editor.ErrorClass.Of(simulation.Method, simulation.Profile.SupportRatio, layers)));
+            Assert.That(text["Half the spacing"], Does.StartWith(System.FormattableString.Invariant($"512 particles, {steps:0.#} steps a frame"))
+                .And.Contain("class " + SphFluid.Editor.ErrorClass.Of(simulation.Method, simulation.Profile.SupportRatio, 2.0 * layers)));
+        }
+
+        [Test]
+        public void WithoutGravityThereIsNoDepthAndNoClass()
+        {
+            (simulation.UseSceneGravity, simulation.Gravity) = (false, Vector3.zero);
+            Look();
+
+            Assert.That(memory.Preview.Depth, Is.Zero);
+            Assert.That(SphFluid.Editor.DomainText.Before(simulation, memory.Preview).Lines.Single(l => l.Label == "Error class").Value, Does.StartWith("none: without gravity"));
+        }
+
+        [Test]
         public void LiquidIsFilledAgainOnlyAfterAChange()
         {
             Look();
