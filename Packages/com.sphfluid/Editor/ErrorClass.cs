@@ -53,7 +53,7 @@ namespace SphFluid.Editor
         public static readonly IReadOnlyList<Row> Table = new[]
         {
             new Row(FluidMethodKind.Standard, 2.0, 20, 20, 0, 0, 20),
-            new Row(FluidMethodKind.Standard, 2.25, 10, 20, 17, 15, 11),
+            new Row(FluidMethodKind.Standard, 2.25, 10, 20, 16, 14, 11),
             new Row(FluidMethodKind.Standard, 2.5, 20, 20, 20, 20, 20),
         };
 

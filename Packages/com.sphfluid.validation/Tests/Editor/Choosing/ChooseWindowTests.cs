@@ -1,4 +1,3 @@
-using System.Linq;
 using NUnit.Framework;
 using SphFluid.Validation.Editor;
 using UnityEngine;
@@ -20,7 +19,6 @@ namespace SphFluid.Tests
                 // A device without a chart is told how to measure one; else the case and what was measured are named.
                 string all = string.Join(" ", window.Lines);
                 Assert.That(all.Contains("Oscillating ellipsoid") || all.Contains("./run chart"), Is.True, all);
-                Assert.That(window.Lines.Count(l => l.Contains("chart")), Is.GreaterThan(0));
             }
             finally
             {
