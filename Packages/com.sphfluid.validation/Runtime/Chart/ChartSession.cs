@@ -62,13 +62,10 @@ namespace SphFluid.Validation
                 yield return Calibrate(shaders, StepWork.OfStandard);
         }
 
-<<<<<<< HEAD
-        private protected override void Draw() => new ChartDrawing(Folder, table, arguments.Cases, arguments.Command, Progress).Write();
-=======
         private protected override void Draw()
         {
             SayBusy();
-            new ChartDrawing(Folder, table, arguments.Cases, Progress).Write();
+            new ChartDrawing(Folder, table, arguments.Cases, arguments.Command, Progress).Write();
         }
 
         void SayBusy()
@@ -81,16 +78,11 @@ namespace SphFluid.Validation
                     "something else used the device, or the flow changed. Errors do not depend on that.", busy, 100.0 * StepTimes.BusySpread));
             }
         }
->>>>>>> 9c9ec60c (The chart times steps and parts of runs, shares its time, and answers which method and spacing a flow needs)
 
         // Cases that an earlier chart in the folder measured are drawn too.
         static IEnumerable<ResultFile> Files(IEnumerable<ValidationCase> selected)
         {
-<<<<<<< HEAD
-            var tables = new[] { ChartRow.Format.File, ParetoFront.Format.File, EqualCost.Format.File, ChartReport.File };
-=======
-            var tables = new[] { ChartRow.Format.File, StepCostRow.Format.File, ParetoFront.Format.File, EqualCost.Format.File };
->>>>>>> 9c9ec60c (The chart times steps and parts of runs, shares its time, and answers which method and spacing a flow needs)
+            var tables = new[] { ChartRow.Format.File, StepCostRow.Format.File, ParetoFront.Format.File, EqualCost.Format.File, ChartReport.File };
             return tables.Concat(ChartScript.Files()).Concat(CaseCatalogue.All.Union(selected)
                 .SelectMany(c => CurveScript.Files(c).Concat(CaseMethod.All.Select(m => CurveFile.Of(c.Name, m.Name)))));
         }
