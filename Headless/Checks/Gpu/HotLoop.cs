@@ -18,7 +18,7 @@ internal sealed record HotLoop(string Kernel, string Name)
         new("PrepareSurfaceParticles", "neighbour"),
         new("EmitBlocks", "vertex"),
         new("BitonicSort", "compare"),
-        new("BitonicSortBlock", "compare"),
+        new("FusedBitonicSort", "compare"),
     ];
 
     /// <summary>

@@ -14,7 +14,7 @@ namespace SphFluid.Validation
         /// <summary>The thesis method with 27 cells of R.</summary>
         public static readonly BenchSolver ThesisCells = new BenchSolver("thesis_27", "Thesis, 27 cells", FluidMethodKind.Thesis);
 
-        /// <summary>The same with the first levels of its sort in one dispatch.</summary>
+        /// <summary>The same with its sort fused: <see cref="ThesisSettings.FusedSort"/>.</summary>
         public static readonly BenchSolver ThesisFused = new BenchSolver("thesis_27_fused", "Thesis, fused sort", FluidMethodKind.Thesis) { FusedSort = true };
 
         /// <summary>The Standard method as it is by default but for κ.</summary>
@@ -61,7 +61,7 @@ namespace SphFluid.Validation
         /// <summary>True: the octant's 8 cells of 2R. False: 27 cells of R.</summary>
         public bool OctantSearch { get; private set; }
 
-        /// <summary>Whether the thesis's sort does its first ten levels in one dispatch.</summary>
+        /// <summary>Whether the thesis's sort is fused.</summary>
         public bool FusedSort { get; private set; }
 
         /// <summary>Whether particles of a cell are ordered by their ids.</summary>

@@ -45,7 +45,7 @@ namespace SphFluid.Validation
         /// <summary>What a step of every method consists of.</summary>
         public static readonly IReadOnlyList<BenchBlock> Step = new[]
         {
-            new BenchBlock("sort", "CalculateParticleCellValue", "BitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles",
+            new BenchBlock("sort", "CalculateParticleCellValue", "BitonicSort", "FusedBitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles",
                 "ScanCells", "ScatterParticles"),
             new BenchBlock("density", "CalculateDensity", "StandardDensity"),
             new BenchBlock("motion", "CalculateForce", "CalculateAcceleration", "CalculateNewPosition", "MoveParticles"),

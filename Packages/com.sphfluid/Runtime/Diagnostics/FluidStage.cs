@@ -9,7 +9,7 @@ namespace SphFluid
         public static readonly IReadOnlyList<FluidStage> All = new[]
         {
             new FluidStage("neighbours", "ScanCells", "ScatterParticles",
-                "CalculateParticleCellValue", "BitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles"),
+                "CalculateParticleCellValue", "BitonicSort", "FusedBitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles"),
             new FluidStage("density", "StandardDensity", "CalculateDensity"),
             new FluidStage("forces", "MoveParticles", "CalculateForce", "CalculateAcceleration", "CalculateNewPosition"),
             new FluidStage("colliders", "GatherWalls", "FindContacts", "ResolveContacts", "MoveBodies"),

@@ -23,13 +23,12 @@ namespace SphFluid
         static readonly int Height = Id("_Height");
         static readonly int MergeDistance = Id("_MergeDistance");
 
-        readonly ComputeKernel bitonicSort, bitonicSortBlock, matrixTranspose, bitonicMerge;
+        readonly ComputeKernel bitonicSort, matrixTranspose, bitonicMerge;
 
         public BitonicSortPass(FluidShaderSet shaders)
             : base(shaders, "BitonicSort")
         {
             bitonicSort = Kernel();
-            bitonicSortBlock = Kernel("BitonicSortBlock");
             matrixTranspose = Kernel("MatrixTranspose");
             bitonicMerge = Kernel("BitonicMerge");
         }
@@ -46,31 +45,19 @@ namespace SphFluid
         }
 
         public void Record(CommandBuffer cmd, ThesisState state) =>
-            Record(cmd, state.Buffers.Grid, state.Buffers.GridTranspose, state.Buffers.PaddedCount, state.Own.FusedSort);
+            Record(cmd, state.Buffers.Grid, state.Buffers.GridTranspose, state.Buffers.PaddedCount);
 
         /// <param name="cmd">Command buffer.</param>
         /// <param name="data">The pairs, sorted in place.</param>
         /// <param name="temp">As many pairs again.</param>
         /// <param name="count">Number of pairs: a power of two, a block at least.</param>
-        /// <param name="fused">
-        /// Whether the first ten levels are one dispatch, which keeps each run in shared memory from level to level: the same comparisons in
-        /// the same order, so the same result. False: a dispatch each, as Appendix A has it.
-        /// </param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer data, GraphicsBuffer temp, int count, bool fused = false)
+        public void Record(CommandBuffer cmd, GraphicsBuffer data, GraphicsBuffer temp, int count)
         {
             using (Sample(cmd))
             {
-                if (fused)
+                for (int level = 2; level <= BlockSize; level <<= 1)
                 {
-                    bitonicSortBlock.SetBuffer(cmd, Data, data);
-                    bitonicSortBlock.DispatchThreads(cmd, count);
-                }
-                else
-                {
-                    for (int level = 2; level <= BlockSize; level <<= 1)
-                    {
-                        SortRows(cmd, data, level, level, count);
-                    }
+                    SortRows(cmd, data, level, level, count);
                 }
 
                 // level & ~count: the last level of all runs upwards everywhere.

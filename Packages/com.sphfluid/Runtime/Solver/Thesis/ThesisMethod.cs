@@ -6,8 +6,8 @@ namespace SphFluid
     internal sealed class ThesisMethod : FluidMethod
     {
         static readonly ShaderGroup Group = new ShaderGroup("the thesis method", "Shaders/Solver/Thesis",
-            groupThreads: 1024, buffers: 7, writableBuffers: 3, groupMemory: 8192, vertexBuffers: 0,
-            "CalculateParticleCellValue", "BitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles", "CalculateDensity",
+            groupThreads: 1024, buffers: 7, writableBuffers: 3, groupMemory: 16384, vertexBuffers: 0,
+            "CalculateParticleCellValue", "BitonicSort", "FusedBitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles", "CalculateDensity",
             "CalculateForce", "CalculateAcceleration", "CalculateNewPosition");
 
         static readonly string[] Fields = { "wallDistanceRatio", "wallStiffnessRatio", "wallDampingRatio", "thesisSwitches" };

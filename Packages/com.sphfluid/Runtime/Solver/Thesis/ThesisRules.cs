@@ -99,6 +99,7 @@ namespace SphFluid
             own.PressureHalf = switches.PressureHalf;
             own.ForceTimesMass = switches.ForceTimesMass;
             own.HalfKick = switches.HalfKick;
+            own.FusedSort = switches.FusedSort;
             own.AccelerationLimitEnabled = switches.AccelerationLimit != ThesisAccelerationLimit.Off;
             own.AccelerationLimitFixed = switches.AccelerationLimit == ThesisAccelerationLimit.AsPrinted;
             own.AccelerationLimit = own.AccelerationLimitFixed ? settings.MaxSpeed : EmergencyLimit(settings.Spacing, settings.TimeStep);

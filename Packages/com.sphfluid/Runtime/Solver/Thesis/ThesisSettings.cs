@@ -42,8 +42,8 @@ namespace SphFluid
         public bool HalfKick;
 
         /// <summary>
-        /// True: the sort does its first ten levels in one dispatch. False: one each, as Appendix A has it. The result is the same; a benchmark
-        /// compares with both.
+        /// True: the sort keeps runs in shared memory from level to level and transposes nothing, in a third of the dispatches.
+        /// False: as Appendix A has it. The result is the same bit by bit.
         /// </summary>
         public bool FusedSort;
 

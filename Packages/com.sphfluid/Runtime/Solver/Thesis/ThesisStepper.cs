@@ -5,7 +5,7 @@ namespace SphFluid
 {
     /// <summary>
     /// The fluid blocks of chapter 6 in their order, one pass each. Fluid Setup (6.2): CalculateParticleCellValue,
-    /// BitonicSort, ResetGridIndices, SetGridIndices, SortParticles. SPH Calculations (6.3): CalculateDensity, CalculateForce,
+    /// BitonicSort (or the same sort fused), ResetGridIndices, SetGridIndices, SortParticles. SPH Calculations (6.3): CalculateDensity, CalculateForce,
     /// CalculateAcceleration, CalculateNewPosition.
     /// </summary>
     internal sealed class ThesisStepper : IFluidStepper
@@ -16,6 +16,7 @@ namespace SphFluid
         readonly ThesisState state;
         readonly CalculateParticleCellValuePass calculateParticleCellValue;
         readonly BitonicSortPass bitonicSort;
+        readonly FusedBitonicSortPass fusedBitonicSort;
         readonly ResetGridIndicesPass resetGridIndices;
         readonly SetGridIndicesPass setGridIndices;
         readonly SortParticlesPass sortParticles;
@@ -28,6 +29,7 @@ namespace SphFluid
         {
             calculateParticleCellValue = new CalculateParticleCellValuePass(shaders);
             bitonicSort = new BitonicSortPass(shaders);
+            fusedBitonicSort = new FusedBitonicSortPass(shaders);
             resetGridIndices = new ResetGridIndicesPass(shaders);
             setGridIndices = new SetGridIndicesPass(shaders);
             sortParticles = new SortParticlesPass(shaders);
@@ -74,7 +76,8 @@ namespace SphFluid
         void RecordNeighbourSetup(CommandBuffer cmd, bool reset)
         {
             calculateParticleCellValue.Record(cmd, state);
-            bitonicSort.Record(cmd, state);
+            if (state.Own.FusedSort) fusedBitonicSort.Record(cmd, state);
+            else bitonicSort.Record(cmd, state);
             if (reset) resetGridIndices.Record(cmd, state);
             setGridIndices.Record(cmd, state);
             sortParticles.Record(cmd, state);
