@@ -67,7 +67,7 @@ namespace SphFluid
                 {
                     for (int distance = level >> 1; distance >= BlockSize * BlockSize; distance >>= 1)
                     {
-                        Merge(cmd, data, distance, level & ~count, count);
+                        RecordMerge(cmd, data, distance, level & ~count, count);
                     }
 
                     Transpose(cmd, data, temp, width, height);
@@ -95,7 +95,13 @@ namespace SphFluid
             matrixTranspose.DispatchThreads(cmd, width, height, 1);
         }
 
-        void Merge(CommandBuffer cmd, GraphicsBuffer data, int distance, int levelMask, int count)
+        /// <summary>One comparison of a level.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="data">The pairs.</param>
+        /// <param name="distance">Between the two of each comparison, a power of two.</param>
+        /// <param name="levelMask">The level; runs of this length go up and down by turns.</param>
+        /// <param name="count">Number of pairs, a power of two.</param>
+        public void RecordMerge(CommandBuffer cmd, GraphicsBuffer data, int distance, int levelMask, int count)
         {
             bitonicMerge.SetInt(cmd, MergeDistance, distance);
             bitonicMerge.SetInt(cmd, LevelMask, levelMask);

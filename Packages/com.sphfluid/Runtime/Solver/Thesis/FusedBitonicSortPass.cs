@@ -9,27 +9,29 @@ namespace SphFluid
     /// </summary>
     internal sealed class FusedBitonicSortPass : ComputePass
     {
-        /// <summary>RUN of the shader: pairs that a group holds.</summary>
-        public const int Run = 2048;
+        /// <summary>HELD of the shader: pairs that a group sorts.</summary>
+        public const int Held = 2048;
 
         // A strip of 16 columns is 128 bytes of a row: less would leave part of what memory delivers at once unused.
         const int MostRows = 128;
 
         static readonly int Data = Id("_Data");
         static readonly int Count = Id("_Count");
-        static readonly int Level = Id("_Level");
         static readonly int Rows = Id("_Rows");
-        static readonly int MergeDistance = Id("_MergeDistance");
+        static readonly int FirstLevel = Id("_FirstLevel");
+        static readonly int LastLevel = Id("_LastLevel");
+        static readonly int LastDistance = Id("_LastDistance");
 
-        readonly ComputeKernel sortRuns, mergeColumns, mergeRuns, mergePairs;
+        readonly ComputeKernel kernel;
+        readonly BitonicSortPass thesis;
 
-        public FusedBitonicSortPass(FluidShaderSet shaders)
+        /// <param name="shaders">The shaders.</param>
+        /// <param name="thesis">The thesis's sort, for distances that no strip reaches.</param>
+        public FusedBitonicSortPass(FluidShaderSet shaders, BitonicSortPass thesis)
             : base(shaders, "FusedBitonicSort")
         {
-            sortRuns = Kernel();
-            mergeColumns = Kernel("MergeColumns");
-            mergeRuns = Kernel("MergeRuns");
-            mergePairs = Kernel("MergePairs");
+            kernel = Kernel();
+            this.thesis = thesis;
         }
 
         public void Record(CommandBuffer cmd, ThesisState state) => Record(cmd, state.Buffers.Grid, state.Buffers.PaddedCount);
@@ -41,32 +43,30 @@ namespace SphFluid
         {
             using (Sample(cmd))
             {
-                Dispatch(cmd, sortRuns, data, count);
-                for (int level = 2 * Run; level <= count && level > 0; level <<= 1)
+                Dispatch(cmd, data, count, 1, 2, Held, 1);
+                for (int level = 2 * Held; level <= count && level > 0; level <<= 1)
                 {
-                    int rows = Mathf.Min(level / Run, MostRows);
-                    for (int distance = level >> 1; distance >= rows * Run; distance >>= 1)
+                    int rows = Mathf.Min(level / Held, MostRows);
+                    for (int distance = level >> 1; distance >= rows * Held; distance >>= 1)
                     {
-                        mergePairs.SetInt(cmd, Level, level);
-                        mergePairs.SetInt(cmd, MergeDistance, distance);
-                        Dispatch(cmd, mergePairs, data, count);
+                        thesis.RecordMerge(cmd, data, distance, level, count);
                     }
 
-                    mergeColumns.SetInt(cmd, Level, level);
-                    mergeColumns.SetInt(cmd, Rows, rows);
-                    Dispatch(cmd, mergeColumns, data, count);
-                    mergeRuns.SetInt(cmd, Level, level);
-                    Dispatch(cmd, mergeRuns, data, count);
+                    Dispatch(cmd, data, count, rows, level, level, Held / rows);
+                    Dispatch(cmd, data, count, 1, level, level, 1);
                 }
             }
         }
 
-        // A thread for each two pairs.
-        void Dispatch(CommandBuffer cmd, ComputeKernel kernel, GraphicsBuffer data, int count)
+        void Dispatch(CommandBuffer cmd, GraphicsBuffer data, int count, int rows, int firstLevel, int lastLevel, int lastDistance)
         {
             kernel.SetInt(cmd, Count, count);
+            kernel.SetInt(cmd, Rows, rows);
+            kernel.SetInt(cmd, FirstLevel, firstLevel);
+            kernel.SetInt(cmd, LastLevel, lastLevel);
+            kernel.SetInt(cmd, LastDistance, lastDistance);
             kernel.SetBuffer(cmd, Data, data);
-            kernel.DispatchThreads(cmd, count / 2);
+            kernel.DispatchThreads(cmd, count / 2); // one for each two pairs
         }
     }
 }

@@ -29,7 +29,7 @@ namespace SphFluid
         {
             calculateParticleCellValue = new CalculateParticleCellValuePass(shaders);
             bitonicSort = new BitonicSortPass(shaders);
-            fusedBitonicSort = new FusedBitonicSortPass(shaders);
+            fusedBitonicSort = new FusedBitonicSortPass(shaders, bitonicSort);
             resetGridIndices = new ResetGridIndicesPass(shaders);
             setGridIndices = new SetGridIndicesPass(shaders);
             sortParticles = new SortParticlesPass(shaders);

@@ -72,7 +72,7 @@ namespace SphFluid.Tests
             using (var cmd = new UnityEngine.Rendering.CommandBuffer())
             {
                 long before = ComputeKernel.DispatchesRecorded;
-                new FusedBitonicSortPass(shaders).Record(cmd, data, count);
+                Sort().Record(cmd, data, count);
                 Assert.That(ComputeKernel.DispatchesRecorded - before, Is.EqualTo(dispatches));
             }
         }
@@ -103,9 +103,11 @@ namespace SphFluid.Tests
             }
         }
 
+        FusedBitonicSortPass Sort() => new FusedBitonicSortPass(shaders, new BitonicSortPass(shaders));
+
         void CheckSort(ulong[] pairs)
         {
-            var sort = new FusedBitonicSortPass(shaders);
+            FusedBitonicSortPass sort = Sort();
             SortPairs.Check(pairs, (cmd, data, temp, count) => sort.Record(cmd, data, count));
         }
     }
