@@ -65,7 +65,18 @@ namespace SphFluid.Validation
         private protected override void Draw()
         {
             SayBusy();
+            WriteFits();
             new ChartDrawing(Folder, table, arguments.Cases, arguments.Command, Progress).Write();
+        }
+
+        // Cases that an earlier chart in the folder measured are fitted too.
+        void WriteFits()
+        {
+            if (table.Rows.Count == 0)
+                return;
+            var chart = new ChartData(Folder, table.Rows, costs.Rows);
+            StepFitRow.Format.Write(Folder, StepFitRow.Of(chart));
+            ErrorFitRow.Format.Write(Folder, ErrorFitRow.Of(chart, CaseCatalogue.All.Where(c => !c.IsGate).Union(arguments.Cases)));
         }
 
         void SayBusy()
@@ -82,7 +93,7 @@ namespace SphFluid.Validation
         // Cases that an earlier chart in the folder measured are drawn too.
         static IEnumerable<ResultFile> Files(IEnumerable<ValidationCase> selected)
         {
-            var tables = new[] { ChartRow.Format.File, StepCostRow.Format.File, ParetoFront.Format.File, EqualCost.Format.File, ChartReport.File };
+            var tables = new[] { ChartRow.Format.File, StepCostRow.Format.File, StepFitRow.Format.File, ErrorFitRow.Format.File, ParetoFront.Format.File, EqualCost.Format.File, ChartReport.File };
             return tables.Concat(ChartScript.Files()).Concat(CaseCatalogue.All.Union(selected)
                 .SelectMany(c => CurveScript.Files(c).Concat(CaseMethod.All.Select(m => CurveFile.Of(c.Name, m.Name)))));
         }

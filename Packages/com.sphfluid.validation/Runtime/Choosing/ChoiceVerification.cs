@@ -48,8 +48,10 @@ namespace SphFluid.Validation
                 Say(i + 1, questions.Count, row);
             }
             int errors = table.Rows.Count(r => r.ErrorWithin), times = table.Rows.Count(r => r.TimeWithin);
-            progress.Say(string.Format(CultureInfo.InvariantCulture, "Errors within their interval: {0} of {1}; times within {2:0} %: {3} of {1}. {4} is written.",
-                errors, table.Rows.Count, 100.0 * VerificationRow.TimeTolerance, times, VerificationRow.Format.FileName));
+            int paced = table.Rows.Count(r => VerificationRow.IsNear(r.TimeRatio / r.Pace));
+            progress.Say(string.Format(CultureInfo.InvariantCulture, "Errors within their interval: {0} of {1}; times within {2:0} %: {3} of {1}, " +
+                "with the device's pace of the moment taken out {4} of {1}. {5} is written.",
+                errors, table.Rows.Count, 100.0 * VerificationRow.TimeTolerance, times, paced, VerificationRow.Format.FileName));
         }
 
         /// <summary>

@@ -32,6 +32,12 @@ namespace SphFluid.Validation
         /// <summary>The measured curve.</summary>
         public LogCurve Measured => measured;
 
+        /// <summary>Standard deviation of a seed's logarithm, as the case's curves show it together.</summary>
+        public double Scatter => Math.Sqrt(spread.Noise);
+
+        /// <summary>Standard deviation that the logarithm gains over a way by a factor e.</summary>
+        public double Wander => Math.Sqrt(spread.Wander);
+
         /// <summary>Takes over what the case's curves show together.</summary>
         public void Learn(in CurveSpread shared) => spread = shared;
 

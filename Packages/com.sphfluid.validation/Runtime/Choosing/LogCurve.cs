@@ -67,6 +67,17 @@ namespace SphFluid.Validation
             return (sum, Math.Max(0, points.Count - 2));
         }
 
+        /// <summary>The slope of a straight line through all points, and its standard error; not numbers where there are too few points.</summary>
+        public (double Slope, double Error) Slope()
+        {
+            if (points.Count < 2)
+                return (double.NaN, double.NaN);
+            double x = points.Average(p => p.X), y = points.Average(p => p.Y);
+            double squares = points.Sum(p => (p.X - x) * (p.X - x)), slope = points.Sum(p => (p.X - x) * (p.Y - y)) / squares;
+            double residuals = points.Sum(p => Math.Pow(p.Y - y - slope * (p.X - x), 2.0));
+            return (slope, points.Count > 2 ? Math.Sqrt(residuals / (points.Count - 2) / squares) : double.NaN);
+        }
+
         /// <summary>Logarithm of the curve; beyond its ends that of the end.</summary>
         public double At(double x)
         {

@@ -31,6 +31,7 @@ namespace SphFluid.Validation
             .Flag("time_within", r => r.TimeWithin)
             .Number("time_spread", r => r.TimeSpread)
             .Number("pace", r => r.Pace)
+            .Number("paced_ratio", r => r.TimeRatio / r.Pace)
             .Text("reason", r => r.Reason)
             .Text("device", r => r.Device)
             .Text("date", r => r.Date)
@@ -79,6 +80,9 @@ namespace SphFluid.Validation
         public double TimeRatio => MeasuredMilliseconds / Answer.Milliseconds.Value;
 
         /// <summary>Whether the time is within 30 % of the predicted one.</summary>
-        public bool TimeWithin => TimeRatio >= 1.0 - TimeTolerance && TimeRatio <= 1.0 + TimeTolerance;
+        public bool TimeWithin => IsNear(TimeRatio);
+
+        /// <summary>Whether a ratio is within 30 % of one.</summary>
+        internal static bool IsNear(double ratio) => ratio >= 1.0 - TimeTolerance && ratio <= 1.0 + TimeTolerance;
     }
 }

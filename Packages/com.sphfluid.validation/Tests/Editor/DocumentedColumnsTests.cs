@@ -16,6 +16,8 @@ namespace SphFluid.Tests
         {
             yield return Table("accuracy.csv", ChartRow.Format.Names);
             yield return Table("step-costs.csv", StepCostRow.Format.Names);
+            yield return Table("step-fits.csv", StepFitRow.Format.Names);
+            yield return Table("error-fits.csv", ErrorFitRow.Format.Names);
             yield return Table("pareto.csv", ParetoFront.Format.Names);
             yield return Table("equal-cost.csv", EqualCost.Format.Names);
             yield return Table("curves", CsvText.Split(CurveFile.FirstLine));

@@ -204,6 +204,30 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void TheFitsHaveTheOrdersOfTheLaws()
+        {
+            ErrorFitRow[] fits = ErrorFitRow.Of(chart.Data(), new[] { chart.Case }).ToArray();
+
+            Assert.That(fits, Has.Length.EqualTo(4));
+            // κ = 2 is of first order, 2.5 of second.
+            Assert.That(fits.Select(f => Math.Round(f.Order, 3)), Is.EquivalentTo(new[] { 1.0, 2.0, 1.0, 2.0 }));
+            Assert.That(fits.All(f => f.OrderError < 1e-6), Is.True);
+            Assert.That(StepFitRow.Of(chart.Data()).Select(r => StepFitRow.Format.Line(r)), Has.Exactly(2).Items);
+        }
+
+        [Test]
+        public void AQuestionOfOneTimeMeasuresPaceAgainstTheChart()
+        {
+            var row = new VerificationRow(Question(0.2, double.NaN), Ask(0.2, double.NaN).Best) { Pace = 2.0 };
+            row.MeasuredMilliseconds = 1.5 * row.Answer.Milliseconds.Value;
+            row.MeasuredError = row.Answer.Error.Value;
+            string[] cells = VerificationRow.Format.Line(row).Split(',');
+
+            Assert.That((row.TimeWithin, VerificationRow.IsNear(row.TimeRatio / row.Pace), row.ErrorWithin), Is.EqualTo((false, true, true)));
+            Assert.That(cells[VerificationRow.Format.Names.ToList().IndexOf("paced_ratio")], Is.EqualTo("0.75"));
+        }
+
+        [Test]
         public void ThePictureHasWhatWasAskedAndTheAnswer()
         {
             string asked = string.Join("\n", new ChoiceScript(Ask(0.2, 50.0)).Lines()), nothing = string.Join("\n", new ChoiceScript(Ask(0.1, 2.0)).Lines());
