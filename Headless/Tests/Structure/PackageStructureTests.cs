@@ -69,6 +69,9 @@ public sealed partial class PackageStructureTests
         Assert.That(outside, Is.Empty, report);
     }
 
+    // A folder below Solver for each method.
+    private static readonly string[] Methods = ["Standard", "Robust", "Thesis"];
+
     // What users set of a method, and what brings a liquid to rest by one.
     private static readonly string[] NamedOutsideTheirMethod = ["ThesisSwitches", "StartRelaxer"];
 
@@ -76,7 +79,7 @@ public sealed partial class PackageStructureTests
     public void OnlyTheListOfMethodsNamesWhatIsInAMethodsFolder()
     {
         IReadOnlyDictionary<string, HashSet<string>> uses = TypeReferences.Read(Assembly).Uses;
-        foreach (string method in new[] { "Standard", "Thesis" })
+        foreach (string method in Methods)
         {
             HashSet<string> own = [.. DeclaredIn(Path.Combine("Solver", method))];
             Assert.That(own, Contains.Item(method + "Method"));
@@ -108,7 +111,7 @@ public sealed partial class PackageStructureTests
     {
         string package = Path.GetDirectoryName(Runtime)!;
         string[] branches = [.. new[] { "Runtime", "Editor", "Universal" }.SelectMany(f => Directory.GetFiles(Path.Combine(package, f), "*.cs", SearchOption.AllDirectories))
-            .Where(f => !f.Contains(Path.Combine("Solver", "Standard")) && !f.Contains(Path.Combine("Solver", "Thesis")))
+            .Where(f => Methods.All(method => !f.Contains(Path.Combine("Solver", method))))
             .SelectMany(f => Branch().Matches(File.ReadAllText(f)).Select(m => $"{Path.GetFileName(f)}: {m.Value}"))];
         Assert.That(branches, Is.Empty);
     }

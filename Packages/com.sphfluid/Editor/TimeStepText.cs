@@ -28,7 +28,8 @@ namespace SphFluid.Editor
         }
 
         /// <summary>The time step of a simulation that would start with these constants, at the fastest speed that they are made for [s].</summary>
-        internal static double StepOf(FluidSimulation simulation, in FluidSolverSettings constants) => simulation.TimeStepMode == FluidTimeStepMode.Adaptive
+        internal static double StepOf(FluidSimulation simulation, in FluidSolverSettings constants) =>
+            simulation.TimeStepMode == FluidTimeStepMode.Adaptive && !FluidMethods.Has(constants.Method, FluidMethodFeatures.StepsByFrame)
             ? FluidRules.Advise(constants, constants.MaxSpeed).Step(simulation.Profile.TimeStepFraction)
             : constants.TimeStep;
 
@@ -50,10 +51,14 @@ namespace SphFluid.Editor
                 ("Compression allowed", FormattableString.Invariant($"{100.0 * Compression(settings):G2} % at {settings.MaxSpeed:G3} m/s")),
                 ("Viscosity ν", FormattableString.Invariant($"{settings.Viscosity / settings.RestDensity:G3} m²/s")),
                 ("Time step", TimeStepAdvice.Milliseconds(step)),
-                ("Largest stable step", FormattableString.Invariant($"{TimeStepAdvice.Milliseconds(advice.Largest)} at {speed:G3} m/s")),
-                ("Limited by", TimeStepAdvice.NameOf(advice.Limit)),
-                ("Share in use", FormattableString.Invariant($"{100.0 * step / advice.Largest:0} %")),
             };
+            if (!double.IsInfinity(advice.Largest))
+            {
+                lines.Add(("Largest stable step", FormattableString.Invariant($"{TimeStepAdvice.Milliseconds(advice.Largest)} at {speed:G3} m/s")));
+                lines.Add(("Limited by", TimeStepAdvice.NameOf(advice.Limit)));
+                lines.Add(("Share in use", FormattableString.Invariant($"{100.0 * step / advice.Largest:0} %")));
+            }
+            lines.AddRange(FluidMethods.Of(settings.Method).Remarks(settings, step, speed));
             return new TimeStepText(lines, advice.Explain(step));
         }
 

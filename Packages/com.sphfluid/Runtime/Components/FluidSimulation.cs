@@ -28,7 +28,7 @@ namespace SphFluid
             "and twice as many steps. A change starts the liquid again.")]
         float particleSpacing = 0.025f;
 
-        [SerializeField, Tooltip("How the motion is computed: Standard, or the thesis's method to compare with. A change starts the liquid again.")]
+        [SerializeField, Tooltip("How the motion is computed: Standard; Robust, softer, by a fixed number of steps a frame; or the thesis's method to compare with. A change starts the liquid again.")]
         FluidMethodKind method = FluidMethodKind.Standard;
 
         [SerializeField, Tooltip("Layers whose colliders the liquid collides with.")]

@@ -75,14 +75,15 @@ namespace SphFluid
         {
             float gravity = e.Settings.Gravity.magnitude;
             if (!(gravity > 0f) || e.IsDriven) return null;
-            double sound = e.Settings.SoundSpeed;
+            double sound = FluidMethods.Of(e.Settings.Method).EffectiveSoundSpeed(e.Settings, e.TimeStep, e.Now.MaxSpeed);
             double expected = gravity * Depth(e) / (sound * sound);
             double compression = Math.Max(expected, 2.0 * e.Now.MeanCompression);
             if (!(compression > DepthLimit)) return null;
             double height = Math.Log(1.0 + compression) / compression;
             return new FluidFinding(FluidFailure.DeepTankLoss, compression, DepthLimit,
                 Invariant($"The liquid's own weight compresses it by {100.0 * compression:0} % at the bottom: it stands at {100.0 * height:0} % of its height."),
-                "Lower the profile's Max Compression, or raise its Sound Speed Ratio.");
+                e.Has(FluidMethodFeatures.StepsByFrame) ? "Raise the profile's Substeps, or use a larger Particle Spacing."
+                    : "Lower the profile's Max Compression, or raise its Sound Speed Ratio.");
         }
 
         // Liquid volume over the domain's cross-section across gravity; more where colliders fill a part of it.

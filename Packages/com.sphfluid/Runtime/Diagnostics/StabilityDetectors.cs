@@ -53,6 +53,7 @@ namespace SphFluid
 
         public static FluidFinding? Tunnelling(FluidEvidence e)
         {
+            if (e.Has(FluidMethodFeatures.StepsByFrame)) return null; // its steps are made for that; what contact does not follow the guards report
             double displacement = e.Now.MaxSpeed * e.TimeStep / e.Settings.Spacing;
             if (!(displacement > TimeStepAdvice.SpeedLimit * (1.0 + Rounding))) return null;
             return new FluidFinding(FluidFailure.Tunnelling, displacement, TimeStepAdvice.SpeedLimit,

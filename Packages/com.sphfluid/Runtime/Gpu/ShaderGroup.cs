@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 
 namespace SphFluid
@@ -65,6 +66,13 @@ namespace SphFluid
             Shaders = shaders;
         }
 
+        /// <summary>This group, which cannot do without another that it shares with others.</summary>
+        public ShaderGroup With(ShaderGroup shared) => new ShaderGroup(Part, Folder, GroupThreads, Buffers, WritableBuffers, GroupMemory, VertexBuffers,
+            new List<string>(Shaders).ToArray()) { Shared = shared };
+
+        /// <summary>The group that this one cannot do without; null for none.</summary>
+        public ShaderGroup Shared { get; private set; }
+
         /// <summary>Name in messages.</summary>
         public string Part { get; }
 
@@ -73,6 +81,17 @@ namespace SphFluid
 
         /// <summary>Names: of compute shaders their files', of shaders what they declare.</summary>
         public IReadOnlyList<string> Shaders { get; }
+
+        /// <summary>Those, and the names of <see cref="Shared"/>.</summary>
+        public IReadOnlyList<string> AllShaders
+        {
+            get
+            {
+                var all = new List<string>(Shaders);
+                if (Shared != null) all.AddRange(Shared.Shaders);
+                return all;
+            }
+        }
 
         /// <summary>Threads of a group.</summary>
         public int GroupThreads { get; }
@@ -92,10 +111,11 @@ namespace SphFluid
         /// <summary>Limits of a device with compute shaders that are too small, a sentence each.</summary>
         public IEnumerable<string> Shortfalls(DeviceCapabilities device)
         {
-            if (device.GroupThreads < GroupThreads)
-                yield return $"{device.Name} runs compute groups of {device.GroupThreads} threads; {Part} needs {GroupThreads}.";
-            if (device.ComputeBuffers < Buffers)
-                yield return $"{device.Name} binds {device.ComputeBuffers} buffers to a compute shader; {Part} needs {Buffers}.";
+            int threads = Math.Max(GroupThreads, Shared?.GroupThreads ?? 0), buffers = Math.Max(Buffers, Shared?.Buffers ?? 0);
+            if (device.GroupThreads < threads)
+                yield return $"{device.Name} runs compute groups of {device.GroupThreads} threads; {Part} needs {threads}.";
+            if (device.ComputeBuffers < buffers)
+                yield return $"{device.Name} binds {device.ComputeBuffers} buffers to a compute shader; {Part} needs {buffers}.";
             if (device.VertexBuffers < VertexBuffers)
                 yield return $"{device.Name} binds {device.VertexBuffers} buffers to a vertex shader; {Part} needs {VertexBuffers}.";
         }

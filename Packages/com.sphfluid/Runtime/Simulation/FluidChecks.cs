@@ -102,7 +102,7 @@ namespace SphFluid
             else if (spec.Profile.Shaders == null)
                 messages.Add(Error(spec.Profile.Asset, FluidIssue.ShadersMissing, "The profile has no shader set.",
                     "Assign the package's DefaultFluidShaderSet from Runtime/Assets to the profile's Shaders."));
-            else if (spec.Profile.Shaders.Missing(FluidMethods.Of(spec.Method).Shaders.Shaders) is { Count: > 0 } missing)
+            else if (spec.Profile.Shaders.Missing(FluidMethods.Of(spec.Method).Shaders.AllShaders) is { Count: > 0 } missing)
                 messages.Add(Error(spec.Profile.Shaders, FluidIssue.ShadersMissing, $"The shader set has no {string.Join(", ", missing)}.",
                     "Add the shaders of these names from the package's Shaders folder, or use the package's DefaultFluidShaderSet."));
         }

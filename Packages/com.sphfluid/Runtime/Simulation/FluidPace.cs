@@ -100,7 +100,11 @@ namespace SphFluid
 
         void Prepare(double deltaTime, double bodyMotion)
         {
-            if (speeds != null) solver.FlowSpeed = (float)(SpeedMargin * speeds.Sample.Bulk);
+            if (speeds != null)
+            {
+                solver.FlowSpeed = (float)(SpeedMargin * speeds.Sample.Bulk);
+                solver.PeakSpeed = (float)Math.Max(SpeedMargin * speeds.Sample.Fastest, deltaTime > 0.0 ? bodyMotion / deltaTime : 0.0);
+            }
             if (adaptive != null)
             {
                 if (deltaTime > 0.0) Follow(deltaTime, bodyMotion / deltaTime);
@@ -131,7 +135,7 @@ namespace SphFluid
         public void Save(SaveWriter writer)
         {
             writer.Write((Clock as StepClock)?.Pending ?? 0.0);
-            (double target, double pending, double step) = adaptive?.Progress ?? default;
+            (double target, double pending, double step) = adaptive?.Progress ?? (0.0, 0.0, (Clock as FrameClock)?.TimeStep ?? 0.0);
             writer.Write(target);
             writer.Write(pending);
             writer.Write(step);
@@ -158,6 +162,7 @@ namespace SphFluid
             if (reference != null && !yields) solver.ApplySettings(AtReference());
             TakeClock();
             if (Clock is StepClock clock) clock.Pending = rest;
+            if (Clock is FrameClock frames && step > 0.0) frames.TimeStep = step;
             if (adaptive != null && step > 0.0) adaptive.Progress = (target, pending, step);
             if (speeds != null) sleep?.Continue((quiet, watches, sleeps), keepPlaces);
         }
@@ -166,9 +171,12 @@ namespace SphFluid
         public void Dispose() => speeds?.Dispose();
 
         static bool MeasuresSpeeds(in FluidSpec spec) => Follows(spec) || spec.TimeStepMode == FluidTimeStepMode.Adaptive || spec.SleepsAtRest ||
-            FluidMethods.Has(spec.Method, FluidMethodFeatures.KeptNeighbours);
+            FluidMethods.Has(spec.Method, FluidMethodFeatures.KeptNeighbours | FluidMethodFeatures.StepsByFrame);
 
-        bool IsAdaptive => reference != null || spec.TimeStepMode == FluidTimeStepMode.Adaptive;
+        // Such a method's steps follow the frame in either mode.
+        bool StepsByFrame => spec.TimeStepMode != FluidTimeStepMode.Fixed && FluidMethods.Has(spec.Method, FluidMethodFeatures.StepsByFrame);
+
+        bool IsAdaptive => !StepsByFrame && (reference != null || spec.TimeStepMode == FluidTimeStepMode.Adaptive);
 
         void TakeLimits(in FluidSpec now, in FluidSolverSettings rule)
         {
@@ -183,7 +191,13 @@ namespace SphFluid
         {
             double step = solver.Settings.TimeStep;
             int most = spec.MaxSubstepsPerFrame;
-            if (!IsAdaptive)
+            if (StepsByFrame)
+            {
+                adaptive = null;
+                IStepClock made = FluidMethods.Of(spec.Method).MakeClock(solver.Settings, most);
+                if (!(Clock is FrameClock frames) || !frames.IsLike(made as FrameClock)) Clock = made;
+            }
+            else if (!IsAdaptive)
             {
                 adaptive = null;
                 if (!(Clock is StepClock clock) || clock.TimeStep != step || clock.MaxSteps != most) Clock = new StepClock(step, most);

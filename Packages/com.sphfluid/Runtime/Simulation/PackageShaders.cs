@@ -5,12 +5,17 @@ namespace SphFluid
     /// <summary>All shaders of the package, by the parts that have them.</summary>
     internal static class PackageShaders
     {
-        /// <summary>The groups: one for each method's folder, and those of surface, drawing and diagnostics.</summary>
+        /// <summary>The groups: one for each method's folder and for what methods share, and those of surface, drawing and diagnostics.</summary>
         public static IReadOnlyList<ShaderGroup> Groups
         {
             get
             {
-                var groups = new List<ShaderGroup>(FluidMethods.ShaderGroups);
+                var groups = new List<ShaderGroup>();
+                foreach (ShaderGroup group in FluidMethods.ShaderGroups)
+                {
+                    groups.Add(group);
+                    if (group.Shared != null && !groups.Contains(group.Shared)) groups.Add(group.Shared);
+                }
                 groups.AddRange(new[] { ShaderGroup.Simulation, ShaderGroup.Surface, ShaderGroup.GeometrySurface, ShaderGroup.Drawing, ShaderGroup.Diagnostics, ShaderGroup.Queries, ShaderGroup.WallForces, ShaderGroup.Whitewater });
                 return groups;
             }

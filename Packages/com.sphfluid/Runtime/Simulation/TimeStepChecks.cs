@@ -6,12 +6,21 @@ namespace SphFluid
     /// <summary>Rules about a time step that the user gives.</summary>
     internal static class TimeStepChecks
     {
-        /// <summary>Warns where the fixed step is above what is stable at the fastest expected speed.</summary>
+        /// <summary>Warns where the fixed step, or that of frames of 1/60 s, is above what is stable at the fastest expected speed.</summary>
         public static void Check(in FluidSpec spec, in FluidSolverSettings settings, List<FluidMessage> messages)
         {
-            if (spec.TimeStepMode != FluidTimeStepMode.Fixed) return;
+            bool byFrame = spec.TimeStepMode != FluidTimeStepMode.Fixed;
+            if (byFrame && !FluidMethods.Has(spec.Method, FluidMethodFeatures.StepsByFrame)) return;
             TimeStepAdvice advice = FluidRules.Advise(settings, settings.MaxSpeed);
             if (settings.TimeStep <= advice.Largest) return;
+            if (byFrame)
+            {
+                messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.TimeStepInvalid, spec.Owner,
+                    $"Steps of {TimeStepAdvice.Milliseconds(settings.TimeStep)}, which frames of 1/60 s are cut into, are longer than the {TimeStepAdvice.Milliseconds(advice.Largest)} " +
+                    $"in which the method {spec.Method} carries liquid of this depth, so {Consequence(advice.Limit)}.",
+                    FormattableString.Invariant($"Raise the profile's Substeps to {Math.Ceiling(spec.Profile.Rules.Substeps * settings.TimeStep / advice.Largest)} or more, or use a larger Particle Spacing.")));
+                return;
+            }
             double better = RoundedDown(advice.Step(spec.Profile.Rules.TimeStepFraction));
             messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.TimeStepInvalid, spec.Owner,
                 $"The fixed time step of {TimeStepAdvice.Milliseconds(settings.TimeStep)} is above the stability limit of {TimeStepAdvice.Milliseconds(advice.Largest)}, " +
@@ -24,6 +33,7 @@ namespace SphFluid
             switch (limit)
             {
                 case TimeStepLimit.Speed: return "particles can pass through walls";
+                case TimeStepLimit.Weight: return "it sinks in under its own weight";
                 case TimeStepLimit.Walls: return "walls will throw particles back";
                 default: return "the liquid will fly apart";
             }

@@ -31,6 +31,35 @@ namespace SphFluid
         /// <summary>The largest stable step of a liquid whose fastest particle has a speed [m/s].</summary>
         public abstract TimeStepAdvice Advise(in FluidSolverSettings settings, double maxSpeed);
 
+        /// <summary>A clock that cuts each frame into the method's steps; null where steps are as long as stability allows.</summary>
+        /// <param name="settings">The liquid's constants.</param>
+        /// <param name="maxSteps">Most steps a frame.</param>
+        public virtual IStepClock MakeClock(in FluidSolverSettings settings, int maxSteps) => null;
+
+        /// <summary>Speed of sound that the liquid has, which its steps may make less than that of the settings [m/s].</summary>
+        /// <param name="settings">The liquid's constants.</param>
+        /// <param name="timeStep">Length of a step [s].</param>
+        /// <param name="speed">Speed of the fastest particle [m/s].</param>
+        public virtual double EffectiveSoundSpeed(in FluidSolverSettings settings, double timeStep, double speed) => settings.SoundSpeed;
+
+        /// <summary>What users are told of a liquid by this method, besides what holds for all methods: labels and values.</summary>
+        /// <param name="settings">The liquid's constants.</param>
+        /// <param name="timeStep">Length of a step [s].</param>
+        /// <param name="speed">Speed of the fastest particle [m/s].</param>
+        public virtual IReadOnlyList<(string Label, string Value)> Remarks(in FluidSolverSettings settings, double timeStep, double speed) =>
+            Array.Empty<(string, string)>();
+
+        /// <summary>What a frame asks for.</summary>
+        /// <param name="settings">The liquid's constants.</param>
+        /// <param name="frameTime">The frame [s].</param>
+        /// <param name="speed">Speed of the fastest particle [m/s].</param>
+        /// <param name="stepFraction">Step over the stable one, where that decides.</param>
+        public virtual FrameWork WorkOf(in FluidSolverSettings settings, double frameTime, double speed, double stepFraction)
+        {
+            int steps = FrameWork.StepsOf(frameTime, Advise(settings, speed).Step(stepFraction));
+            return new FrameWork(steps, 2.0, steps); // density and forces
+        }
+
         /// <summary>Whether cells of 2R are searched by octants, not cells of R by rows.</summary>
         public virtual bool SearchesOctants(in FluidRuleInput input) => false;
 

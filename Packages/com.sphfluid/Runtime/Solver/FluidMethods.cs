@@ -14,6 +14,9 @@ namespace SphFluid
 
         /// <summary>Weakly compressible SPH with one kernel, walls that carry density, and a counting sort: faster, more accurate, the default.</summary>
         Standard = 2,
+
+        /// <summary>Small-step XPBD: a fixed number of equal steps a frame at any speed. Never explodes, keeps real time, and is the softer the longer its steps are.</summary>
+        Robust = 3,
     }
 
     /// <summary>The list of methods: a new one is a value above, a line here and a folder of its own.</summary>
@@ -22,6 +25,7 @@ namespace SphFluid
         static readonly FluidMethod[] Methods =
         {
             new StandardMethod(),
+            new RobustMethod(),
             new ThesisMethod(FluidMethodKind.Thesis),
             new ThesisMethod(FluidMethodKind.ThesisPrinted),
         };

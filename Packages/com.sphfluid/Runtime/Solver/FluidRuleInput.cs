@@ -5,6 +5,9 @@ namespace SphFluid
     /// <summary>What the rules derive a solver's constants from. Start from <see cref="Water"/>.</summary>
     public struct FluidRuleInput
     {
+        /// <summary>Most that <see cref="Substeps"/> may be.</summary>
+        public const int MostSubsteps = 32;
+
         /// <summary>The method that the constants are for.</summary>
         public FluidMethodKind Method;
 
@@ -50,6 +53,9 @@ namespace SphFluid
         /// <summary>Length of the steps [s] where it is not to follow from the rules; 0: by rule.</summary>
         public float FixedTimeStep;
 
+        /// <summary>Equal steps that a frame is cut into; Robust method.</summary>
+        public int Substeps;
+
         /// <summary>Distance at which a wall begins to push, over dx; thesis method.</summary>
         public float WallDistanceRatio;
 
@@ -77,6 +83,7 @@ namespace SphFluid
             MaxCompression = 0.04f,
             ViscosityRatio = 0.01f,
             TimeStepFraction = 0.75f,
+            Substeps = 4,
             WallDistanceRatio = 0.5f,
             WallStiffnessRatio = 1f,
             WallDampingRatio = 1f,

@@ -25,5 +25,13 @@ namespace SphFluid
 
             return FluidMethods.Of(settings.Method).Advise(settings, maxSpeed);
         }
+
+        /// <summary>The speed of sound that a liquid has in steps of a length: less than that of its settings with the method Robust, whose iterations are few.</summary>
+        /// <param name="settings">Its constants.</param>
+        /// <param name="timeStep">Length of a step [s].</param>
+        /// <param name="maxSpeed">Its fastest speed [m/s].</param>
+        /// <returns>Speed of sound c [m/s]; the liquid's weight compresses it by g D/c² at a depth D.</returns>
+        public static double EffectiveSoundSpeed(in FluidSolverSettings settings, double timeStep, double maxSpeed) =>
+            FluidMethods.Of(settings.Method).EffectiveSoundSpeed(settings, timeStep, maxSpeed);
     }
 }

@@ -20,7 +20,7 @@ namespace SphFluid
         ParticleExchange exchange;
         FluidObstacles obstacles;
         float previousStep;
-        float? flowSpeed;
+        float? flowSpeed, peakSpeed;
         int obstacleChanges;
         uint nextId;
         long loadedCount, bornBefore, removedBefore;
@@ -118,6 +118,18 @@ namespace SphFluid
         {
             get => flowSpeed ?? state.Settings.MaxSpeed;
             set => flowSpeed = value >= 0f
+                ? value
+                : throw new ArgumentOutOfRangeException(nameof(value), value, "The liquid's speed must be zero or more.");
+        }
+
+        /// <summary>
+        /// Speed of the fastest particle [m/s], for methods whose steps are the more thorough the farther it goes in one. By default the speed that the
+        /// settings are made for; whoever measures it gives a speed of a fixed age, so that equal runs stay equal.
+        /// </summary>
+        public float PeakSpeed
+        {
+            get => peakSpeed ?? state.Settings.MaxSpeed;
+            set => peakSpeed = value >= 0f
                 ? value
                 : throw new ArgumentOutOfRangeException(nameof(value), value, "The liquid's speed must be zero or more.");
         }
@@ -278,7 +290,7 @@ namespace SphFluid
             BoundParticles();
             if (state.WallsChange()) neighboursFresh = false; // what drawing was given has the walls at rest
             var blocks = new StepBlocks(steps, stepper.StepsPerSetup(steps, timeStep, FlowSpeed));
-            stepper.PlanSteps(blocks.LongestBlock, timeStep);
+            stepper.PlanSteps(blocks.LongestBlock, timeStep, PeakSpeed);
             state.WallForces?.Begin(state, steps);
             for (int i = 0; i < steps; i++)
             {
@@ -368,7 +380,7 @@ namespace SphFluid
         }
 
         /// <summary>
-        /// Records the method's list of neighbours (Shaders/Solver/Standard/NeighbourList.hlsl) for a kernel that can search instead; of
+        /// Records the method's list of neighbours (Shaders/Solver/Cells/NeighbourList.hlsl) for a kernel that can search instead; of
         /// length 0 where the method has none.
         /// </summary>
         /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>

@@ -26,7 +26,8 @@ namespace SphFluid
         /// <summary>Announces how many steps the neighbour setups from now on serve.</summary>
         /// <param name="steps">Number of steps.</param>
         /// <param name="timeStep">Length of each [s].</param>
-        void PlanSteps(int steps, float timeStep);
+        /// <param name="speed">Speed of the fastest particle [m/s].</param>
+        void PlanSteps(int steps, float timeStep, float speed);
 
         /// <summary>Records the neighbour setup with one of its passes left out, to measure what the pass is for.</summary>
         /// <param name="cmd">Command buffer to record into.</param>

@@ -13,6 +13,8 @@ namespace SphFluid
         Viscosity,
         /// <summary>The penalty walls' spring: k_w dt² ≤ 4 − 2 c_w dt.</summary>
         Walls,
+        /// <summary>The liquid's weight, which a fixed number of iterations must carry.</summary>
+        Weight,
     }
 
     /// <summary>
@@ -36,6 +38,9 @@ namespace SphFluid
         /// <summary>Largest stable step by the stiffness of walls [s]; infinite where it does not act.</summary>
         public readonly double Walls;
 
+        /// <summary>Largest step in which the iterations of a method carry the liquid's weight [s]; infinite where it does not act.</summary>
+        public readonly double Weight;
+
         /// <summary>Step at the border of stability that viscosity sets [s]; <see cref="Viscosity"/> keeps about half of it.</summary>
         public readonly double ViscosityBorder;
 
@@ -53,7 +58,7 @@ namespace SphFluid
 
         /// <summary>The limits of a liquid, each the largest step that it allows [s].</summary>
         internal TimeStepAdvice(double acoustic, double speedStep, double viscous, double viscousBorder, double walls, double sound, double maxSpeed, double kinematic,
-            bool isImplicit = false)
+            bool isImplicit = false, double weight = double.PositiveInfinity)
         {
             Acoustic = acoustic;
             Speed = speedStep;
@@ -64,6 +69,7 @@ namespace SphFluid
             MaxSpeed = maxSpeed;
             KinematicViscosity = kinematic;
             ViscosityIsImplicit = isImplicit;
+            Weight = weight;
         }
 
         /// <summary>The step in which a particle moves by <see cref="SpeedLimit"/> spacings [s]; infinite at rest.</summary>
@@ -74,7 +80,7 @@ namespace SphFluid
             kinematic > 0.0 ? limit * radius * radius / kinematic : double.PositiveInfinity;
 
         /// <summary>The smallest of the limits [s].</summary>
-        public double Largest => Math.Min(Math.Min(Acoustic, Speed), Math.Min(Viscosity, Walls));
+        public double Largest => Math.Min(Math.Min(Acoustic, Speed), Math.Min(Math.Min(Viscosity, Walls), Weight));
 
         /// <summary>The limit that is the smallest.</summary>
         public TimeStepLimit Limit
@@ -85,7 +91,8 @@ namespace SphFluid
                 return largest == Acoustic ? TimeStepLimit.Acoustic
                     : largest == Speed ? TimeStepLimit.Speed
                     : largest == Viscosity ? TimeStepLimit.Viscosity
-                    : TimeStepLimit.Walls;
+                    : largest == Walls ? TimeStepLimit.Walls
+                    : TimeStepLimit.Weight;
             }
         }
 
@@ -97,6 +104,7 @@ namespace SphFluid
                 case TimeStepLimit.Acoustic: return "speed of sound";
                 case TimeStepLimit.Speed: return "fastest particle";
                 case TimeStepLimit.Viscosity: return "viscosity";
+                case TimeStepLimit.Weight: return "weight of the liquid";
                 default: return "stiffness of walls";
             }
         }
@@ -104,13 +112,14 @@ namespace SphFluid
         /// <summary>The step to take: a fraction of the acoustic limit, and no more than the others, which have their margin.</summary>
         /// <param name="fraction">Of the acoustic limit; 0.75 by default in a profile.</param>
         /// <returns>Its length [s].</returns>
-        public double Step(double fraction) => Math.Min(fraction * Acoustic, Math.Min(Speed, Math.Min(Viscosity, Walls)));
+        public double Step(double fraction) => Math.Min(Math.Min(fraction * Acoustic, Speed), Math.Min(Math.Min(Viscosity, Walls), Weight));
 
         /// <summary>What limits the step and what would lengthen it, as a sentence.</summary>
         /// <param name="timeStep">The step in use [s].</param>
         /// <returns>The sentence, with figures.</returns>
-        public string Explain(double timeStep) => FormattableString.Invariant(
-            $"The time step of {Milliseconds(timeStep)} is {100.0 * timeStep / Largest:0} % of the largest stable one, {Milliseconds(Largest)}, which {Cause}; {Cure}.{Implicit}");
+        public string Explain(double timeStep) => double.IsInfinity(Largest)
+            ? $"Nothing limits the time step of {Milliseconds(timeStep)}."
+            : FormattableString.Invariant($"The time step of {Milliseconds(timeStep)} is {100.0 * timeStep / Largest:0} % of the largest stable one, {Milliseconds(Largest)}, which {Cause}; {Cure}.{Implicit}");
 
         string Implicit => ViscosityIsImplicit && Limit != TimeStepLimit.Viscosity
             ? FormattableString.Invariant($" The kinematic viscosity ({KinematicViscosity:G3} m²/s) is implicit and sets no limit.")
@@ -129,6 +138,8 @@ namespace SphFluid
                         return FormattableString.Invariant($"the fastest particle ({MaxSpeed:G3} m/s) sets at {SpeedLimit} spacings a step");
                     case TimeStepLimit.Viscosity:
                         return FormattableString.Invariant($"the kinematic viscosity ({KinematicViscosity:G3} m²/s) sets");
+                    case TimeStepLimit.Weight:
+                        return "the liquid's weight sets, which its iterations do not carry in longer ones";
                     default:
                         return "the stiffness of the walls sets";
                 }
@@ -149,6 +160,8 @@ namespace SphFluid
                         return $"twice the Particle Spacing would allow {Allowed(2.0 * Speed)}";
                     case TimeStepLimit.Viscosity:
                         return $"half of it, by Kinematic Viscosity or Viscosity Ratio, would allow {Allowed(2.0 * Viscosity)}";
+                    case TimeStepLimit.Weight:
+                        return $"twice the Particle Spacing would allow {Allowed(2.0 * Weight)}, and more Substeps make shorter ones";
                     default:
                         return $"a quarter of the Wall Stiffness Ratio would allow {Allowed(2.0 * Walls)}";
                 }
@@ -168,6 +181,7 @@ namespace SphFluid
             if (limit != TimeStepLimit.Speed) others = Math.Min(others, Speed);
             if (limit != TimeStepLimit.Viscosity) others = Math.Min(others, Viscosity);
             if (limit != TimeStepLimit.Walls) others = Math.Min(others, Walls);
+            if (limit != TimeStepLimit.Weight) others = Math.Min(others, Weight);
             return Milliseconds(Math.Min(changed, others));
         }
     }

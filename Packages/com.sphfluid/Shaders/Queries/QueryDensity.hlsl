@@ -3,7 +3,7 @@
 
 #include "QuerySpace.hlsl"
 #include "../Solver/DomainFaces.hlsl"
-#include "../Solver/Standard/Wendland.hlsl"
+#include "../Solver/Cells/Wendland.hlsl"
 
 float _KernelFactor; // m 21 / (2 pi R^3)
 float _RestDensity;

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>A place where liquid leaves, as the GPU reads it: 64 bytes, <c>struct Drain</c> in Shaders/Solver/Standard/DrainParticles.compute.</summary>
+    /// <summary>A place where liquid leaves, as the GPU reads it: 64 bytes, <c>struct Drain</c> in Shaders/Solver/Cells/DrainParticles.compute.</summary>
     [StructLayout(LayoutKind.Sequential)]
     internal struct DrainZone
     {

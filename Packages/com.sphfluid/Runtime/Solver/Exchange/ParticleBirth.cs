@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>A particle that is to be born, as the GPU reads it: 32 bytes, <c>struct Birth</c> in Shaders/Solver/Standard/BirthParticles.compute.</summary>
+    /// <summary>A particle that is to be born, as the GPU reads it: 32 bytes, <c>struct Birth</c> in Shaders/Solver/Cells/BirthParticles.compute.</summary>
     [StructLayout(LayoutKind.Sequential)]
     internal struct ParticleBirth
     {

@@ -6,7 +6,7 @@ namespace SphFluid
     /// For how many steps an order of particles and their lists of neighbours serve. Listed pairs are computed at their present places,
     /// so only pairs that come within R since are left out: bodies of liquid at a speed v that fall together close by 2 v Δt a step. What is
     /// left out of a pair that is late by a part q of R has the weight of (1 − q)⁴ (4q + 1) and is soon found, but pairs that come much
-    /// nearer unseen would jolt. Those at a surface are listed ahead (Shaders/Solver/Standard/MeetingReach.hlsl).
+    /// nearer unseen would jolt. Those at a surface are listed ahead (Shaders/Solver/Cells/MeetingReach.hlsl).
     /// </summary>
     internal static class ListReuse
     {
@@ -16,6 +16,18 @@ namespace SphFluid
         // Over R: what two bodies may close between the first step that uses a list and the last, and what a moving triangle may go.
         const float MostClosing = 0.6f;
         const float MostBodyMotion = 0.3f;
+
+        /// <summary>Steps that one sort serves among walls at rest, on a device that holds the lists; 1 or more.</summary>
+        /// <param name="settings">The liquid's constants.</param>
+        /// <param name="timeStep">Length of a step [s].</param>
+        /// <param name="speed">Speed at which bodies of liquid move [m/s].</param>
+        public static int Steps(in FluidSolverSettings settings, double timeStep, double speed)
+        {
+            StandardSettings own = settings.Own<StandardSettings>();
+            int most = own.NeighbourList ? Math.Max(1, Math.Min(MostSteps, own.StepsPerSort)) : 1;
+            double closing = 2.0 * speed * timeStep / settings.SupportRadius;
+            return closing > 0.0 ? (int)Math.Min(most, 1.0 + MostClosing / closing) : most;
+        }
 
         /// <summary>Steps that one sort serves, 1 or more.</summary>
         /// <param name="state">The liquid.</param>

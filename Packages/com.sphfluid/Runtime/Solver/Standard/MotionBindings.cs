@@ -6,20 +6,11 @@ namespace SphFluid
     /// <summary>Globals of the forces and of the motion, for the one pass that has all of them and for those that share them.</summary>
     internal static class MotionBindings
     {
-        // No particle comes nearer to a wall by its own speed, over dx; a settled liquid stays farther.
-        const float Shell = 0.25f;
-
-        static readonly int FaceDistance = Shader.PropertyToID("_FaceDistance");
         static readonly int SlopeFactor = Shader.PropertyToID("_SlopeFactor");
         static readonly int WallPush = Shader.PropertyToID("_WallPush");
         static readonly int ViscosityFactor = Shader.PropertyToID("_ViscosityFactor");
-        static readonly int WallViscosity = Shader.PropertyToID("_WallViscosity");
-        static readonly int NoSlipViscosity = Shader.PropertyToID("_NoSlipViscosity");
-        static readonly int ShellDistance = Shader.PropertyToID("_ShellDistance");
         static readonly int LeastSeparation = Shader.PropertyToID("_LeastSeparation");
         static readonly int Gravity = Shader.PropertyToID("_Gravity");
-        static readonly int TimeStep = Shader.PropertyToID("_TimeStep");
-        static readonly int KickStep = Shader.PropertyToID("_KickStep");
 
         /// <summary>How far a step's forces take the velocities [s].</summary>
         public static float KickOf(in FluidStep step) => step.IsFirst ? 0.5f * step.Length : step.Kick;
@@ -33,7 +24,7 @@ namespace SphFluid
         {
             FluidSolverSettings settings = state.Settings;
             double slope = Slope(settings);
-            StandardBindings.SetSearch(cmd, kernel, state);
+            CellBindings.SetSearch(cmd, kernel, state);
             DomainBindings.SetBodyForce(cmd, kernel, settings.BodyForce);
             ForceZones.Set(cmd, kernel, state.Zones, settings.SupportRadius);
             state.List.Set(cmd, kernel);
@@ -46,22 +37,15 @@ namespace SphFluid
             kernel.Set(cmd, state.Buffers.Velocities);
         }
 
-        /// <summary>Walls that push and hold, and the motion: StandardWalls.hlsl, MeshWalls.hlsl, WallFriction.hlsl, MeshMotion.hlsl, StandardMotion.hlsl.</summary>
+        /// <summary>Walls that push and hold, and the motion: FaceWalls.hlsl, MeshWalls.hlsl, WallFriction.hlsl, MeshMotion.hlsl, WallShell.hlsl.</summary>
         public static void SetWalls(CommandBuffer cmd, ComputeKernel kernel, StandardState state, in FluidStep step)
         {
             FluidSolverSettings settings = state.Settings;
-            float viscosity = settings.Viscosity / settings.RestDensity;
-            float friction = settings.Boundaries.Friction;
-            bool isHeld = friction > 0f || state.HasBodies && state.Bodies.HoldLiquid;
-            StandardBindings.SetWalls(cmd, kernel, state);
-            DomainBindings.SetWallVelocities(cmd, kernel, settings.Boundaries);
+            CellBindings.SetWalls(cmd, kernel, state);
+            CellBindings.SetFriction(cmd, kernel, state, settings.Viscosity / settings.RestDensity);
+            CellBindings.SetShell(cmd, kernel, settings, step.Length);
+            kernel.SetFloat(cmd, CellBindings.KickStep, KickOf(step));
             kernel.SetFloat(cmd, WallPush, (float)(settings.RestDensity / Moment(settings)));
-            kernel.SetFloat(cmd, WallViscosity, friction * viscosity);
-            kernel.SetFloat(cmd, NoSlipViscosity, isHeld ? viscosity : 0f);
-            kernel.SetFloat(cmd, FaceDistance, ContactDistances.Rest(settings));
-            kernel.SetFloat(cmd, ShellDistance, Shell * settings.Spacing);
-            kernel.SetFloat(cmd, TimeStep, step.Length);
-            kernel.SetFloat(cmd, KickStep, KickOf(step));
             kernel.Set(cmd, state.Buffers.PositionTerms);
         }
 
@@ -70,7 +54,7 @@ namespace SphFluid
         {
             if (state.HasFloatingBodies) kernel.Set(cmd, state.Walls.WallBodies);
             kernel.SetOut(cmd, state.Buffers.NewVelocities);
-            StandardBindings.SetCounting(cmd, kernel, state, step);
+            CellBindings.SetCounting(cmd, kernel, state, step);
             kernel.Set(cmd, state.Published.Counters);
         }
 

@@ -51,8 +51,8 @@ namespace SphFluid
         static void Bind(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
         {
             FluidSolverSettings settings = state.Settings;
-            StandardBindings.SetSearch(cmd, kernel, state);
-            StandardBindings.SetWalls(cmd, kernel, state);
+            CellBindings.SetSearch(cmd, kernel, state);
+            CellBindings.SetWalls(cmd, kernel, state);
             kernel.SetFloat(cmd, SupportSquared, settings.SupportRadius * settings.SupportRadius);
             kernel.SetFloat(cmd, DensityFactor, (float)(settings.ParticleMass * WendlandKernel.Factor(settings.SupportRadius)));
             kernel.SetFloat(cmd, InverseMoment, (float)(1.0 / WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing)));

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 
 namespace SphFluid
@@ -6,11 +7,10 @@ namespace SphFluid
     internal sealed class StandardMethod : FluidMethod
     {
         static readonly ShaderGroup Group = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
-            groupThreads: 256, buffers: 17, writableBuffers: 7, groupMemory: 11520, vertexBuffers: 0,
-            "LoadParticles", "ScanCells", "ScatterParticles", "StandardDensity", "MoveParticles", "KickParticles", "DiffuseVelocities", "DriftParticles", "GatherWalls", "MoveBodies", "FindContacts",
-            "ResolveContacts", "DampVelocities", "PublishParticles", "DrainParticles", "BirthParticles", "GrowParticles");
+            groupThreads: 64, buffers: 17, writableBuffers: 7, groupMemory: 6144, vertexBuffers: 0,
+            "StandardDensity", "MoveParticles", "KickParticles", "DiffuseVelocities", "DriftParticles").With(CellShaders.Group);
 
-        static readonly string[] Fields = { "soundSpeedMode" };
+        static readonly string[] Fields = { "soundSpeedMode", "timeStepFraction" };
 
         public override FluidMethodKind Kind => FluidMethodKind.Standard;
 
@@ -28,6 +28,13 @@ namespace SphFluid
         public override FluidSolverSettings Derive(in FluidRuleInput input) => StandardRules.Derive(input);
 
         public override TimeStepAdvice Advise(in FluidSolverSettings settings, double maxSpeed) => StandardRules.Advise(settings, maxSpeed);
+
+        public override FrameWork WorkOf(in FluidSolverSettings settings, double frameTime, double speed, double stepFraction)
+        {
+            double step = Advise(settings, speed).Step(stepFraction);
+            int steps = FrameWork.StepsOf(frameTime, step), perSort = ListReuse.Steps(settings, step, speed);
+            return new FrameWork(steps, 2.0, Math.Ceiling(steps / (double)perSort));
+        }
 
         public override double CellCount(in FluidSolverSettings settings) => FluidGrid.CountFor(settings, CellRows.Border);
 

@@ -10,7 +10,7 @@ namespace SphFluid
             "CalculateParticleCellValue", "BitonicSort", "FusedBitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles", "CalculateDensity",
             "CalculateForce", "CalculateAcceleration", "CalculateNewPosition");
 
-        static readonly string[] Fields = { "wallDistanceRatio", "wallStiffnessRatio", "wallDampingRatio", "thesisSwitches" };
+        static readonly string[] Fields = { "timeStepFraction", "wallDistanceRatio", "wallStiffnessRatio", "wallDampingRatio", "thesisSwitches" };
 
         public ThesisMethod(FluidMethodKind kind)
         {

@@ -4,11 +4,11 @@
 // What neighbours do to a particle: symmetric pressure, the parting of close pairs and laminar viscosity (Morris et al. 1997),
 //   a_i = -(1/M) (m sum_j (P_i + P_j) grad W - (2 nu m / rho0) sum_j (W'/r) (v_i - v_j)).
 // A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_PERIODIC" and has FLUID_MESH_WALLS.
-#include "CellRows.hlsl"
-#include "NeighbourList.hlsl"
-#include "Wendland.hlsl"
-#include "ClosePairs.hlsl"
-#include "MeshWalls.hlsl"
+#include "../Cells/CellRows.hlsl"
+#include "../Cells/NeighbourList.hlsl"
+#include "../Cells/Wendland.hlsl"
+#include "../Cells/ClosePairs.hlsl"
+#include "../Cells/MeshWalls.hlsl"
 
 StructuredBuffer<float4> _Positions;     // as sorted
 StructuredBuffer<float4> _PositionTerms; // present place, P

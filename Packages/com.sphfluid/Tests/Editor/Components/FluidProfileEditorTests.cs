@@ -38,8 +38,9 @@ namespace SphFluid.Tests
         public void TheThesisMethodsFieldsHideForStandard()
         {
             Assert.That(FluidProfileEditor.Unread(new[] { FluidMethodKind.Standard }),
-                Is.EqualTo(new[] { "wallDistanceRatio", "wallStiffnessRatio", "wallDampingRatio", "thesisSwitches" }));
-            Assert.That(FluidProfileEditor.Unread(new[] { FluidMethodKind.Standard, FluidMethodKind.Thesis }), Is.Empty);
+                Is.EqualTo(new[] { "substeps", "wallDistanceRatio", "wallStiffnessRatio", "wallDampingRatio", "thesisSwitches" }));
+            Assert.That(FluidProfileEditor.Unread(new[] { FluidMethodKind.Standard, FluidMethodKind.Thesis }), Is.EqualTo(new[] { "substeps" }));
+            Assert.That(FluidProfileEditor.Unread(new[] { FluidMethodKind.Standard, FluidMethodKind.Thesis, FluidMethodKind.Robust }), Is.Empty);
         }
 
         [Test]

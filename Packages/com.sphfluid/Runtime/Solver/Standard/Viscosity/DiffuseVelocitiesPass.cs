@@ -49,7 +49,7 @@ namespace SphFluid
 
         static void Bind(CommandBuffer cmd, ComputeKernel kernel, StandardState state, in FluidStep step, int iterations)
         {
-            StandardBindings.SetSearch(cmd, kernel, state);
+            CellBindings.SetSearch(cmd, kernel, state);
             MotionBindings.SetWalls(cmd, kernel, state, step);
             state.List.Set(cmd, kernel);
             kernel.SetFloat(cmd, PairRate, (float)MotionBindings.PairRate(state.Settings));

@@ -17,7 +17,7 @@ namespace SphFluid
         {
             using (Sample(cmd))
             {
-                StandardBindings.SetSearch(cmd, kernel, state);
+                CellBindings.SetSearch(cmd, kernel, state);
                 MotionBindings.SetWalls(cmd, kernel, state, step);
                 MotionBindings.SetEnd(cmd, kernel, state, step);
                 WallForces.Set(cmd, kernel, state);

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>A liquid of the Standard method among colliders.</summary>
+    /// <summary>A liquid among colliders.</summary>
     internal sealed class BodyRig : IDisposable
     {
         readonly ColliderRig colliders = new ColliderRig();
@@ -25,10 +25,10 @@ namespace SphFluid.Tests
         public IReadOnlyList<FluidObstacle> Solids => colliders.Scene.Solids;
 
         /// <summary>By rule for water of a depth in a domain.</summary>
-        public static FluidSolverSettings Water(Vector3 domain, float spacing, float depth, float expectedSpeed = 0f)
+        public static FluidSolverSettings Water(Vector3 domain, float spacing, float depth, float expectedSpeed = 0f, FluidMethodKind method = FluidMethodKind.Standard)
         {
             FluidRuleInput input = FluidRuleInput.Water;
-            input.Method = FluidMethodKind.Standard;
+            input.Method = method;
             input.DomainSize = domain;
             input.Spacing = spacing;
             input.LiquidHeight = depth;

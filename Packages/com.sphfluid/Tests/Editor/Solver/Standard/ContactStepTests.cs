@@ -54,8 +54,8 @@ namespace SphFluid.Tests
             GpuTest.Run(cmd =>
             {
                 new GatherWallsPass(set).Record(cmd, state, state.Buffers.Positions);
-                new FindContactsPass(set).Record(cmd, state, step);
-                new ResolveContactsPass(set).Record(cmd, state, step);
+                new FindContactsPass(set).Record(cmd, state, step, state.Buffers.PositionTerms);
+                new ResolveContactsPass(set).Record(cmd, state, step, state.Buffers.PositionTerms);
             });
             return GpuTest.Read<Vector4>(state.Buffers.NewPositions, from.Length).Select(p => (Vector3)p).ToArray();
         }

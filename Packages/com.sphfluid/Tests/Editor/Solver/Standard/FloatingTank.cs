@@ -22,17 +22,18 @@ namespace SphFluid.Tests
         /// <param name="ratio">Density of the box over the water's.</param>
         /// <param name="height">Of its centre above the water's level without it [m].</param>
         /// <param name="rotation">Of the box.</param>
-        public FloatingTank(float spacing, int across, int deep, Vector3 size, float ratio, float height, Quaternion rotation)
+        /// <param name="method">What computes the water.</param>
+        public FloatingTank(float spacing, int across, int deep, Vector3 size, float ratio, float height, Quaternion rotation, FluidMethodKind method = FluidMethodKind.Standard)
         {
             var domain = new Vector3(across * spacing, 2 * deep * spacing, across * spacing);
-            settings = BodyRig.Water(domain, spacing, deep * spacing);
+            settings = BodyRig.Water(domain, spacing, deep * spacing, 0f, method);
             var centre = new Vector3(0f, height, 0f);
             Vector3 half = 0.5f * size + 0.5f * spacing * Vector3.one;
             FluidParticle[] block = FloatingRig.Block(new Vector3Int(across, deep, across), spacing, -0.5f * domain)
                 .Where(p => Mathf.Abs(p.Position.x) > half.x || Mathf.Abs(p.Position.z) > half.z || Mathf.Abs(p.Position.y - centre.y) > half.y).ToArray();
             for (int i = 0; i < block.Length; i++) block[i].Id = (uint)i;
             particles = block.Length;
-            steps = Mathf.CeilToInt((float)FrameTime / settings.TimeStep);
+            steps = Mathf.CeilToInt((float)FrameTime / settings.TimeStep - 1e-4f);
             volume = size.x * size.y * size.z;
             Size = size;
             Ratio = ratio;

@@ -65,8 +65,8 @@ namespace SphFluid.Tests
                     GpuTest.Run(cmd =>
                     {
                         walls.Record(cmd, state, state.Buffers.Positions);
-                        find.Record(cmd, state, new FluidStep(settings.TimeStep, settings.TimeStep, false));
-                        resolve.Record(cmd, state, new FluidStep(settings.TimeStep, settings.TimeStep, false));
+                        find.Record(cmd, state, new FluidStep(settings.TimeStep, settings.TimeStep, false), state.Buffers.PositionTerms);
+                        resolve.Record(cmd, state, new FluidStep(settings.TimeStep, settings.TimeStep, false), state.Buffers.PositionTerms);
                     });
                     state.EndBodySteps();
                     Vector4[] end = GpuTest.Read<Vector4>(state.Buffers.NewPositions, Shots);

@@ -1,0 +1,59 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Brings particles into the liquid, after the motion of a step that sorts.</summary>
+    internal sealed class BirthParticlesPass : ComputePass
+    {
+        // Over dx: nobody is born nearer to another.
+        const float FreeDistance = 0.9f;
+
+        // What goes before in a pipe is pushed back by the liquid outside.
+        const float PumpFreeDistance = 0.6f;
+
+        static readonly int Births = Id("_Births");
+        static readonly int SourceCounts = Id("_SourceCounts");
+        static readonly int BirthCount = Id("_BirthCount");
+        static readonly int RivalCount = Id("_RivalCount");
+        static readonly int SlotCount = Id("_SlotCount");
+        static readonly int FreeSquared = Id("_FreeSquared");
+        static readonly int PumpFreeSquared = Id("_PumpFreeSquared");
+
+        readonly ComputeKernel kernel;
+
+        public BirthParticlesPass(FluidShaderSet shaders)
+            : base(shaders, "BirthParticles")
+        {
+            kernel = Kernel();
+        }
+
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="state">The buffers; they have a slot for each birth.</param>
+        /// <param name="births">What is to be born.</param>
+        public void Record(CommandBuffer cmd, CellState state, in BirthBatch births)
+        {
+            float free = FreeDistance * state.Settings.Spacing, pumpFree = PumpFreeDistance * state.Settings.Spacing;
+            using (Sample(cmd))
+            {
+                CellBindings.SetSearch(cmd, kernel, state);
+                DomainBindings.SetFaces(cmd, kernel, state.Settings);
+                kernel.SetBuffer(cmd, Births, births.Births);
+                kernel.SetBuffer(cmd, SourceCounts, births.Counts);
+                kernel.SetInt(cmd, BirthCount, births.Count);
+                kernel.SetInt(cmd, RivalCount, births.HasRivals ? births.Count : 0);
+                kernel.SetInt(cmd, SlotCount, births.Slots);
+                kernel.SetFloat(cmd, FreeSquared, free * free);
+                kernel.SetFloat(cmd, PumpFreeSquared, pumpFree * pumpFree);
+                kernel.SetOut(cmd, state.Buffers.NewPositions);
+                kernel.SetOut(cmd, state.Buffers.NewVelocities);
+                kernel.SetOut(cmd, state.Buffers.Rank);
+                kernel.SetOut(cmd, state.List.Counts);
+                if (CellBindings.SetCarries(cmd, kernel, state)) kernel.SetBuffer(cmd, CellBindings.CarriedOut, state.Carried);
+                kernel.Set(cmd, state.Buffers.CellCount);
+                kernel.Set(cmd, state.Published.Counters);
+                kernel.DispatchThreads(cmd, births.Count);
+            }
+        }
+    }
+}

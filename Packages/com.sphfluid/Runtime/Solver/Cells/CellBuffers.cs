@@ -1,0 +1,66 @@
+namespace SphFluid
+{
+    /// <summary>
+    /// Particles of methods with a counting sort: positions and velocities lie apart as float4 (a velocity's w is the id), once in the order of
+    /// the last sort and once as the step left them, in that order but at their new places. Steps that keep the order go on from there.
+    /// </summary>
+    internal sealed class CellBuffers : BufferSet
+    {
+        /// <summary>
+        /// Positions at and in the order of the last sort [m]; w: MeetingReach in Shaders/Solver/Cells/MeetingReach.hlsl. The search reads
+        /// four at a time, so three more stand at the end, whatever they are.
+        /// </summary>
+        public readonly FluidBuffer Positions;
+
+        /// <summary>Velocities with which the step begins [m/s]; w: the id's bits.</summary>
+        public readonly FluidBuffer Velocities;
+
+        /// <summary>Positions after the step [m].</summary>
+        public readonly FluidBuffer NewPositions;
+
+        /// <summary>Velocities after the step [m/s]; w: the id's bits.</summary>
+        public readonly FluidBuffer NewVelocities;
+
+        /// <summary>ρ [kg/m³].</summary>
+        public readonly FluidBuffer Densities;
+
+        /// <summary>Positions with which the step begins [m]; w: p/ρ².</summary>
+        public readonly FluidBuffer PositionTerms;
+
+        /// <summary>Place of each particle within its cell.</summary>
+        public readonly FluidBuffer Rank;
+
+        /// <summary>Particles in the order of their cells, as indices, for the stable order.</summary>
+        public readonly FluidBuffer Order;
+
+        /// <summary>
+        /// Particles of each cell after the step, and those that left the domain in it; behind them <see cref="SumCount"/> sums of them for the scan.
+        /// </summary>
+        public readonly FluidBuffer CellCount;
+
+        /// <summary>First particle of each cell, the number of live particles, and that with those that left in the last step.</summary>
+        public readonly FluidBuffer CellStart;
+
+        /// <summary>Cells, and one for those that left the domain.</summary>
+        public readonly int CellTotal;
+
+        /// <summary>Parts of sums of the scan's groups.</summary>
+        public readonly int SumCount;
+
+        public CellBuffers(int particleCount, int cellCount, bool isPlanned = false) : base(isPlanned)
+        {
+            Positions = AddForEach("Positions", particleCount, 16, 3);
+            Velocities = AddForEach("Velocities", particleCount, 16);
+            NewPositions = AddForEach("NewPositions", particleCount, 16);
+            NewVelocities = AddForEach("NewVelocities", particleCount, 16);
+            Densities = AddForEach("Densities", particleCount, 4);
+            PositionTerms = AddForEach("PositionTerms", particleCount, 16);
+            Rank = AddForEach("Rank", particleCount, 4);
+            Order = AddForEach("Order", particleCount, 4);
+            CellTotal = cellCount + 1;
+            SumCount = CellRows.ScanSums(CellTotal);
+            CellCount = Add("CellCount", CellTotal + (long)SumCount, 4);
+            CellStart = Add("CellStart", cellCount + 2L, 4);
+        }
+    }
+}

@@ -1,0 +1,133 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>What the passes work on that methods with a counting sort share: cells, lists of neighbours, walls of triangles.</summary>
+    internal abstract class CellState : FluidState
+    {
+        protected CellState(in FluidSolverSettings settings, int particleCount, bool isPlanned)
+            : base(Countable(settings), particleCount, isPlanned)
+        {
+            IsPlanned = isPlanned;
+            try
+            {
+                Cells = new CellRows(Grid);
+                Buffers = new CellBuffers(particleCount, Cells.CellCount, isPlanned);
+            }
+            catch
+            {
+                base.Dispose();
+                throw;
+            }
+        }
+
+        /// <summary>Whether only the buffers' sizes are asked for.</summary>
+        protected bool IsPlanned { get; }
+
+        /// <summary>The cells of the sort: those of the grid and a border.</summary>
+        public CellRows Cells { get; }
+
+        /// <summary>The particles in the order of their cells.</summary>
+        public CellBuffers Buffers { get; }
+
+        /// <summary>What triangles need; null where there never were any.</summary>
+        public MeshWallBuffers Walls { get; private set; }
+
+        /// <summary>Neighbours of the last density pass; of length 0 for a step that searches twice.</summary>
+        public NeighbourList List { get; private set; }
+
+        /// <inheritdoc/>
+        public override int CellCount => Cells.CellCount;
+
+        /// <inheritdoc/>
+        public override bool ListsNeighbours => List != null && List.Length > 0;
+
+        /// <summary>Whether particles of a cell are ordered by their ids, so that equal runs are equal to the last bit; else by thread timing.</summary>
+        public abstract bool HasStableOrder { get; }
+
+        /// <summary>Whether neighbours are to be listed where the device's buffers hold the lists.</summary>
+        protected abstract bool WantsLists { get; }
+
+        /// <summary>A float4 a particle that the method takes along in the sort, in the order that a step leaves; null for none.</summary>
+        public virtual FluidBuffer Carried => null;
+
+        /// <summary>The same in the order of the sort.</summary>
+        public virtual FluidBuffer CarriedSorted => null;
+
+        /// <summary>Whether settings and device allow lists of neighbours.</summary>
+        public bool MayListNeighbours => ListLength(Capacity) > 0;
+
+        /// <summary>How long the next lists of neighbours are to serve, from the first step that uses them to the last [s].</summary>
+        public float ListTime { get; set; }
+
+        /// <inheritdoc/>
+        protected override long OwnBytes => Buffers.Bytes + (Walls?.Bytes ?? 0) + (List?.Bytes ?? 0);
+
+        /// <summary>Makes <see cref="Walls"/>, if they are not there.</summary>
+        public void RequireWalls() => Walls ??= new MeshWallBuffers(Capacity, IsPlanned);
+
+        /// <summary>Makes <see cref="List"/>, with entries or without as the settings and the device have it.</summary>
+        public void RequireList()
+        {
+            int length = ListLength(Capacity);
+            if (List != null && List.Length > 0 == length > 0) return;
+            List?.Dispose();
+            List = null;
+            List = new NeighbourList(Capacity, length, IsPlanned);
+        }
+
+        /// <summary>Makes all buffers for another number of particles; what they held waits in <see cref="FluidState.Retired"/>.</summary>
+        /// <param name="capacity">Number of slots.</param>
+        /// <exception cref="FluidDeviceException">The device has too little memory for a buffer of this size.</exception>
+        public void Resize(int capacity)
+        {
+            var replaced = new List<IDisposable>();
+            NeighbourList list = new NeighbourList(capacity, ListLength(capacity));
+            MeshWallBuffers walls = Walls == null ? null : new MeshWallBuffers(capacity);
+            Buffers.Resize(capacity, replaced);
+            ResizeOwn(capacity, replaced);
+            Published.Resize(capacity, replaced);
+            if (List != null) replaced.Add(List);
+            if (Walls != null) replaced.Add(Walls);
+            (List, Walls, Capacity) = (list, walls, capacity);
+            foreach (IDisposable old in replaced) Retired.Add(old);
+        }
+
+        /// <inheritdoc/>
+        public override void BindNeighbourList(CommandBuffer cmd, ComputeKernel kernel)
+        {
+            if (ListsNeighbours) List.Set(cmd, kernel);
+            else base.BindNeighbourList(cmd, kernel);
+        }
+
+        /// <summary>Makes the method's own buffers for another number of particles.</summary>
+        protected virtual void ResizeOwn(int capacity, ICollection<IDisposable> replaced)
+        {
+        }
+
+        // 0: both passes over the neighbours search.
+        int ListLength(int capacity)
+        {
+            int length = NeighbourList.LengthFor(Settings);
+            return WantsLists && NeighbourList.Fits(capacity, length) ? length : 0;
+        }
+
+        // Too many cells are named before any buffer is made.
+        static FluidSolverSettings Countable(in FluidSolverSettings settings)
+        {
+            _ = new CellRows(FluidGrid.For(settings));
+            return settings;
+        }
+
+        /// <inheritdoc/>
+        public override void Dispose()
+        {
+            Walls?.Dispose();
+            List?.Dispose();
+            Buffers.Dispose();
+            base.Dispose();
+        }
+    }
+}

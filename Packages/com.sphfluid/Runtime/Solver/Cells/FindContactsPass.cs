@@ -1,0 +1,35 @@
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Proves every step free of every triangle and lists those that are not, for <see cref="ResolveContactsPass"/>.</summary>
+    internal sealed class FindContactsPass : ComputePass
+    {
+        static readonly int LongestDisplacement = Id("_LongestDisplacement");
+
+        readonly ComputeKernel kernel;
+
+        public FindContactsPass(FluidShaderSet shaders)
+            : base(shaders, "FindContacts")
+        {
+            kernel = Kernel();
+        }
+
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="state">Buffers.</param>
+        /// <param name="step">The step.</param>
+        /// <param name="from">Where the step began, in the order of the particles.</param>
+        public void Record(CommandBuffer cmd, CellState state, in FluidStep step, FluidBuffer from)
+        {
+            using (Sample(cmd))
+            {
+                MeshContact.SetStep(cmd, kernel, state, step, from);
+                kernel.Set(cmd, state.Walls.WallGap);
+                kernel.SetFloat(cmd, LongestDisplacement, ContactDistances.LongestDisplacement(state.Settings));
+                kernel.SetOut(cmd, state.Walls.ContactList);
+                kernel.SetOut(cmd, state.Walls.ContactArguments);
+                kernel.DispatchThreads(cmd, state.ParticleCount);
+            }
+        }
+    }
+}

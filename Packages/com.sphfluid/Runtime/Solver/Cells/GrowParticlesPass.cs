@@ -1,0 +1,61 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Moves the particles into larger buffers, after the motion of a step that sorts.</summary>
+    internal sealed class GrowParticlesPass : ComputePass
+    {
+        static readonly int ParticleCount = Id("_ParticleCount");
+
+        readonly ComputeKernel kernel;
+
+        public GrowParticlesPass(FluidShaderSet shaders)
+            : base(shaders, "GrowParticles")
+        {
+            kernel = Kernel();
+        }
+
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="state">The new buffers.</param>
+        /// <param name="old">Those before.</param>
+        /// <param name="count">Particles to copy.</param>
+        public void Record(CommandBuffer cmd, CellState state, in CellRemains old, int count)
+        {
+            CellBuffers buffers = state.Buffers;
+            using (Sample(cmd))
+            {
+                kernel.SetBuffer(cmd, buffers.NewPositions.Id, old.NewPositions);
+                kernel.SetBuffer(cmd, buffers.NewVelocities.Id, old.NewVelocities);
+                kernel.SetBuffer(cmd, buffers.Rank.Id, old.Rank);
+                kernel.SetBuffer(cmd, state.List.Counts.Id, old.NeighbourCounts);
+                kernel.SetOut(cmd, buffers.NewPositions);
+                kernel.SetOut(cmd, buffers.NewVelocities);
+                kernel.SetOut(cmd, buffers.Rank);
+                kernel.SetOut(cmd, state.List.Counts);
+                if (CellBindings.SetCarries(cmd, kernel, state))
+                {
+                    kernel.SetBuffer(cmd, CellBindings.Carried, old.Carried);
+                    kernel.SetBuffer(cmd, CellBindings.CarriedOut, state.Carried);
+                }
+                kernel.SetInt(cmd, ParticleCount, count);
+                kernel.DispatchThreads(cmd, count);
+            }
+        }
+    }
+
+    /// <summary>What a step that sorts leaves of the particles.</summary>
+    internal readonly struct CellRemains
+    {
+        public readonly GraphicsBuffer NewPositions, NewVelocities, Rank, NeighbourCounts, Carried;
+
+        public CellRemains(CellState state)
+        {
+            NewPositions = state.Buffers.NewPositions;
+            NewVelocities = state.Buffers.NewVelocities;
+            Rank = state.Buffers.Rank;
+            NeighbourCounts = state.List.Counts;
+            Carried = state.Carried != null ? (GraphicsBuffer)state.Carried : null;
+        }
+    }
+}

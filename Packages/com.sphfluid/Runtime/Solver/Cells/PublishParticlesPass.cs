@@ -1,0 +1,40 @@
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Gives the liquid the form that drawing and measurements read, once a frame.</summary>
+    internal sealed class PublishParticlesPass : ComputePass
+    {
+        static readonly int ParticleCount = Id("_ParticleCount");
+
+        readonly ComputeKernel particles, ranges;
+
+        public PublishParticlesPass(FluidShaderSet shaders)
+            : base(shaders, "PublishParticles")
+        {
+            particles = Kernel();
+            ranges = Kernel("PublishCells");
+        }
+
+        public void Record(CommandBuffer cmd, CellState state)
+        {
+            using (Sample(cmd))
+            {
+                CellBindings.SetCells(cmd, particles, state.Cells, state.Buffers.CellStart);
+                particles.SetInt(cmd, ParticleCount, state.ParticleCount);
+                particles.Set(cmd, state.Buffers.Positions);
+                particles.Set(cmd, state.Buffers.Velocities);
+                particles.Set(cmd, state.Buffers.Densities);
+                particles.Set(cmd, state.Buffers.PositionTerms);
+                particles.SetOut(cmd, state.Published.Particles);
+                particles.Set(cmd, state.Published.Density);
+                particles.Set(cmd, state.Published.Pressure);
+                particles.DispatchThreads(cmd, state.ParticleCount);
+                CellBindings.SetCells(cmd, ranges, state.Cells, state.Buffers.CellStart);
+                GridNeighbours.SetGrid(cmd, ranges, state.Grid);
+                ranges.SetOut(cmd, state.Published.GridIndices);
+                ranges.DispatchThreads(cmd, state.Grid.CellCount);
+            }
+        }
+    }
+}

@@ -1,0 +1,37 @@
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Changes the steps that are not free of triangles; as many groups as <see cref="FindContactsPass"/> found work for.</summary>
+    internal sealed class ResolveContactsPass : ComputePass
+    {
+        static readonly int TimeStep = Id("_TimeStep");
+
+        readonly ComputeKernel kernel;
+
+        public ResolveContactsPass(FluidShaderSet shaders)
+            : base(shaders, "ResolveContacts")
+        {
+            kernel = Kernel();
+        }
+
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="state">Buffers.</param>
+        /// <param name="step">The step.</param>
+        /// <param name="from">Where the step began, in the order of the particles.</param>
+        public void Record(CommandBuffer cmd, CellState state, in FluidStep step, FluidBuffer from)
+        {
+            using (Sample(cmd))
+            {
+                MeshContact.SetStep(cmd, kernel, state, step, from);
+                CellBindings.SetImpulses(cmd, kernel, state);
+                WallForces.Set(cmd, kernel, state);
+                kernel.SetFloat(cmd, TimeStep, step.Length);
+                kernel.Set(cmd, state.Walls.ContactList);
+                kernel.Set(cmd, state.Walls.ContactArguments);
+                kernel.SetOut(cmd, state.Buffers.NewVelocities);
+                kernel.DispatchIndirect(cmd, state.Walls.ContactArguments);
+            }
+        }
+    }
+}

@@ -1,0 +1,73 @@
+using System;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Particles in the order of their cells: one dispatch, or two for an order without chance.</summary>
+    internal sealed class ScatterParticlesPass : ComputePass
+    {
+        static readonly int SumCount = Id("_SumCount");
+
+        readonly ComputeKernel scatter, scatterOrder, reorder;
+
+        public ScatterParticlesPass(FluidShaderSet shaders)
+            : base(shaders, "ScatterParticles")
+        {
+            scatter = Kernel("Scatter");
+            scatterOrder = Kernel("ScatterOrder");
+            reorder = Kernel("Reorder");
+        }
+
+        public void Record(CommandBuffer cmd, CellState state)
+        {
+            using (Sample(cmd))
+            {
+                if (state.HasStableOrder)
+                {
+                    Bind(cmd, scatterOrder, state);
+                    scatterOrder.Set(cmd, state.Buffers.Rank);
+                    scatterOrder.SetOut(cmd, state.Buffers.Order);
+                    DispatchAndClear(cmd, scatterOrder, state);
+                    Bind(cmd, reorder, state);
+                    reorder.Set(cmd, state.Buffers.Order);
+                    BindTarget(cmd, reorder, state);
+                    reorder.DispatchThreads(cmd, state.ParticleCount);
+                }
+                else
+                {
+                    Bind(cmd, scatter, state);
+                    scatter.Set(cmd, state.Buffers.Rank);
+                    BindTarget(cmd, scatter, state);
+                    DispatchAndClear(cmd, scatter, state);
+                }
+            }
+        }
+
+        static void Bind(CommandBuffer cmd, ComputeKernel kernel, CellState state)
+        {
+            CellBindings.SetCells(cmd, kernel, state.Cells, state.Buffers.CellStart);
+            kernel.Set(cmd, state.Buffers.NewPositions);
+            kernel.Set(cmd, state.Buffers.NewVelocities);
+        }
+
+        // A thread a particle, which clears one of the scan's sums as well.
+        static void DispatchAndClear(CommandBuffer cmd, ComputeKernel kernel, CellState state)
+        {
+            kernel.SetInt(cmd, SumCount, state.Buffers.SumCount);
+            kernel.Set(cmd, state.Buffers.CellCount);
+            kernel.DispatchThreads(cmd, Math.Max(state.ParticleCount, state.Buffers.SumCount));
+        }
+
+        static void BindTarget(CommandBuffer cmd, ComputeKernel kernel, CellState state)
+        {
+            state.List.SetMeeting(cmd, kernel, state);
+            if (CellBindings.SetCarries(cmd, kernel, state))
+            {
+                kernel.SetBuffer(cmd, CellBindings.Carried, state.Carried);
+                kernel.SetOut(cmd, state.CarriedSorted);
+            }
+            kernel.SetOut(cmd, state.Buffers.Positions);
+            kernel.SetOut(cmd, state.Buffers.Velocities);
+        }
+    }
+}

@@ -1,0 +1,96 @@
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>How far the density of each particle is from what it may be, and what that changes of its multiplier.</summary>
+    internal sealed class ConstrainDensityPass : ComputePass
+    {
+        static readonly int DensityFactor = Id("_DensityFactor");
+        static readonly int InverseMoment = Id("_InverseMoment");
+        static readonly int Relaxation = Id("_Relaxation");
+        static readonly int Compliance = Id("_Compliance");
+        static readonly int SupportSquared = Id("_SupportSquared");
+        static readonly int Ahead = Id("_Ahead");
+        static readonly int HasPressures = Id("_HasPressures");
+
+        readonly ComputeKernel search, listed, measure;
+
+        public ConstrainDensityPass(FluidShaderSet shaders)
+            : base(shaders, "ConstrainDensity")
+        {
+            search = Kernel();
+            listed = Kernel("ConstrainListed");
+            measure = Kernel("MeasureDensity");
+        }
+
+        /// <summary>The first iteration of a step: finds the neighbours at the predicted places, and lists them.</summary>
+        public void Record(CommandBuffer cmd, RobustState state, float timeStep)
+        {
+            using (Sample(cmd))
+            {
+                BindSearch(cmd, search, state);
+                BindConstraint(cmd, search, state, timeStep);
+                search.DispatchThreads(cmd, state.ParticleCount);
+            }
+        }
+
+        /// <summary>A later iteration, where the last one left the particles.</summary>
+        public void RecordListed(CommandBuffer cmd, RobustState state, float timeStep)
+        {
+            using (Sample(cmd))
+            {
+                Bind(cmd, listed, state);
+                BindConstraint(cmd, listed, state, timeStep);
+                listed.Set(cmd, state.Buffers.NewPositions);
+                listed.DispatchThreads(cmd, state.ParticleCount);
+            }
+        }
+
+        /// <summary>Density and pressure for readers, and lists of the neighbours, in the order of a sort at the present places.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="state">Buffers.</param>
+        /// <param name="hasPressures">Whether a step has left pressures.</param>
+        public void RecordMeasured(CommandBuffer cmd, RobustState state, bool hasPressures)
+        {
+            using (Sample(cmd))
+            {
+                BindSearch(cmd, measure, state);
+                measure.SetBool(cmd, HasPressures, hasPressures);
+                measure.Set(cmd, state.Motion.Starts);
+                measure.SetOut(cmd, state.Buffers.Densities);
+                measure.Set(cmd, state.Published.Counters);
+                measure.DispatchThreads(cmd, state.ParticleCount);
+            }
+        }
+
+        static void BindSearch(CommandBuffer cmd, ComputeKernel kernel, RobustState state)
+        {
+            Bind(cmd, kernel, state);
+            kernel.SetFloat(cmd, Ahead, 0f);
+            kernel.Set(cmd, state.Buffers.Velocities);
+        }
+
+        static void BindConstraint(CommandBuffer cmd, ComputeKernel kernel, RobustState state, float timeStep)
+        {
+            RobustSettings own = state.Own;
+            double reach = own.SoundSpeed * (double)timeStep;
+            RobustBindings.SetGradients(cmd, kernel, state.Settings);
+            kernel.SetFloat(cmd, Relaxation, own.Relaxation);
+            kernel.SetFloat(cmd, Compliance, (float)(1.0 / (reach * reach)));
+        }
+
+        static void Bind(CommandBuffer cmd, ComputeKernel kernel, RobustState state)
+        {
+            FluidSolverSettings settings = state.Settings;
+            CellBindings.SetSearch(cmd, kernel, state);
+            CellBindings.SetWalls(cmd, kernel, state);
+            state.List.SetOut(cmd, kernel);
+            kernel.SetFloat(cmd, SupportSquared, settings.SupportRadius * settings.SupportRadius);
+            kernel.SetFloat(cmd, DensityFactor, (float)(settings.ParticleMass * WendlandKernel.Factor(settings.SupportRadius)));
+            kernel.SetFloat(cmd, InverseMoment, (float)(1.0 / WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing)));
+            kernel.Set(cmd, state.Buffers.Positions);
+            kernel.SetOut(cmd, state.Buffers.PositionTerms);
+            if (state.HasBodies) kernel.SetOut(cmd, state.Walls.ContactArguments);
+        }
+    }
+}

@@ -1,0 +1,54 @@
+using System;
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>Velocities of a step from its displacements, and what acts on velocities: viscosity, friction, the parting of close pairs.</summary>
+    internal sealed class FinishParticlesPass : ComputePass
+    {
+        static readonly int InverseStep = Id("_InverseStep");
+        static readonly int SlopeFactor = Id("_SlopeFactor");
+        static readonly int ViscosityFactor = Id("_ViscosityFactor");
+        static readonly int PressureFactor = Id("_PressureFactor");
+        static readonly int LeastSeparation = Id("_LeastSeparation");
+
+        readonly ComputeKernel kernel;
+
+        public FinishParticlesPass(FluidShaderSet shaders)
+            : base(shaders, "FinishParticles")
+        {
+            kernel = Kernel();
+        }
+
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="state">Buffers.</param>
+        /// <param name="step">The step.</param>
+        /// <param name="iterations">Its iterations.</param>
+        public void Record(CommandBuffer cmd, RobustState state, in FluidStep step, int iterations)
+        {
+            FluidSolverSettings settings = state.Settings;
+            double moment = WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing);
+            double slope = settings.ParticleMass * WendlandKernel.SlopeFactor(settings.SupportRadius) / moment;
+            float viscosity = (float)(RobustRules.ActingViscosity(settings, step.Length) / settings.RestDensity);
+            float sound = (float)Math.Min(settings.SoundSpeed, RobustRules.EffectiveSoundSpeed(settings, step.Length, iterations));
+            using (Sample(cmd))
+            {
+                RobustBindings.SetPairs(cmd, kernel, state);
+                CellBindings.SetShell(cmd, kernel, settings, step.Length);
+                CellBindings.SetFriction(cmd, kernel, state, viscosity);
+                ClosePairs.Set(cmd, kernel, settings.WithSoundSpeed(sound), slope, step.Length);
+                kernel.SetFloat(cmd, InverseStep, 1f / step.Length);
+                kernel.SetFloat(cmd, SlopeFactor, (float)slope);
+                kernel.SetFloat(cmd, ViscosityFactor, 2f * viscosity / settings.RestDensity);
+                kernel.SetFloat(cmd, PressureFactor, settings.RestDensity / (step.Length * step.Length));
+                kernel.SetFloat(cmd, LeastSeparation, 1e-3f * settings.SupportRadius);
+                kernel.Set(cmd, state.Motion.Displacements);
+                kernel.SetOut(cmd, state.Buffers.NewVelocities);
+                kernel.SetBuffer(cmd, CellBindings.CarriedOut, state.Carried);
+                CellBindings.SetCounting(cmd, kernel, state, step);
+                kernel.Set(cmd, state.Published.Counters);
+                kernel.DispatchThreads(cmd, state.ParticleCount);
+            }
+        }
+    }
+}

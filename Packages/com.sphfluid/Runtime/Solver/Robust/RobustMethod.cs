@@ -1,0 +1,78 @@
+using System;
+using System.Collections.Generic;
+
+namespace SphFluid
+{
+    /// <summary>The Robust method: small-step XPBD of the density, whose steps no speed and no stiffness limits.</summary>
+    internal sealed class RobustMethod : FluidMethod
+    {
+        static readonly ShaderGroup Group = new ShaderGroup("the Robust method", "Shaders/Solver/Robust",
+            groupThreads: 64, buffers: 15, writableBuffers: 6, groupMemory: 6144, vertexBuffers: 0,
+            "PredictParticles", "ConstrainDensity", "MoveByConstraints", "FinishParticles").With(CellShaders.Group);
+
+        static readonly string[] Fields = { "substeps" };
+
+        public override FluidMethodKind Kind => FluidMethodKind.Robust;
+
+        public override FluidMethodFeatures Features => FluidMethodFeatures.OpenFaces | FluidMethodFeatures.BodyContact |
+            FluidMethodFeatures.ColliderFriction | FluidMethodFeatures.ChangingCount | FluidMethodFeatures.ForceZones | FluidMethodFeatures.StepsByFrame;
+
+        public override ShaderGroup Shaders => Group;
+
+        public override IReadOnlyList<string> ProfileFields => Fields;
+
+        public override long MaxCells => CellRows.MaxCells;
+
+        public override FluidSolverSettings Derive(in FluidRuleInput input) => RobustRules.Derive(input);
+
+        public override TimeStepAdvice Advise(in FluidSolverSettings settings, double maxSpeed) => RobustRules.Advise(settings, maxSpeed);
+
+        public override double CellCount(in FluidSolverSettings settings) => FluidGrid.CountFor(settings, CellRows.Border);
+
+        public override IStepClock MakeClock(in FluidSolverSettings settings, int maxSteps)
+        {
+            int substeps = settings.Own<RobustSettings>().Substeps;
+            return new FrameClock(substeps, RobustRules.LongestFrame / substeps, maxSteps, settings.TimeStep);
+        }
+
+        public override double EffectiveSoundSpeed(in FluidSolverSettings settings, double timeStep, double speed) =>
+            RobustRules.EffectiveSoundSpeed(settings, timeStep, RobustRules.IterationsFor(settings, timeStep, speed));
+
+        public override IReadOnlyList<(string Label, string Value)> Remarks(in FluidSolverSettings settings, double timeStep, double speed)
+        {
+            RobustSettings own = settings.Own<RobustSettings>();
+            int iterations = RobustRules.IterationsFor(settings, timeStep, speed);
+            double sound = RobustRules.EffectiveSoundSpeed(settings, timeStep, iterations), compression = own.DepthSpeed * (double)own.DepthSpeed / (sound * sound);
+            double viscosity = RobustRules.ActingViscosity(settings, timeStep);
+            var remarks = new List<(string, string)>
+            {
+                ("Iterations of a step", FormattableString.Invariant($"{iterations}")),
+                ("Effective speed of sound", FormattableString.Invariant($"{sound:G3} m/s")),
+                ("Compression at the bottom", FormattableString.Invariant($"{100.0 * compression:G2} %, {50.0 * compression:G2} % in the mean")),
+            };
+            if (viscosity < settings.Viscosity)
+                remarks.Add(("Viscosity that acts", FormattableString.Invariant($"{viscosity / settings.RestDensity:G2} m²/s: more would need shorter steps")));
+            return remarks;
+        }
+
+        public override FrameWork WorkOf(in FluidSolverSettings settings, double frameTime, double speed, double stepFraction)
+        {
+            int steps = FrameClock.StepsOf(frameTime, settings.Own<RobustSettings>().Substeps, RobustRules.LongestFrame / settings.Own<RobustSettings>().Substeps);
+            int iterations = RobustRules.IterationsFor(settings, frameTime / steps, speed);
+            return new FrameWork(steps, 2.0 * iterations + 1.0, steps + 1.0, 1.0);
+        }
+
+        public override IFluidStepper Start(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount) =>
+            new RobustStepper(settings, shaders, particleCount);
+
+        public override long PlannedBytes(in FluidSolverSettings settings, int particleCount, bool hasBodies)
+        {
+            using (var state = new RobustState(settings, particleCount, true))
+            {
+                state.RequireList();
+                if (hasBodies) state.RequireWalls();
+                return state.Bytes;
+            }
+        }
+    }
+}

@@ -1,0 +1,21 @@
+#ifndef SPHFLUID_CELL_SUMS
+#define SPHFLUID_CELL_SUMS
+
+#include "CellTypes.hlsl"
+#include "CellRows.hlsl"
+
+// Counts of the cells and of those that left the domain, then the sums of the scan's groups of cells, as SCAN_SUM_PARTS parts each:
+// lanes that count into cells of one group do not wait for one address. Integers, so the order of the counts does not matter.
+RWStructuredBuffer<uint> _CellCount;
+
+// Counts a particle in a cell; how many were counted there before it.
+uint CountCell(uint cell, uint id)
+{
+    uint ignored;
+    InterlockedAdd(_CellCount[RemovedCell() + 1u + cell / SCAN_CELLS_PER_GROUP * SCAN_SUM_PARTS + id % SCAN_SUM_PARTS], 1u, ignored);
+    uint rank;
+    InterlockedAdd(_CellCount[cell], 1u, rank);
+    return rank;
+}
+
+#endif

@@ -1,0 +1,109 @@
+#ifndef SPHFLUID_MESH_WALLS
+#define SPHFLUID_MESH_WALLS
+
+// What GatherWalls found for particles within R of a triangle. A kernel that includes this file declares
+// "#pragma multi_compile_local _ FLUID_MESH_WALLS".
+
+#include "NearWall.hlsl"
+#include "FaceWalls.hlsl"
+
+#if defined(FLUID_MESH_WALLS)
+
+StructuredBuffer<uint> _WallSlot;      // 0: none; else 1 + place in _NearWalls
+StructuredBuffer<PackedWall> _NearWalls;
+
+static const float OPPOSITE_FACES = -0.5; // the product of their normals: a wedge of up to 60 degrees parts what is beside it
+
+NearWall WallOf(uint slot, float3 position)
+{
+    return UnpackWall(_NearWalls[max(slot, 1u) - 1u], position);
+}
+
+// 1 - L = product over the planes of 1 - what each adds: its mirror image, as far as the ones before it leave it in sight. The
+// gradient is exact while the planes stay: where it is not, the push goes round in circles and liquid beside creases never rests.
+// shares: what each plane has of the gradient.
+WallDensity DensityOf(NearWall wall, out float3 shares[WALL_PLANES])
+{
+    WallDensity density;
+    density.Value = 0.0;
+    density.Gradient = float3(0.0, 0.0, 0.0);
+    shares[0] = shares[1] = shares[2] = float3(0.0, 0.0, 0.0);
+    [unroll]
+    for (int k = 0; k < WALL_PLANES; k++)
+    {
+        const float4 plane = wall.Planes[k];
+        const float2 profile = wall.Solid[k] * MirrorProfile(plane.w);
+        float value = profile.x;
+        float3 gradient = -profile.y * _InverseSupport * plane.xyz;
+        [unroll]
+        for (int before = 0; before < k; before++)
+        {
+            const float4 sight = InSight(wall.Planes[before], plane, _MirrorSpacing / _InverseSupport);
+            gradient = gradient * sight.w + value * sight.xyz;
+            value *= sight.w;
+        }
+        [unroll]
+        for (int other = 0; other < WALL_PLANES; other++)
+        {
+            shares[other] = other < k ? shares[other] * (1.0 - value) : gradient * (1.0 - density.Value);
+        }
+        density.Gradient = density.Gradient * (1.0 - value) + gradient * (1.0 - density.Value);
+        density.Value += value * (1.0 - density.Value);
+    }
+    return density;
+}
+
+WallDensity DensityOf(NearWall wall)
+{
+    float3 shares[WALL_PLANES];
+    return DensityOf(wall, shares);
+}
+
+// What a particle's walls add; off is what it has without any. Loops that end at once are skipped where branches may not be.
+WallDensity MeshDensity(uint slot, float3 position, WallDensity off)
+{
+    for (bool there = slot != 0u; there; there = false)
+    {
+        off = DensityOf(WallOf(slot, position));
+    }
+    return off;
+}
+
+// Whether a segment from a particle, -d, goes through a face that it sees and whose normal has less than this along n.
+bool PassesFace(NearWall wall, float3 d, float3 n, float most)
+{
+    bool passes = false;
+    [unroll]
+    for (uint k = 0u; k < uint(WALL_PLANES); k++)
+    {
+        const bool seen = ((wall.Flags >> k) & 1u) != 0u;
+        passes = passes || seen && dot(wall.Planes[k].xyz, d) > wall.Planes[k].w && dot(wall.Planes[k].xyz, n) < most;
+    }
+    return passes;
+}
+
+// Liquid on the other side of a thin sheet: both see a face between them, and these look against each other. Round a curved
+// or a cornered body both see one as well, but that is one liquid: cut on and off as it moves, it never rests. Symmetric, so
+// momentum is kept. The other's walls are read only where the own ones are passed, which elsewhere no neighbour does.
+bool IsCut(NearWall wall, uint other, float3 otherPosition, float3 d)
+{
+    bool cut = false;
+    for (bool passes = PassesFace(wall, d, float3(0.0, 0.0, 0.0), 1.0); passes; passes = false)
+    {
+        const uint otherSlot = _WallSlot[other];
+        const uint otherWall = max(otherSlot, 1u) - 1u;
+        const uint faces = otherSlot != 0u ? FacesOf(_NearWalls[otherWall]) : 0u;
+        for (uint k = 0u; faces >> k != 0u && !cut; k++) // few see more than one
+        {
+            const PackedPlane plane = _NearWalls[otherWall].Planes[k];
+            const float3 n = UnpackNormal(plane.Normal);
+            const bool passesBack = ((faces >> k) & 1u) != 0u && dot(n, -d) > dot(n, otherPosition) - plane.Offset;
+            cut = passesBack && PassesFace(wall, d, n, OPPOSITE_FACES);
+        }
+    }
+    return cut;
+}
+
+#endif
+
+#endif

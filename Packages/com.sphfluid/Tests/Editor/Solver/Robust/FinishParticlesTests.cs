@@ -1,0 +1,109 @@
+using System;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    public sealed class FinishParticlesTests
+    {
+        const float Spacing = 0.05f;
+        const float TimeStep = 1f / 240f;
+        const int Iterations = 2;
+
+        static readonly Vector3 Domain = new Vector3(0.4f, 0.35f, 0.36f);
+        static readonly FluidStep Step = new FluidStep(TimeStep, TimeStep, false);
+
+        [TestCase(1, FluidAxes.None, 0f)]
+        [TestCase(63, FluidAxes.All, 0f)]
+        [TestCase(64, FluidAxes.None, 0f)]
+        [TestCase(65, FluidAxes.X, 0f)]
+        [TestCase(251, FluidAxes.None, 0f)]
+        [TestCase(251, FluidAxes.None, 1f)]
+        public void VelocitiesAreTheDisplacementsAndWhatIsDragged(int count, FluidAxes periodic, float friction)
+        {
+            FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing, periodic);
+            settings.Viscosity = 2f;
+            settings.Boundaries.Friction = friction;
+            using (var rig = new RobustStateRig(settings, count))
+            {
+                FluidParticle[] particles = Prepared(rig);
+                var pass = new FinishParticlesPass(rig.Shaders);
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, Step, Iterations));
+                Vector4[] velocities = GpuTest.Read<Vector4>(rig.State.Buffers.NewVelocities, count), places = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
+                Vector4[] carried = GpuTest.Read<Vector4>(rig.State.Motion.NewStarts, count);
+                RobustStateRig.AssertCounted(rig.State, places, Enumerable.Range(0, count).ToArray());
+                double sound = Math.Min(settings.SoundSpeed, RobustRules.EffectiveSoundSpeed(settings, TimeStep, Iterations));
+                FluidSolverSettings pairs = settings.WithSoundSpeed((float)sound);
+                Vector3 half = 0.5f * Domain;
+                for (int i = 0; i < count; i++)
+                {
+                    Double3 v = particles[i].VelT0, sum = new Double3();
+                    for (int j = 0; j < count; j++)
+                    {
+                        Double3 d = ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength), relative = v - particles[j].VelT0;
+                        if (j == i || d.Length >= settings.SupportRadius) continue;
+                        sum += 2.0 * settings.Viscosity / (settings.RestDensity * (double)settings.RestDensity) * settings.ParticleMass *
+                            StandardReference.Slope(d.Length, settings.SupportRadius) / d.Length / StandardReference.Response(settings) * relative;
+                        sum += StandardReference.Parting(d, relative, pairs);
+                    }
+                    bool nearFace = Enumerable.Range(0, 3).Any(a => half[a] - Mathf.Abs(particles[i].Position[a]) < settings.SupportRadius);
+                    Double3 error = (Double3)(Vector3)velocities[i] - (v + TimeStep * sum);
+                    if (friction == 0f || !nearFace) Assert.That(error.Length, Is.LessThan(1e-3), $"velocity of {i}");
+                    else Assert.That(Double3.Dot(error, v), Is.LessThan(1e-6), $"walls at rest take speed from {i}");
+                    Assert.That(RobustStateRig.ToBits(velocities[i].w), Is.EqualTo(particles[i].Id));
+                    Assert.That((Vector3)places[i], Is.EqualTo(particles[i].Position));
+                    Assert.That(carried[i].w, Is.EqualTo(1e-6f * i * settings.RestDensity / (TimeStep * TimeStep)).Within(1e-3).Percent, "pressure");
+                }
+            }
+        }
+
+        [Test]
+        public void WhatIsNoNumberStaysWhereItWasPredicted()
+        {
+            FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing);
+            using (var rig = new RobustStateRig(settings, 3))
+            {
+                FluidParticle[] particles = Prepared(rig);
+                Vector4[] places = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, 3);
+                places[1].y = float.NaN;
+                rig.State.Buffers.NewPositions.SetData(places);
+                var pass = new FinishParticlesPass(rig.Shaders);
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, Step, Iterations));
+                Vector4[] after = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, 3), velocities = GpuTest.Read<Vector4>(rig.State.Buffers.NewVelocities, 3);
+                Assert.That((Vector3)after[1], Is.EqualTo(particles[1].Position));
+                Assert.That((Vector3)velocities[1], Is.EqualTo(Vector3.zero));
+                Assert.That(rig.Counters()[2], Is.EqualTo(1u));
+            }
+        }
+
+        [Test]
+        public void LongStepsBoundTheViscosity()
+        {
+            FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing);
+            settings.Viscosity = 50f * settings.RestDensity;
+            double acting = RobustRules.ActingViscosity(settings, TimeStep);
+            Assert.That(acting, Is.LessThan(settings.Viscosity));
+            Assert.That(RobustRules.ActingViscosity(settings, 0.5 * TimeStep), Is.EqualTo(2.0 * acting).Within(1e-6).Percent);
+            const int count = 257;
+            using (var rig = new RobustStateRig(settings, count))
+            {
+                FluidParticle[] particles = Prepared(rig);
+                var pass = new FinishParticlesPass(rig.Shaders);
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, Step, Iterations));
+                double before = particles.Sum(p => Double3.Dot(p.VelT0, p.VelT0)), after = GpuTest.Read<Vector4>(rig.State.Buffers.NewVelocities, count)
+                    .Sum(v => Double3.Dot((Vector3)v, (Vector3)v));
+                Assert.That(after, Is.LessThan(before), "viscosity takes energy, however large it is");
+            }
+        }
+
+        // Particles as the last iteration left them, where it found them; multipliers of -i 1e-6 m2.
+        static FluidParticle[] Prepared(RobustStateRig rig)
+        {
+            FluidParticle[] particles = rig.Constrained(TimeStep);
+            rig.State.Motion.Displacements.SetData(particles.Select(p => RobustStateRig.WithW(TimeStep * p.VelT0, RobustStateRig.FromBits(p.Id))).ToArray());
+            rig.State.Buffers.NewPositions.SetData(particles.Select((p, i) => RobustStateRig.WithW(p.Position, -1e-6f * i)).ToArray());
+            return particles;
+        }
+    }
+}

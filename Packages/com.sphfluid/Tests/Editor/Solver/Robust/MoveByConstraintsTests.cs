@@ -1,0 +1,145 @@
+using System;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    public sealed class MoveByConstraintsTests
+    {
+        const float Spacing = 0.05f;
+        const float TimeStep = 1f / 240f;
+
+        static readonly Vector3 Domain = new Vector3(0.4f, 0.35f, 0.36f);
+
+        [TestCase(1, FluidAxes.None)]
+        [TestCase(63, FluidAxes.All)]
+        [TestCase(64, FluidAxes.None)]
+        [TestCase(65, FluidAxes.Y)]
+        [TestCase(251, FluidAxes.None)]
+        public void ChangesOfTheMultipliersMoveAlongTheGradients(int count, FluidAxes periodic)
+        {
+            FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing, periodic);
+            using (var rig = new RobustStateRig(settings, count))
+            {
+                FluidParticle[] particles = Prepared(rig, out Vector4[] terms);
+                var pass = new MoveByConstraintsPass(rig.Shaders);
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, true));
+                Vector4[] displacements = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count);
+                Vector4[] places = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
+                for (int i = 0; i < count; i++)
+                {
+                    Double3 expected = TimeStep * (Double3)particles[i].VelT0 + Moved(particles, terms, i, settings);
+                    Assert.That(RobustStateRig.ToBits(displacements[i].w), Is.EqualTo(particles[i].Id));
+                    Assert.That(places[i].w, Is.EqualTo(terms[i].w), "multiplier");
+                    for (int axis = 0; axis < 3; axis++)
+                    {
+                        if (settings.PeriodLength[axis] == 0f && IsAtShell(places[i][axis], axis)) continue;
+                        double component = axis == 0 ? expected.X : axis == 1 ? expected.Y : expected.Z;
+                        Assert.That(displacements[i][axis], Is.EqualTo(component).Within(2e-4 * Spacing), $"particle {i}");
+                    }
+                }
+            }
+        }
+
+        [Test]
+        public void LaterIterationsGoOnFromTheLast()
+        {
+            FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing, FluidAxes.All);
+            const int count = 129;
+            using (var rig = new RobustStateRig(settings, count))
+            {
+                Prepared(rig, out Vector4[] terms);
+                var pass = new MoveByConstraintsPass(rig.Shaders);
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, true));
+                Vector4[] first = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count), at = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, false));
+                Vector4[] second = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count), then = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
+                Vector4[] velocities = GpuTest.Read<Vector4>(rig.State.Buffers.Velocities, count);
+                for (int i = 0; i < count; i++)
+                {
+                    Vector3 step = first[i] - TimeStep * velocities[i];
+                    Assert.That(((Vector3)(second[i] - first[i]) - step).magnitude, Is.LessThan(1e-6f), "the same terms move as far again");
+                    Assert.That(then[i].w, Is.EqualTo(at[i].w + terms[i].w).Within(1e-9));
+                }
+            }
+        }
+
+        [Test]
+        public void NobodyIsBroughtNearerToAFaceThanTheShellOrThePrediction()
+        {
+            FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing);
+            const int count = 509;
+            using (var rig = new RobustStateRig(settings, count))
+            {
+                FluidParticle[] particles = Prepared(rig, out _, 1f);
+                var pass = new MoveByConstraintsPass(rig.Shaders);
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, true));
+                Vector4[] places = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count), moved = GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count);
+                Vector4[] starts = GpuTest.Read<Vector4>(rig.State.Motion.Starts, count);
+                int held = 0;
+                for (int i = 0; i < count; i++)
+                    for (int axis = 0; axis < 3; axis++)
+                    {
+                        float half = 0.5f * Domain[axis], least = Mathf.Min(0.25f * Spacing, half - Mathf.Abs(particles[i].Position[axis]));
+                        Assert.That(half - Mathf.Abs(places[i][axis]), Is.GreaterThan(least - 1e-6f), $"particle {i}");
+                        Assert.That(starts[i][axis] + moved[i][axis], Is.EqualTo(places[i][axis]).Within(1e-6), "the displacement leads there");
+                        held += IsAtShell(places[i][axis], axis) ? 1 : 0;
+                    }
+                Assert.That(held, Is.GreaterThan(0));
+            }
+        }
+
+        [Test]
+        public void WherePredictionWasHeldTheDisplacementIsWhatWasGone()
+        {
+            FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing, FluidAxes.All);
+            const int count = 65;
+            using (var rig = new RobustStateRig(settings, count))
+            {
+                FluidParticle[] particles = Prepared(rig, out _);
+                rig.SetTerms(new Vector2[count]);
+                var starts = particles.Select(p => RobustStateRig.WithW(p.Position - 0.01f * Vector3.one, 0f)).ToArray();
+                rig.State.Motion.Starts.SetData(starts);
+                var pass = new MoveByConstraintsPass(rig.Shaders);
+                GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep, true));
+                foreach (Vector4 displacement in GpuTest.Read<Vector4>(rig.State.Motion.Displacements, count))
+                    Assert.That(((Vector3)displacement - 0.01f * Vector3.one).magnitude, Is.LessThan(1e-6f));
+            }
+        }
+
+        static bool IsAtShell(float x, int axis) => Mathf.Abs(x) > 0.5f * Domain[axis] - 0.251f * Spacing;
+
+        // Particles where they were predicted, and where they began.
+        static FluidParticle[] Prepared(RobustStateRig rig, out Vector4[] terms, float part = 0.9f)
+        {
+            FluidParticle[] particles = part == 0.9f ? rig.Constrained(TimeStep) : Full(rig);
+            rig.State.Motion.Starts.SetData(particles.Select(p => RobustStateRig.WithW(p.Position - TimeStep * p.VelT0, 0f)).ToArray());
+            terms = GpuTest.Read<Vector4>(rig.State.Buffers.PositionTerms, particles.Length);
+            return particles;
+        }
+
+        static FluidParticle[] Full(RobustStateRig rig)
+        {
+            FluidParticle[] particles = rig.FillSorted(ParticleSets.Random(rig.State.ParticleCount, Domain, 1f, 5));
+            var pass = new ConstrainDensityPass(rig.Shaders);
+            GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep));
+            return particles;
+        }
+
+        static Double3 Moved(FluidParticle[] particles, Vector4[] terms, int i, FluidSolverSettings settings)
+        {
+            double response = StandardReference.Response(settings), ratio = settings.ParticleMass / (settings.RestDensity * response), h = 1e-4 * Spacing;
+            double Walls(double x, double y, double z) => StandardReference.Walls((Double3)particles[i].Position + new Double3(x, y, z), settings);
+            Double3 moved = terms[i].w / (2.0 * h * response) *
+                new Double3(Walls(h, 0, 0) - Walls(-h, 0, 0), Walls(0, h, 0) - Walls(0, -h, 0), Walls(0, 0, h) - Walls(0, 0, -h));
+            for (int j = 0; j < particles.Length; j++)
+            {
+                Double3 d = ThesisReference.Separation(particles[i], particles[j], settings.PeriodLength);
+                if (j == i || d.Length >= settings.SupportRadius) continue;
+                moved += (terms[i].w + (double)terms[j].w) * ratio * StandardReference.Slope(d.Length, settings.SupportRadius) / d.Length * d;
+            }
+            return moved;
+        }
+    }
+}
