@@ -99,7 +99,7 @@ namespace SphFluid
                 ? IterationSpeed(settings, 1.0, Math.Max(own.Iterations, MostForWeight)) / (CollapseRatio * own.DepthSpeed)
                 : double.PositiveInfinity;
             return new TimeStepAdvice(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity,
-                own.SoundSpeed, maxSpeed, settings.Viscosity / settings.RestDensity, weight);
+                own.SoundSpeed, maxSpeed, settings.Viscosity / settings.RestDensity, weight: weight);
         }
     }
 }

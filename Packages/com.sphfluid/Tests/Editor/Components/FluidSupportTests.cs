@@ -101,7 +101,7 @@ namespace SphFluid.Tests
 
         static DeviceCapabilities Device() => new DeviceCapabilities
         {
-            Name = "Old Card", ComputeShaders = true, GeometryShaders = true, AsyncReadback = true, GroupThreads = 1024, ComputeBuffers = 16,
+            Name = "Old Card", ComputeShaders = true, GeometryShaders = true, AsyncReadback = true, GroupThreads = 1024, ComputeBuffers = 20,
             VertexBuffers = 16,
         };
     }

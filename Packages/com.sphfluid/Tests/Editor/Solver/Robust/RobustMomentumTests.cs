@@ -16,6 +16,7 @@ namespace SphFluid.Tests
             input.Gravity = Vector3.zero;
             input.InitialSpeed = 1f;
             FluidSolverSettings settings = FluidRules.Derive(input);
+            settings.Boundaries.Periodic = FluidAxes.All; // no wall takes any
             FluidParticle[] block = ParticleSets.Lattice(6 * Vector3Int.one, dx, 0.05f * dx, 1);
             var start = new FluidParticle[2 * block.Length];
             for (int i = 0; i < block.Length; i++)
