@@ -22,20 +22,23 @@ namespace SphFluid.Validation
         public static IEnumerable<ChartRun> Full(ValidationCase validationCase, CaseMethod method)
         {
             CaseParameters start = validationCase.Base(method);
-            var fitted = new List<ChartConfig> { new ChartConfig(validationCase, start, ChartFactor.Base) };
-            fitted.AddRange(Spacings(validationCase, start, coarse));
+            var basis = new List<ChartConfig> { new ChartConfig(validationCase, start, ChartFactor.Base) };
+            List<ChartConfig> coarser = Spacings(validationCase, start, coarse).ToList();
+            // The spacings' curve comes first, with its seeds: without it nothing else can be placed.
+            IEnumerable<ChartRun> curve = Seeded(basis.Concat(coarser), 1, 1).Concat(Seeded(coarser.Concat(basis), 2, Seeds));
             if (IsReference(method))
-                return Seeded(fitted, 1, Seeds);
+                return curve;
+            var fitted = new List<ChartConfig>();
+            if (IsOffered(method))
+                fitted.AddRange(Supports(validationCase, start, method, coarse).Concat(SoundSpeeds(validationCase, start, 0.5, coarse)));
             fitted.AddRange(Supports(validationCase, start, method, wholeBase));
             fitted.AddRange(Spacings(validationCase, start, fine[0]));
             fitted.AddRange(SoundSpeeds(validationCase, start, 0.5, wholeBase));
-            if (IsOffered(method))
-                fitted.AddRange(Supports(validationCase, start, method, coarse).Concat(SoundSpeeds(validationCase, start, 0.5, coarse)));
             IEnumerable<ChartConfig> others = Spacings(validationCase, start, fine[1])
                 .Concat(SoundSpeeds(validationCase, start, 2.0, wholeBase))
                 .Concat(timeSteps.SelectMany(t => At(validationCase, start, ChartFactor.TimeStep, 1.0, (ref CaseParameters p) => p.TimeStepFraction = t)))
                 .Concat(otherSupports.SelectMany(k => At(validationCase, start, ChartFactor.Support, 1.0, (ref CaseParameters p) => p.SupportRatio = k)));
-            return Seeded(fitted, 1, Seeds).Concat(Seeded(others, 1, Seeds)).Concat(Seeded(fitted.Take(1), Seeds + 1, BaseSeeds));
+            return curve.Concat(Seeded(fitted, 1, Seeds)).Concat(Seeded(others, 1, Seeds)).Concat(Seeded(basis, Seeds + 1, BaseSeeds));
         }
 
         /// <summary>

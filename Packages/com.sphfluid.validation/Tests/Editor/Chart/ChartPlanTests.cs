@@ -82,7 +82,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void TheFullPlanOfAllCasesHasThreeSeedsOfEverySpacingThatTheFitsNeedWithinNinetyMinutesOfTwoCores()
+        public void TheFullPlanOfAllCasesHasTheSpacingsThatFitsNeedWithinNinetyMinutesOfTwoCores()
         {
             ValidationCase[] charted = CaseCatalogue.All.Where(c => !c.IsGate).ToArray();
             ChartPlan plan = ChartPlan.Full(charted, CaseMethod.All, ChartPlan.FullBudget(true), ChartPlan.SoftwareRunLimit);
@@ -91,9 +91,11 @@ namespace SphFluid.Tests
             foreach (ValidationCase c in charted)
             {
                 List<ChartRun> own = plan.Runs.Where(r => r.Config.Case == c && r.Config.Method.Name == "standard").ToList();
-                double[] dense = own.Where(r => r.Config.SupportRatio == 2.25 && r.Config.SoundSpeedRatio == c.Base(CaseMethod.Find("standard")).SoundSpeedRatio && r.Config.TimeStepFraction == 0.75)
-                    .GroupBy(r => r.Config.Key).Where(g => g.Count() >= 3).Select(g => g.First().Config.Spacing).ToArray();
-                Assert.That(dense, Has.Length.GreaterThanOrEqualTo(3), c.Name);
+                CaseParameters start = c.Base(CaseMethod.Find("standard"));
+                List<IGrouping<string, ChartRun>> spacings = own.Where(r => r.Config.SupportRatio.Equals(start.SupportRatio) && r.Config.SoundSpeedRatio.Equals(start.SoundSpeedRatio) &&
+                    r.Config.TimeStepFraction.Equals(start.TimeStepFraction)).GroupBy(r => r.Config.Key).ToList();
+                Assert.That(spacings, Has.Count.GreaterThanOrEqualTo(3), c.Name);
+                Assert.That(spacings.Count(g => g.Count() >= 3), Is.GreaterThanOrEqualTo(2), c.Name);
             }
         }
 
