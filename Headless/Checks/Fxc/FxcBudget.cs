@@ -3,7 +3,7 @@ namespace Headless.Checks.Fxc;
 /// <summary>What a user waits for and what small devices are short of: time of each compilation, number of the product's compute variants, shared memory.</summary>
 internal sealed class FxcBudget(string packageRoot)
 {
-    public const int MaxMilliseconds = 2000, MaxVariants = 110, MaxSharedBytes = 16 * 1024;
+    public const int MaxMilliseconds = 2000, MaxVariants = 160, MaxSharedBytes = 16 * 1024;
 
     // What Unity imports with the product and compiles for a player; tests' kernels stay in the source tree.
     private const string Shipped = "Shaders/";

@@ -40,11 +40,11 @@ public sealed class FxcCheckTests
     [Test]
     public void TooManyComputeVariantsAreFound()
     {
-        var keywords = string.Concat(Enumerable.Range(0, 7).Select(i => $"#pragma multi_compile_local _ A{i}\n"));
+        var keywords = string.Concat(Enumerable.Range(0, 8).Select(i => $"#pragma multi_compile_local _ A{i}\n"));
         var report = Run(keywords + "RWStructuredBuffer<float> Out; [numthreads(1,1,1)] void K() { Out[0] = 1; }");
 
-        Assert.That(report.Findings, Has.One.Contains("128 compute variants"));
-        Assert.That(report.Figures, Does.Contain("128 compute variants").And.Contains("1 buffers"));
+        Assert.That(report.Findings, Has.One.Contains("256 compute variants"));
+        Assert.That(report.Figures, Does.Contain("256 compute variants").And.Contains("1 buffers"));
     }
 
     [Test]

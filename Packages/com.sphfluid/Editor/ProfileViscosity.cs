@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace SphFluid.Editor
 {
-    /// <summary>The lines on viscosity below a profile, found again now and then: before the start a liquid has to be filled to know its constants.</summary>
+    /// <summary>The lines on viscosity and surface tension below a profile, found again now and then: before the start a liquid has to be filled to know its constants.</summary>
     internal sealed class ProfileViscosity
     {
         const double LeastInterval = 0.5;
@@ -45,9 +45,15 @@ namespace SphFluid.Editor
 
         static string Line(FluidSimulation simulation)
         {
-            if (simulation.IsRunning) return ViscosityText.Of(simulation, simulation.Solver.Settings);
+            if (simulation.IsRunning) return Line(simulation, simulation.Solver.Settings);
             FluidSimulationChecks.Preview(simulation, out FluidSolverSettings? constants);
-            return constants.HasValue ? ViscosityText.Of(simulation, constants.Value) : $"'{simulation.name}' cannot start; its inspector says why.";
+            return constants.HasValue ? Line(simulation, constants.Value) : $"'{simulation.name}' cannot start; its inspector says why.";
+        }
+
+        static string Line(FluidSimulation simulation, in FluidSolverSettings constants)
+        {
+            string tension = SurfaceTensionText.Of(simulation, constants);
+            return ViscosityText.Of(simulation, constants) + (tension == "" ? "" : "\n" + tension);
         }
     }
 }

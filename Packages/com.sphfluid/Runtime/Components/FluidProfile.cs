@@ -26,6 +26,14 @@ namespace SphFluid
             "The greater of this and the Viscosity Ratio's value acts.")]
         float kinematicViscosity = 1e-6f;
 
+        [SerializeField, Min(0f), Tooltip("Surface tension of the liquid against air in N/m. Water: 0.073. 0: none. It acts where the particle spacing " +
+            "is at most the capillary length, 2.7 mm for water. Standard method only.")]
+        float surfaceTension;
+
+        [SerializeField, Range(0f, 180f), Tooltip("Angle in degrees at which the liquid's surface meets walls, measured in the liquid: below 90 it wets them, " +
+            "above it draws back from them. Acts with Surface Tension. Standard method only.")]
+        float contactAngle = 90f;
+
         [Header("Accuracy")]
         [SerializeField, Range(1.5f, 4f), Tooltip("Support radius R divided by the particle spacing. 2 gives about 33 neighbours, 2.25 48, 2.5 65: " +
             "free motion is more accurate with more, still pools and corners with fewer.")]
@@ -81,6 +89,12 @@ namespace SphFluid
 
         /// <summary>Kinematic viscosity of the real liquid ν [m²/s].</summary>
         public float KinematicViscosity { get => kinematicViscosity; set { kinematicViscosity = value; Touch(); } }
+
+        /// <summary>Surface tension σ [N/m]; method Standard.</summary>
+        public float SurfaceTension { get => surfaceTension; set { surfaceTension = value; Touch(); } }
+
+        /// <summary>Contact angle at walls [degrees]; method Standard.</summary>
+        public float ContactAngle { get => contactAngle; set { contactAngle = value; Touch(); } }
 
         /// <summary>κ = R/dx: support radius over particle spacing.</summary>
         public float SupportRatio { get => supportRatio; set { supportRatio = value; Touch(); } }
@@ -145,6 +159,8 @@ namespace SphFluid
                 FluidRuleInput rules = FluidRuleInput.Water;
                 rules.RestDensity = restDensity;
                 rules.KinematicViscosity = kinematicViscosity;
+                rules.SurfaceTension = surfaceTension;
+                rules.ContactAngle = contactAngle;
                 rules.SupportRatio = supportRatio;
                 rules.SoundSpeedRatio = soundSpeedRatio;
                 rules.MaxCompression = maxCompression;
@@ -171,6 +187,8 @@ namespace SphFluid
         {
             restDensity = ClampFinite(restDensity, 1f, 20000f, 1000f);
             kinematicViscosity = ClampFinite(kinematicViscosity, 0f, 10f, 1e-6f);
+            surfaceTension = ClampFinite(surfaceTension, 0f, 100f, 0f);
+            contactAngle = ClampFinite(contactAngle, 0f, 180f, 90f);
             supportRatio = ClampFinite(supportRatio, 1.5f, 4f, 2.25f);
             soundSpeedRatio = ClampFinite(soundSpeedRatio, 3f, 20f, 5f);
             maxCompression = ClampFinite(maxCompression, 0.001f, 0.2f, 0.04f);

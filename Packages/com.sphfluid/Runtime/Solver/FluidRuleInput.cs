@@ -35,6 +35,12 @@ namespace SphFluid
         /// <summary>Kinematic viscosity of the real liquid [m²/s].</summary>
         public float KinematicViscosity;
 
+        /// <summary>Surface tension σ [N/m]; 0: none. Acts with the method Standard, where the spacing is at most the capillary length √(σ/(ρ g)).</summary>
+        public float SurfaceTension;
+
+        /// <summary>Contact angle of the liquid at walls [degrees], 0 to 180; with <see cref="SurfaceTension"/>.</summary>
+        public float ContactAngle;
+
         /// <summary>κ = R/dx.</summary>
         public float SupportRatio;
 
@@ -78,6 +84,7 @@ namespace SphFluid
             Gravity = new Vector3(0f, -9.81f, 0f),
             RestDensity = 1000f,
             KinematicViscosity = 1e-6f,
+            ContactAngle = 90f,
             SupportRatio = 2.25f,
             SoundSpeedRatio = 5f,
             MaxCompression = 0.04f,

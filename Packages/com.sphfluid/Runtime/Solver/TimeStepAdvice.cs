@@ -15,6 +15,8 @@ namespace SphFluid
         Walls,
         /// <summary>The liquid's weight, which a fixed number of iterations must carry.</summary>
         Weight,
+        /// <summary>Capillary waves: dt ≤ 0.2 √(ρ dx³/σ).</summary>
+        SurfaceTension,
     }
 
     /// <summary>
@@ -41,6 +43,9 @@ namespace SphFluid
         /// <summary>Largest step in which the iterations of a method carry the liquid's weight [s]; infinite where it does not act.</summary>
         public readonly double Weight;
 
+        /// <summary>Largest stable step by surface tension [s]; infinite without any.</summary>
+        public readonly double SurfaceTension;
+
         /// <summary>Step at the border of stability that viscosity sets [s]; <see cref="Viscosity"/> keeps about half of it.</summary>
         public readonly double ViscosityBorder;
 
@@ -58,7 +63,7 @@ namespace SphFluid
 
         /// <summary>The limits of a liquid, each the largest step that it allows [s].</summary>
         internal TimeStepAdvice(double acoustic, double speedStep, double viscous, double viscousBorder, double walls, double sound, double maxSpeed, double kinematic,
-            bool isImplicit = false, double weight = double.PositiveInfinity)
+            bool isImplicit = false, double weight = double.PositiveInfinity, double capillary = double.PositiveInfinity)
         {
             Acoustic = acoustic;
             Speed = speedStep;
@@ -70,6 +75,7 @@ namespace SphFluid
             KinematicViscosity = kinematic;
             ViscosityIsImplicit = isImplicit;
             Weight = weight;
+            SurfaceTension = capillary;
         }
 
         /// <summary>The step in which a particle moves by <see cref="SpeedLimit"/> spacings [s]; infinite at rest.</summary>
@@ -80,7 +86,7 @@ namespace SphFluid
             kinematic > 0.0 ? limit * radius * radius / kinematic : double.PositiveInfinity;
 
         /// <summary>The smallest of the limits [s].</summary>
-        public double Largest => Math.Min(Math.Min(Acoustic, Speed), Math.Min(Math.Min(Viscosity, Walls), Weight));
+        public double Largest => Math.Min(Math.Min(Math.Min(Acoustic, Speed), Math.Min(Viscosity, Walls)), Math.Min(Weight, SurfaceTension));
 
         /// <summary>The limit that is the smallest.</summary>
         public TimeStepLimit Limit
@@ -92,7 +98,8 @@ namespace SphFluid
                     : largest == Speed ? TimeStepLimit.Speed
                     : largest == Viscosity ? TimeStepLimit.Viscosity
                     : largest == Walls ? TimeStepLimit.Walls
-                    : TimeStepLimit.Weight;
+                    : largest == Weight ? TimeStepLimit.Weight
+                    : TimeStepLimit.SurfaceTension;
             }
         }
 
@@ -105,6 +112,7 @@ namespace SphFluid
                 case TimeStepLimit.Speed: return "fastest particle";
                 case TimeStepLimit.Viscosity: return "viscosity";
                 case TimeStepLimit.Weight: return "weight of the liquid";
+                case TimeStepLimit.SurfaceTension: return "surface tension";
                 default: return "stiffness of walls";
             }
         }
@@ -112,7 +120,7 @@ namespace SphFluid
         /// <summary>The step to take: a fraction of the acoustic limit, and no more than the others, which have their margin.</summary>
         /// <param name="fraction">Of the acoustic limit; 0.75 by default in a profile.</param>
         /// <returns>Its length [s].</returns>
-        public double Step(double fraction) => Math.Min(Math.Min(fraction * Acoustic, Speed), Math.Min(Math.Min(Viscosity, Walls), Weight));
+        public double Step(double fraction) => Math.Min(Math.Min(Math.Min(fraction * Acoustic, Speed), Math.Min(Viscosity, Walls)), Math.Min(Weight, SurfaceTension));
 
         /// <summary>What limits the step and what would lengthen it, as a sentence.</summary>
         /// <param name="timeStep">The step in use [s].</param>
@@ -138,6 +146,8 @@ namespace SphFluid
                         return FormattableString.Invariant($"the fastest particle ({MaxSpeed:G3} m/s) sets at {SpeedLimit} spacings a step");
                     case TimeStepLimit.Viscosity:
                         return FormattableString.Invariant($"the kinematic viscosity ({KinematicViscosity:G3} m²/s) sets");
+                    case TimeStepLimit.SurfaceTension:
+                        return "the surface tension sets";
                     case TimeStepLimit.Weight:
                         return "the liquid's weight sets, which its iterations do not carry in longer ones";
                     default:
@@ -162,6 +172,8 @@ namespace SphFluid
                         return $"half of it, by Kinematic Viscosity or Viscosity Ratio, would allow {Allowed(2.0 * Viscosity)}";
                     case TimeStepLimit.Weight:
                         return $"twice the Particle Spacing would allow {Allowed(2.0 * Weight)}, and more Substeps make shorter ones";
+                    case TimeStepLimit.SurfaceTension:
+                        return $"a quarter of the Surface Tension would allow {Allowed(2.0 * SurfaceTension)}";
                     default:
                         return $"a quarter of the Wall Stiffness Ratio would allow {Allowed(2.0 * Walls)}";
                 }
@@ -182,6 +194,7 @@ namespace SphFluid
             if (limit != TimeStepLimit.Viscosity) others = Math.Min(others, Viscosity);
             if (limit != TimeStepLimit.Walls) others = Math.Min(others, Walls);
             if (limit != TimeStepLimit.Weight) others = Math.Min(others, Weight);
+            if (limit != TimeStepLimit.SurfaceTension) others = Math.Min(others, SurfaceTension);
             return Milliseconds(Math.Min(changed, others));
         }
     }

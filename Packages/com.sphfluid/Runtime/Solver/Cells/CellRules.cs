@@ -24,13 +24,15 @@ namespace SphFluid
         /// <param name="speed">The fastest expected speed v_max [m/s].</param>
         /// <param name="sound">Speed of sound c [m/s].</param>
         /// <param name="kinematic">Kinematic viscosity ν [m²/s].</param>
-        public static FluidSolverSettings Derive(in FluidRuleInput input, out double speed, out double sound, out double kinematic)
+        /// <param name="leastSound">Speed of sound that the method needs for other reasons [m/s].</param>
+        public static FluidSolverSettings Derive(
+            in FluidRuleInput input, out double speed, out double sound, out double kinematic, double leastSound = 0.0)
         {
             double dx = input.Spacing;
             double radius = input.SupportRatio * dx;
             double gravity = input.Gravity.magnitude;
             speed = Math.Max(input.MinSpeed, Math.Sqrt((double)input.InitialSpeed * input.InitialSpeed + 2.0 * gravity * input.LiquidHeight));
-            sound = Math.Max(input.SoundSpeedRatio * speed, Math.Sqrt(gravity * input.LiquidDepth / input.MaxCompression));
+            sound = Math.Max(leastSound, Math.Max(input.SoundSpeedRatio * speed, Math.Sqrt(gravity * input.LiquidDepth / input.MaxCompression)));
             kinematic = Math.Max(input.KinematicViscosity, ViscosityShare * input.ViscosityRatio * sound * radius);
             return new FluidSolverSettings
             {

@@ -8,9 +8,12 @@ namespace SphFluid
     {
         static readonly ShaderGroup Group = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
             groupThreads: 64, buffers: 17, writableBuffers: 7, groupMemory: 6144, vertexBuffers: 0,
-            "StandardDensity", "MoveParticles", "KickParticles", "DiffuseVelocities", "DriftParticles").With(CellShaders.Group);
+            "StandardDensity", "MoveParticles", "KickParticles", "DiffuseVelocities", "DriftParticles", "SurfaceNormals", "SurfaceTension").With(CellShaders.Group);
 
-        static readonly string[] Fields = { "soundSpeedMode", "timeStepFraction" };
+        static readonly string[] Fields = { "soundSpeedMode", "timeStepFraction", "surfaceTension", "contactAngle" };
+
+        // A walk over the neighbours that adds little to each, over one of density or forces.
+        const double IterationShare = 0.5;
 
         public override FluidMethodKind Kind => FluidMethodKind.Standard;
 
@@ -33,7 +36,10 @@ namespace SphFluid
         {
             double step = Advise(settings, speed).Step(stepFraction);
             int steps = FrameWork.StepsOf(frameTime, step), perSort = ListReuse.Steps(settings, step, speed);
-            return new FrameWork(steps, 2.0, Math.Ceiling(steps / (double)perSort));
+            StandardSettings own = settings.Own<StandardSettings>();
+            double solution = own.ImplicitViscosity ? IterationShare * ImplicitViscosity.Iterations(settings, step) : 0.0;
+            double walks = 2.0 + solution + (own.SurfaceTension > 0f ? 2.0 * IterationShare : 0.0);
+            return new FrameWork(steps, walks, Math.Ceiling(steps / (double)perSort));
         }
 
         public override double CellCount(in FluidSolverSettings settings) => FluidGrid.CountFor(settings, CellRows.Border);
@@ -48,6 +54,7 @@ namespace SphFluid
                 state.RequireList();
                 if (hasBodies) state.RequireWalls();
                 if (state.Own.ImplicitViscosity) state.RequireViscous();
+                if (state.Own.SurfaceTension > 0f) state.RequireTension();
                 return state.Bytes;
             }
         }

@@ -32,6 +32,12 @@ namespace SphFluid
         /// </summary>
         public bool ImplicitViscosity;
 
+        /// <summary>Surface tension σ [N/m]; 0: none.</summary>
+        public float SurfaceTension;
+
+        /// <summary>Angle between walls and the liquid's surface, measured in the liquid [degrees], 0 to 180: below 90 the liquid wets them. Acts with <see cref="SurfaceTension"/>.</summary>
+        public float ContactAngle;
+
         /// <inheritdoc/>
         float IMethodSettings.SoundSpeed => SoundSpeed;
 
@@ -47,6 +53,9 @@ namespace SphFluid
         public void Validate()
         {
             FluidSolverSettings.RequirePositive(SoundSpeed, nameof(SoundSpeed));
+            FluidSolverSettings.RequireNotNegative(SurfaceTension, nameof(SurfaceTension));
+            if (!(ContactAngle >= 0f && ContactAngle <= 180f))
+                throw new ArgumentException($"ContactAngle is {ContactAngle}; it must be from 0 to 180 degrees.");
             if (StepsPerSort < 1)
                 throw new ArgumentException($"StepsPerSort is {StepsPerSort}; it must be 1 or more.");
         }

@@ -13,6 +13,9 @@ namespace SphFluid
         /// <summary>What an implicit viscosity needs; null where it never was.</summary>
         public ViscousBuffers Viscous { get; private set; }
 
+        /// <summary>What surface tension needs; null where there never was any.</summary>
+        public TensionBuffers Tension { get; private set; }
+
         /// <summary>The constants that only this method has.</summary>
         public StandardSettings Own => Settings.Own<StandardSettings>();
 
@@ -23,25 +26,30 @@ namespace SphFluid
         protected override bool WantsLists => Own.NeighbourList;
 
         /// <inheritdoc/>
-        protected override long OwnBytes => base.OwnBytes + (Viscous?.Bytes ?? 0);
+        protected override long OwnBytes => base.OwnBytes + (Viscous?.Bytes ?? 0) + (Tension?.Bytes ?? 0);
 
         /// <summary>Makes <see cref="Viscous"/>, if it is not there.</summary>
         public void RequireViscous() => Viscous ??= new ViscousBuffers(Capacity, IsPlanned);
+
+        /// <summary>Makes <see cref="Tension"/>, if it is not there.</summary>
+        public void RequireTension() => Tension ??= new TensionBuffers(Capacity, IsPlanned);
 
         /// <inheritdoc/>
         public override void Dispose()
         {
             Viscous?.Dispose();
+            Tension?.Dispose();
             base.Dispose();
         }
 
         /// <inheritdoc/>
         protected override void ResizeOwn(int capacity, ICollection<IDisposable> replaced)
         {
-            if (Viscous == null) return;
-            var viscous = new ViscousBuffers(capacity);
-            replaced.Add(Viscous);
-            Viscous = viscous;
+            ViscousBuffers viscous = Viscous == null ? null : new ViscousBuffers(capacity);
+            TensionBuffers tension = Tension == null ? null : new TensionBuffers(capacity);
+            if (Viscous != null) replaced.Add(Viscous);
+            if (Tension != null) replaced.Add(Tension);
+            (Viscous, Tension) = (viscous, tension);
         }
     }
 }

@@ -7,12 +7,15 @@ namespace SphFluid
     /// the stable order makes Scatter two. Triangles add three: GatherWalls before the density, FindContacts and ResolveContacts after
     /// the motion, and bodies that the liquid moves MoveBodies before the first and after the motion. A step that keeps the order and lists of an earlier one has two, ListedDensity and MoveParticles, and the same three of triangles.
     /// An implicit viscosity has several in the place of MoveParticles: KickParticles, DiffuseVelocities and DriftParticles.
+    /// Surface tension adds two before the motion: SurfaceNormals and SurfaceTension.
     /// </summary>
     internal sealed class StandardStepper : CellStepper
     {
         readonly StandardState state;
         readonly StandardDensityPass density;
         readonly MoveParticlesPass moveParticles;
+        SurfaceNormalsPass surfaceNormals;
+        SurfaceTensionPass surfaceTension;
         KickParticlesPass kickParticles;
         DiffuseVelocitiesPass diffuseVelocities;
         DriftParticlesPass driftParticles;
@@ -76,6 +79,7 @@ namespace SphFluid
         /// <inheritdoc/>
         public override void RecordMotion(CommandBuffer cmd, in FluidStep step)
         {
+            if (state.Own.SurfaceTension > 0f) RecordTension(cmd, step);
             if (state.Own.ImplicitViscosity) RecordViscousMotion(cmd, step);
             else moveParticles.Record(cmd, state, step);
             if (state.HasBodies)
@@ -85,6 +89,15 @@ namespace SphFluid
             }
 
             Order = step.KeepsOrder ? ParticleOrder.Left : ParticleOrder.Counted;
+        }
+
+        void RecordTension(CommandBuffer cmd, in FluidStep step)
+        {
+            state.RequireTension();
+            surfaceNormals ??= new SurfaceNormalsPass(Shaders);
+            surfaceTension ??= new SurfaceTensionPass(Shaders);
+            surfaceNormals.Record(cmd, state);
+            surfaceTension.Record(cmd, state, step);
         }
 
         void RecordViscousMotion(CommandBuffer cmd, in FluidStep step)

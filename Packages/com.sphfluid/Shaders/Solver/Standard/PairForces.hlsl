@@ -3,7 +3,7 @@
 
 // What neighbours do to a particle: symmetric pressure, the parting of close pairs and laminar viscosity (Morris et al. 1997),
 //   a_i = -(1/M) (m sum_j (P_i + P_j) grad W - (2 nu m / rho0) sum_j (W'/r) (v_i - v_j)).
-// A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_PERIODIC" and has FLUID_MESH_WALLS.
+// A kernel that includes this file has the keyword FLUID_PERIODIC, or defines it, and FLUID_MESH_WALLS.
 #include "../Cells/CellRows.hlsl"
 #include "../Cells/NeighbourList.hlsl"
 #include "../Cells/Wendland.hlsl"

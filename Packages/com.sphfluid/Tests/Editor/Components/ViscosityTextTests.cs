@@ -106,6 +106,8 @@ namespace SphFluid.Tests
         [TestCase("OliveOilProfile", 911f, 9.2e-5f, 4.13e-3)]
         [TestCase("GlycerolProfile", 1258f, 7.4e-4f, 33.2e-3)]
         [TestCase("CastorOilProfile", 961f, 1.03e-3f, 46.2e-3)]
+        [TestCase("BloodProfile", 1060f, 3.2e-6f, 143e-6)]
+        [TestCase("LavaProfile", 2700f, 3.7e-2f, 1660e-3)]
         [TestCase("HoneyProfile", 1420f, 1.34e-2f, 601e-3)]
         [TestCase("MercuryProfile", 13534f, 1.13e-7f, 5.07e-6)]
         public void ALiquidOfThePackageActsUpToThisSpacing(string name, float density, float viscosity, double spacing)

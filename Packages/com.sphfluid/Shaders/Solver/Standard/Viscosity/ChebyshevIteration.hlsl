@@ -35,7 +35,7 @@ float FirstStep()
 // T_k(s) / T_(k+1)(s), from t = s - sqrt(s^2 - 1).
 float Ratio(float t, float k)
 {
-    const float power = pow(t, 2.0 * k);
+    const float power = pow(abs(t), 2.0 * k);
     return t * (1.0 + power) / (1.0 + power * t * t);
 }
 

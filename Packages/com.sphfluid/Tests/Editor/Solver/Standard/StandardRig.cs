@@ -12,6 +12,8 @@ namespace SphFluid.Tests
             Solver = new FluidSolver(settings, shaders, particles);
         }
 
+        public FluidShaderSet Shaders => shaders;
+
         public FluidSolver Solver { get; }
 
         public StandardState State => (StandardState)Solver.State;

@@ -119,7 +119,7 @@ namespace SphFluid.Tests
             input.LiquidHeight = input.LiquidDepth = 0.4f;
             FluidSolverSettings settings = FluidRules.Derive(input);
             settings.Boundaries.NoSlip = true;
-            FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(7, 12, 7), 0.025f, 0.01f, 3);
+            FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(7, 12, 7), 0.025f, 0.001f, 3);
             for (int i = 0; i < start.Length; i++) start[i].Position.y -= 0.25f - 6f * 0.025f;
             using (var rig = new StandardRig(settings, start))
             {
@@ -174,7 +174,7 @@ namespace SphFluid.Tests
         static FluidSolverSettings Implicit(in FluidSolverSettings settings) =>
             settings.WithOwn((ref StandardSettings own) => own.ImplicitViscosity = true);
 
-        static FluidParticle[] Blob(int side) => ParticleSets.Lattice(new Vector3Int(side, side, side), 0.025f, 0.05f, 2);
+        static FluidParticle[] Blob(int side) => ParticleSets.Lattice(new Vector3Int(side, side, side), 0.025f, 0.001f, 2);
 
         static FluidSolverSettings Rules(float kinematic) => FluidRules.Derive(Input(kinematic));
 

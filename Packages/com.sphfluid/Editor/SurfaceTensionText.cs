@@ -1,0 +1,31 @@
+using System;
+using System.Linq;
+
+namespace SphFluid.Editor
+{
+    /// <summary>Whether a profile's surface tension acts in a simulation, as the profile's inspector shows it: coarse particles do not resolve it.</summary>
+    public static class SurfaceTensionText
+    {
+        /// <summary>Of a simulation with these constants.</summary>
+        /// <param name="simulation">The simulation, with a profile.</param>
+        /// <param name="constants">Its constants, present ones or those that it would start with.</param>
+        /// <returns>A sentence or two; empty where the profile has no surface tension.</returns>
+        public static string Of(FluidSimulation simulation, in FluidSolverSettings constants)
+        {
+            FluidProfile profile = simulation.Profile;
+            if (!(profile.SurfaceTension > 0f)) return "";
+            string tension = FormattableString.Invariant($"surface tension of {profile.SurfaceTension:G2} N/m");
+            if (!FluidMethods.Of(simulation.Method).ProfileFields.Contains("surfaceTension"))
+                return $"'{simulation.name}': the {tension} does not act: the method {simulation.Method} has none.";
+            TimeStepAdvice advice = FluidRules.Advise(constants, constants.MaxSpeed);
+            if (double.IsInfinity(advice.SurfaceTension))
+            {
+                double length = 1e3 * CapillaryRules.CapillaryLength(profile.SurfaceTension, profile.RestDensity, constants.Gravity.magnitude);
+                return FormattableString.Invariant(
+                    $"'{simulation.name}': the {tension} does not act at a spacing of {1e3 * constants.Spacing:G2} mm. It does at {length:G2} mm and finer, the liquid's capillary length.");
+            }
+            string limits = advice.Limit == TimeStepLimit.SurfaceTension ? $" It sets the time step of {TimeStepAdvice.Milliseconds(constants.TimeStep)}." : "";
+            return FormattableString.Invariant($"'{simulation.name}': the {tension} acts, with a contact angle of {profile.ContactAngle:0}°.{limits}");
+        }
+    }
+}

@@ -1,0 +1,17 @@
+using UnityEngine.Rendering;
+
+namespace SphFluid
+{
+    /// <summary>TensionPairs.hlsl: neighbours and walls for the passes of surface tension.</summary>
+    internal static class TensionBindings
+    {
+        public static void Set(CommandBuffer cmd, ComputeKernel kernel, StandardState state)
+        {
+            CellBindings.SetSearch(cmd, kernel, state);
+            CellBindings.SetWalls(cmd, kernel, state);
+            state.List.Set(cmd, kernel);
+            kernel.Set(cmd, state.Buffers.Positions);
+            kernel.Set(cmd, state.Buffers.PositionTerms);
+        }
+    }
+}

@@ -1,0 +1,67 @@
+using NUnit.Framework;
+using SphFluid.Editor;
+using UnityEditor;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>The profile says whether its surface tension acts.</summary>
+    public sealed class SurfaceTensionTextTests
+    {
+        FluidProfile profile;
+        FluidSimulation tank;
+
+        [SetUp]
+        public void SetUp()
+        {
+            profile = Object.Instantiate(AssetDatabase.LoadAssetAtPath<FluidProfile>("Packages/com.sphfluid/Runtime/Assets/WaterProfile.asset"));
+            tank = new GameObject("Tank").AddComponent<FluidSimulation>();
+            tank.Profile = profile;
+        }
+
+        [TearDown]
+        public void TearDown()
+        {
+            Object.DestroyImmediate(tank.gameObject);
+            Object.DestroyImmediate(profile);
+        }
+
+        [TestCase(0.025f, "'Tank': the surface tension of 0.073 N/m does not act at a spacing of 25 mm. It does at 2.7 mm and finer, the liquid's capillary length.")]
+        [TestCase(0.002f, "'Tank': the surface tension of 0.073 N/m acts, with a contact angle of 30°.")]
+        public void CoarseParticlesDoNotResolveIt(float spacing, string text)
+        {
+            Assert.That(SurfaceTensionText.Of(tank, Constants(spacing, 0.2f)), Is.EqualTo(text));
+        }
+
+        [Test]
+        public void WhereItSetsTheStepItSaysSo()
+        {
+            Assert.That(SurfaceTensionText.Of(tank, Constants(0.0002f, 0.001f)), Does.Contain("acts, with a contact angle of 30°. It sets the time step of "));
+        }
+
+        [Test]
+        public void AnotherMethodHasNone()
+        {
+            tank.Method = FluidMethodKind.Thesis;
+            FluidSolverSettings constants = Constants(0.002f, 0.2f);
+            Assert.That(SurfaceTensionText.Of(tank, constants), Does.EndWith("does not act: the method Thesis has none."));
+        }
+
+        [Test]
+        public void WithoutThereIsNothingToSay()
+        {
+            profile.SurfaceTension = 0f;
+            Assert.That(SurfaceTensionText.Of(tank, Constants(0.002f, 0.2f)), Is.Empty);
+        }
+
+        FluidSolverSettings Constants(float spacing, float height)
+        {
+            FluidRuleInput rules = profile.Spec.Rules;
+            rules.Method = tank.Method;
+            rules.Spacing = spacing;
+            rules.DomainSize = height * Vector3.one;
+            rules.LiquidHeight = rules.LiquidDepth = height;
+            return FluidRules.Derive(rules);
+        }
+    }
+}
