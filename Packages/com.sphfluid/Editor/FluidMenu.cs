@@ -78,6 +78,21 @@ namespace SphFluid.Editor
         [MenuItem(Root + "Sensor", false, Priority + 19)]
         public static void CreateSensor(MenuCommand command) => CreatePart(command, "Fluid Sensor", typeof(FluidSensor));
 
+        /// <summary>A place where pressure on a wall, velocity or density is read, child of the selected object.</summary>
+        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
+        [MenuItem(Root + "Probe", false, Priority + 20)]
+        public static void CreateProbe(MenuCommand command) => CreatePart(command, "Fluid Probe", typeof(FluidProbe));
+
+        /// <summary>A line on which the height of a liquid is read, child of the selected object.</summary>
+        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
+        [MenuItem(Root + "Gauge", false, Priority + 21)]
+        public static void CreateGauge(MenuCommand command) => CreatePart(command, "Fluid Gauge", typeof(FluidGauge));
+
+        /// <summary>A rectangle through which the flow of a liquid is read, child of the selected object.</summary>
+        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
+        [MenuItem(Root + "Flux", false, Priority + 22)]
+        public static void CreateFlux(MenuCommand command) => CreatePart(command, "Fluid Flux", typeof(FluidFlux));
+
         /// <summary>Adds liquid to a domain: a box over a third of its width, all of its depth and two thirds of its height.</summary>
         /// <param name="simulation">The simulation.</param>
         /// <returns>The new volume.</returns>

@@ -50,8 +50,7 @@ namespace SphFluid
 
         FluidQuery shape; // the box or the rectangle
         double flowed, flowedTime; // at the answer before; NaN: none
-        readonly List<FluidQuery> queries = new List<FluidQuery>();
-        readonly List<float> densities = new List<float>();
+        readonly LineReading reading = new LineReading();
         SensorSwitch state;
         FluidSimulation read; // whose queries these are
         FluidSensorKind known;
@@ -118,7 +117,7 @@ namespace SphFluid
                 return;
             }
             SensorLine line = Line();
-            Place(line);
+            reading.Place(read.Queries, line, transform.position, transform.up);
             if (read.Queries.Answer != answer) Take(line);
         }
 
@@ -138,10 +137,8 @@ namespace SphFluid
 
         void Begin(FluidSimulation owner)
         {
-            if (read is object)
-                foreach (FluidQuery query in queries) read.Queries.Remove(query);
+            if (read is object) reading.Remove(read.Queries);
             if (read is object) read.Queries.Remove(shape);
-            queries.Clear();
             shape = default;
             read = owner;
             known = kind;
@@ -165,23 +162,6 @@ namespace SphFluid
                 read.Solver.Settings.Spacing);
         }
 
-        void Place(in SensorLine line)
-        {
-            FluidQueries all = read.Queries;
-            Vector3 foot = transform.position, up = transform.up;
-            while (queries.Count > line.Count)
-            {
-                all.Remove(queries[queries.Count - 1]);
-                queries.RemoveAt(queries.Count - 1);
-            }
-            for (int i = 0; i < line.Count; i++)
-            {
-                Vector3 place = foot + (line.First + i * line.Step) * up;
-                if (i == queries.Count) queries.Add(all.AddPoint(place));
-                else all.Move(queries[i], place);
-            }
-        }
-
         void PlaceShape()
         {
             FluidQueries all = read.Queries;
@@ -203,14 +183,7 @@ namespace SphFluid
 
         void Take(in SensorLine line)
         {
-            FluidQueries all = read.Queries;
-            FluidPointResult point = default;
-            densities.Clear();
-            foreach (FluidQuery query in queries)
-            {
-                if (!all.TryGet(query, out point)) return;
-                densities.Add(point.Density);
-            }
+            if (!(reading.Densities(read.Queries, out FluidPointResult point) is IReadOnlyList<float> densities)) return;
             float restDensity = read.Solver.Settings.RestDensity;
             Take(kind == FluidSensorKind.Level ? line.Level(densities, restDensity)
                 : kind == FluidSensorKind.Speed ? point.IsWet ? point.Velocity.magnitude : 0f

@@ -115,6 +115,9 @@ namespace SphFluid
 
         /// <summary>The liquid brings forth more whitewater than it may.</summary>
         WhitewaterFull,
+
+        /// <summary>An instrument cannot read what it is set to.</summary>
+        InstrumentInvalid,
     }
 
     /// <summary>One message to the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>

@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using UnityEngine;
 
@@ -11,8 +10,7 @@ namespace SphFluid
     /// </summary>
     public sealed class WallPatch
     {
-        readonly List<WallSample> samples = new List<WallSample>();
-        int first; // of those that are kept
+        readonly TimeMean samples = new TimeMean();
 
         internal WallPatch()
         {
@@ -40,20 +38,20 @@ namespace SphFluid
         public double Seconds { get; private set; }
 
         /// <summary>Simulated time up to which the sums have arrived [s]; −1 while there are none.</summary>
-        public double Time => HasValue ? samples[samples.Count - 1].Time : -1.0;
+        public double Time => samples.Time;
 
         /// <summary>Whether a sum has arrived.</summary>
-        public bool HasValue => samples.Count > first;
+        public bool HasValue => samples.Count > 0;
 
         /// <summary>How far back single samples are kept [simulated s], 1 by default: as long as the longest mean that is asked for.</summary>
-        public double Memory { get; set; } = 1.0;
+        public double Memory { get => samples.Memory; set => samples.Memory = value; }
 
         /// <summary>The samples that are kept, oldest first: one a step, or one of several steps where a batch has more than <see cref="WallForces.MostParts"/>.</summary>
         public IEnumerable<WallSample> Samples
         {
             get
             {
-                for (int i = first; i < samples.Count; i++) yield return samples[i];
+                for (int i = 0; i < samples.Count; i++) yield return new WallSample(samples[i].Time, samples[i].Length, samples[i].Integral);
             }
         }
 
@@ -66,7 +64,7 @@ namespace SphFluid
         /// <summary>Mean force on the wall, against the normal [N].</summary>
         /// <param name="seconds">Simulated time before <see cref="Time"/> to take the mean of; at most <see cref="Memory"/>. 0: the last sample alone.</param>
         /// <returns>The force; 0 while no sum has arrived.</returns>
-        public double MeanForce(double seconds) => MeanForce(samples.Count, seconds);
+        public double MeanForce(double seconds) => samples.Mean(seconds);
 
         /// <summary>Mean pressure on the wall: force per area [Pa].</summary>
         /// <param name="seconds">As of <see cref="MeanForce(double)"/>.</param>
@@ -76,45 +74,21 @@ namespace SphFluid
         /// <summary>The largest mean pressure that any of the last samples ended [Pa]: a hit lasts less than a frame.</summary>
         /// <param name="seconds">As of <see cref="MeanForce(double)"/>.</param>
         /// <param name="last">Number of samples, as many as there are at most.</param>
-        internal double PeakPressure(double seconds, long last)
-        {
-            double peak = double.NegativeInfinity;
-            for (int end = samples.Count; end > first && last > 0; end--, last--) peak = Math.Max(peak, MeanForce(end, seconds));
-            return Area > 0.0 ? peak / Area : 0.0;
-        }
+        internal double PeakPressure(double seconds, long last) => Area > 0.0 ? samples.Peak(seconds, last) / Area : 0.0;
 
         /// <summary>Forgets all sums: <see cref="Impulse"/> begins anew.</summary>
         public void Clear()
         {
             samples.Clear();
-            first = 0;
             Impulse = Seconds = 0.0;
         }
 
         internal void Take(in WallSample sample)
         {
-            samples.Add(sample);
+            samples.Add(sample.Time, sample.Seconds, sample.Impulse);
             Impulse += sample.Impulse;
             Seconds += sample.Seconds;
             Received++;
-            while (first < samples.Count - 1 && samples[first].Time < sample.Time - Memory) first++;
-            if (first < 64 || 2 * first < samples.Count) return;
-            samples.RemoveRange(0, first);
-            first = 0;
-        }
-
-        // Of the samples before one; of the first in the span the part that lies in it.
-        double MeanForce(int end, double seconds)
-        {
-            double impulse = 0.0, time = 0.0;
-            for (int i = end - 1; i >= first && (i == end - 1 || time < seconds); i--)
-            {
-                WallSample sample = samples[i];
-                double share = i == end - 1 || !(time + sample.Seconds > seconds) ? 1.0 : (seconds - time) / sample.Seconds;
-                impulse += share * sample.Impulse;
-                time += share * sample.Seconds;
-            }
-            return time > 0.0 ? impulse / time : 0.0;
         }
     }
 }
