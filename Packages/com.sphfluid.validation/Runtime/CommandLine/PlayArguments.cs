@@ -25,7 +25,7 @@ namespace SphFluid.Validation
             Options.Add("--seed", "N", "seed of the start jitter", "as in the scene", flag => Seed = flag.Integer(0, int.MaxValue));
             Options.Add("--state", "FILE.ply", "writes the particles at the end", null, flag => StateFile = flag.File(".ply"));
             Options.Add("--mesh", "FILE.ply", MeshText, null, flag => MeshFile = flag.File(".ply"));
-            Options.Add("--record", "FILE.csv", "writes speed, density error, energy and centre of mass of every frame", null, flag => RecordFile = flag.File(".csv"));
+            Options.Add("--record", "FILE.csv", "writes speed, density error, energy and centre of mass of every frame, and what instruments read, with a plot", null, flag => RecordFile = flag.File(".csv"));
         }
 
         internal CommandLineOptions Options { get; } = new CommandLineOptions("play's liquid");

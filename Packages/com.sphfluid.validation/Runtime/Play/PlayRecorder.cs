@@ -19,6 +19,7 @@ namespace SphFluid.Validation
 
         readonly FrameTable frames = new FrameTable("steps", "particles");
         readonly FrameTable record = new FrameTable(RecordColumns);
+        readonly InstrumentRecord instruments = new InstrumentRecord();
         readonly Dictionary<FluidSimulation, SurfaceCaps> surfaces = new Dictionary<FluidSimulation, SurfaceCaps>();
         readonly Dictionary<FluidSimulation, ColliderSides> sides = new Dictionary<FluidSimulation, ColliderSides>();
         PlayArguments arguments;
@@ -66,6 +67,7 @@ namespace SphFluid.Validation
             record.Add(simulation.SimulatedTime, index, simulation.StepCount, s.MaxSpeed, s.RmsSpeed,
                 s.DensityErrorMean, s.DensityErrorMax, s.KineticEnergy, s.Centre.x, s.Centre.y, s.Centre.z,
                 gaps.CloseShare, gaps.Nearest);
+            instruments.AddRow(simulation);
         }
 
         void Finish()
@@ -81,7 +83,7 @@ namespace SphFluid.Validation
                     if (simulation.IsRunning)
                         running.Add(simulation);
                 }
-                new PlayResults(arguments, running, surfaces, sides).Write(frames, record);
+                new PlayResults(arguments, running, surfaces, sides).Write(frames, record, instruments);
             }
             catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException || exception is InvalidDataException)
             {

@@ -25,7 +25,7 @@ namespace SphFluid.Validation
             this.surfaces = surfaces;
         }
 
-        public void Write(FrameTable frames, FrameTable record)
+        public void Write(FrameTable frames, FrameTable record, InstrumentRecord instruments)
         {
             var summaries = new List<JsonObject>();
             for (int i = 0; i < simulations.Count; i++)
@@ -38,7 +38,7 @@ namespace SphFluid.Validation
                     WriteMesh(FileOf(arguments.MeshFile, i), simulations[i]);
             }
             if (arguments.RecordFile != null)
-                record.Write(arguments.RecordFile);
+                WriteRecord(record, instruments);
             if (arguments.OutputFolder == null)
                 return;
             Directory.CreateDirectory(arguments.OutputFolder);
@@ -49,6 +49,17 @@ namespace SphFluid.Validation
                 frames.InsertInto(timings, "time_s");
             else
                 frames.Write(timings);
+        }
+
+        // Pictures of what instruments read stand beside the table.
+        void WriteRecord(FrameTable record, InstrumentRecord instruments)
+        {
+            string file = Path.GetFullPath(arguments.RecordFile);
+            record.Write(file);
+            instruments.AppendTo(file);
+            var plot = new InstrumentScript(Path.GetFileNameWithoutExtension(file) + "-instruments", instruments.Curves);
+            if (!plot.IsEmpty && GnuplotScript.Draw(Path.GetDirectoryName(file), new[] { plot }) is string problem)
+                Debug.LogWarning($"{FluidMessage.Prefix} {problem}");
         }
 
         // With several simulations the files are name.ply, name.1.ply, name.2.ply, ...

@@ -43,7 +43,8 @@ namespace SphFluid.Tests
             for (int frame = 0; frame < 4; frame++)
                 yield return null;
 
-            new PlayResults(arguments, new[] { simulation }, new Dictionary<FluidSimulation, SurfaceCaps>(), new Dictionary<FluidSimulation, ColliderSides>()).Write(new FrameTable("steps"), new FrameTable("steps"));
+            new PlayResults(arguments, new[] { simulation }, new Dictionary<FluidSimulation, SurfaceCaps>(), new Dictionary<FluidSimulation, ColliderSides>())
+                .Write(new FrameTable("steps"), new FrameTable("steps"), new InstrumentRecord());
 
             SurfaceMesh mesh = PlyMesh.Read(file);
             MeshEdges edges = MeshEdges.Of(mesh);

@@ -68,6 +68,21 @@ namespace SphFluid.Tests
             return Solver.Settings.ParticleMass * sum;
         }
 
+        /// <summary>Shepard's mean of the particles' pressures at a place [Pa]; 0 where there are none.</summary>
+        public double Shepard(FluidParticle[] particles, float[] pressures, Vector3 place)
+        {
+            double weights = 0.0, sum = 0.0, support = Solver.Settings.SupportRadius;
+            for (int i = 0; i < particles.Length; i++)
+            {
+                double q = ((Double3)particles[i].Position - (Double3)place).Length / support, u = Math.Max(0.0, 1.0 - q);
+                double weight = u * u * u * u * (4.0 * q + 1.0);
+                weights += weight;
+                sum += weight * pressures[i];
+            }
+
+            return weights > 0.0 ? sum / weights : 0.0;
+        }
+
         /// <summary>A block on a lattice, its low corner at a place.</summary>
         public static FluidParticle[] Block(Vector3Int counts, float spacing, Vector3 low, Vector3 velocity)
         {
