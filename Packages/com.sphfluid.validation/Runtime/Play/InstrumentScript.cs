@@ -36,6 +36,8 @@ namespace SphFluid.Validation
             yield return "set grid lt 1 lc rgb '#E8E8E8' lw 0.7";
             yield return "set border 3 lc rgb '#404040'";
             yield return "set tics nomirror";
+            yield return "set lmargin 11";
+            yield return "set rmargin 28"; // the panels stand below each other whatever their numbers and names
             yield return "set key outside right top Left reverse";
             yield return "set xlabel 'time of the liquid [s]'";
             foreach (List<InstrumentCurve> panel in panels)

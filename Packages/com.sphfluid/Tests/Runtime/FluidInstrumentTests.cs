@@ -65,7 +65,7 @@ namespace SphFluid.Tests
             Assert.That(probe.Peak, Is.GreaterThanOrEqualTo(probe.Value));
             Assert.That((probe.WallPoint - new Vector3(3f, 0.8f, 0f)).magnitude, Is.LessThan(1e-5f));
             Assert.That((probe.WallRotation * Vector3.forward - Vector3.up).magnitude, Is.LessThan(1e-5f));
-            Assert.That(received, Is.GreaterThan(40));
+            Assert.That(received, Is.GreaterThan(5));
             Assert.That(probe.Readings.Select(r => r.Column), Is.EqualTo(new[] { "pressure_pa", "peak_pressure_pa", "force_n" }));
             Assert.That(probe.ReadTime, Is.EqualTo(simulation.SimulatedTime).Within(1e-6), "ReadNow waits for the newest");
             probe.transform.position += 0.4f * Vector3.up; // in the middle of the air
@@ -135,7 +135,7 @@ namespace SphFluid.Tests
             gauge.transform.position = 0.2f * Vector3.down;
             yield return Play(simulation, 6);
             Assert.That((gauge.HasValue, gauge.Problem.HasValue, gauge.Liquid), Is.EqualTo((true, false, simulation)));
-            simulation.Stop();
+            simulation.StopSimulation();
             yield return null;
             Assert.That(gauge.HasValue, Is.False, "what is gone is not read");
         }
