@@ -68,7 +68,7 @@ namespace SphFluid.Tests
             Assert.That(received, Is.GreaterThan(5));
             Assert.That(probe.Readings.Select(r => r.Column), Is.EqualTo(new[] { "pressure_pa", "peak_pressure_pa", "force_n" }));
             Assert.That(probe.ReadTime, Is.EqualTo(simulation.SimulatedTime).Within(1e-6), "ReadNow waits for the newest");
-            probe.transform.position += 0.4f * Vector3.up; // in the middle of the air
+            probe.transform.position += 0.16f * Vector3.up; // in the middle of the air
             LogAssert.Expect(LogType.Warning, new Regex("No wall of 'Fluid' is within .* Move this object"));
             yield return null;
             Assert.That((probe.Problem.Value.Issue, probe.Patch), Is.EqualTo((FluidIssue.InstrumentInvalid, (WallPatch)null)));
