@@ -47,8 +47,8 @@ namespace SphFluid.Validation
 
         private protected override IEnumerable<SessionJob> Jobs()
         {
-            foreach (ChartConfig config in plan.Unbuildable)
-                Progress.Say($"Not part of the chart: {config}: {config.Problem}");
+            foreach (var same in plan.Unbuildable.GroupBy(c => (c.Case.Name, Method: c.Method.Name, c.Problem)))
+                Progress.Say($"Not part of the chart: {same.Count()} {(same.Count() == 1 ? "point" : "points")} of {same.Key.Name} with {same.Key.Method}: {same.Key.Problem}");
             if (plan.LeftOut.Count > 0)
                 Progress.Say($"{plan.LeftOut.Count} runs are left out, {(arguments.Quick ? "they do not fit into the short plan's time" : "they take too long on this device, or do not fit into the chart's time")}: {plan.DescribeLeftOut()}.");
             // A run each of every case and method comes first.

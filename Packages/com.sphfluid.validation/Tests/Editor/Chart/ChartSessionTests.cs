@@ -100,6 +100,19 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void PointsThatCannotBeSetUpAreOneLine()
+        {
+            var small = new[] { new FlatCase("small", 6) { SupportLimit = 2.4 } };
+            ChartArguments arguments = ChartArguments.Parse(new[] { "player", "--", "--method", "standard", "--out", folder }, small);
+            lastPlan = ChartPlan.Full(arguments.Cases, arguments.Methods);
+            Assert.That(lastPlan.Unbuildable, Has.Count.GreaterThan(1));
+            Finish(new ChartSession(arguments, lastPlan, Run, new SessionProgress(said.Add, null), "device", new SessionRate(null)));
+
+            Assert.That(said.Where(l => l.Contains("Not part of the chart")), Is.EqualTo(new[]
+                { $"Not part of the chart: {lastPlan.Unbuildable.Count} points of small with standard: the cube is too small for κ" }));
+        }
+
+        [Test]
         public void FailedRunsAreKeptWithTheirReason()
         {
             failure = "energy grew to 1.3 times its start";
