@@ -25,7 +25,10 @@ namespace SphFluid.Validation
             ? FormattableString.Invariant($"{counters.NonFinite} positions or velocities were not finite") : null;
 
         /// <summary>Why the state is no liquid any more; null when it is.</summary>
-        public string Of(FluidSnapshot state)
+        public string Of(FluidSnapshot state) => Of(state, CaseReadings.None);
+
+        /// <summary>Why the state is no liquid any more, or liquid in a body; null when it is well.</summary>
+        public string Of(FluidSnapshot state, CaseReadings readings)
         {
             int lost = 0, stopped = 0;
             double fastest = 0.0;
@@ -37,7 +40,7 @@ namespace SphFluid.Validation
                 if (!IsFinite(p.sqrMagnitude) || !IsFinite((float)speed))
                     return $"particle {state.Ids[i]} is at {p} m with {state.Velocities[i]} m/s";
                 fastest = Math.Max(fastest, speed);
-                lost += IsBeyondWall(p, half) ? 1 : 0;
+                lost += IsBeyondWall(p, half) || IsInBody(p, readings) ? 1 : 0;
                 stopped += setup.IsOpen && IsAtFace(p, half) ? 1 : 0;
             }
             if (lost > EscapedShare * state.Count)
@@ -57,6 +60,19 @@ namespace SphFluid.Validation
             foreach (TriangleMesh obstacle in obstacles)
             {
                 if (obstacle.Contains(p) && !obstacle.IsNear(p, depth))
+                    return true;
+            }
+            return false;
+        }
+
+        bool IsInBody(Vector3 p, CaseReadings readings)
+        {
+            float depth = 0.5f * setup.Settings.Spacing;
+            for (int i = 0; i < readings.Bodies.Count; i++)
+            {
+                TriangleMesh mesh = setup.Bodies[i].Mesh;
+                Vector3 own = p - readings.Bodies[i];
+                if (mesh.Contains(own) && !mesh.IsNear(own, depth))
                     return true;
             }
             return false;

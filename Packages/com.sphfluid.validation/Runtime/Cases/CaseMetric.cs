@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Watches one run of a case and measures its error. It sees snapshots only, so that it can be tested on exact solutions.</summary>
+    /// <summary>Watches one run of a case and measures its error. It sees snapshots and readings only, so that it can be tested on exact solutions.</summary>
     public abstract class CaseMetric
     {
         /// <summary>Why the run can be stopped before its end; null while it goes on well.</summary>
@@ -12,6 +12,13 @@ namespace SphFluid.Validation
         /// <param name="time">Time since the start [s].</param>
         /// <param name="state">The particles.</param>
         public abstract void Sample(double time, FluidSnapshot state);
+
+        /// <summary>What the run knows besides its particles; called before <see cref="Sample"/>, with the same time.</summary>
+        /// <param name="time">Time since the start [s].</param>
+        /// <param name="readings">Where bodies are.</param>
+        public virtual void Read(double time, CaseReadings readings)
+        {
+        }
 
         /// <summary>The errors at the end, the case's main one first.</summary>
         public abstract IReadOnlyList<CaseError> Evaluate();

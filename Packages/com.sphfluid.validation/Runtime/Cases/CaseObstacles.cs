@@ -8,14 +8,17 @@ namespace SphFluid.Validation
     sealed class CaseObstacles : IDisposable
     {
         readonly List<TriangleMesh> meshes = new List<TriangleMesh>();
+        readonly CaseBodies bodies;
         FluidObstacles obstacles;
 
         /// <summary>Checks them.</summary>
         /// <param name="meshes">Corners [m], three a triangle, Cross(B − A, C − A) outward.</param>
         /// <param name="closed">Whether each must have an inside, out of which it pushes.</param>
+        /// <param name="bodies">Bodies that move; null for none.</param>
         /// <exception cref="ArgumentException">A mesh is empty, its corners are no triangles, or it must have an inside and has none.</exception>
-        public CaseObstacles(IReadOnlyList<Vector3[]> meshes, bool closed)
+        public CaseObstacles(IReadOnlyList<Vector3[]> meshes, bool closed, CaseBodies bodies = null)
         {
+            this.bodies = bodies;
             foreach (Vector3[] corners in meshes)
             {
                 if (corners.Length == 0 || corners.Length % 3 != 0)
@@ -28,13 +31,15 @@ namespace SphFluid.Validation
         }
 
         /// <summary>Gives them to a solver, for as long as this lives.</summary>
+        /// <exception cref="ArgumentException">A body floats, and the method moves none.</exception>
         public void GiveTo(FluidSolver solver)
         {
-            if (meshes.Count == 0)
+            if (meshes.Count == 0 && !(bodies?.Count > 0))
                 return;
             obstacles = new FluidObstacles(solver.Settings);
             foreach (TriangleMesh mesh in meshes)
                 obstacles.Add(mesh, Matrix4x4.identity);
+            bodies?.AddTo(obstacles);
             obstacles.Update(Matrix4x4.identity);
             solver.SetObstacles(obstacles);
         }

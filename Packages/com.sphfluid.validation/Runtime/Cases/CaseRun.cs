@@ -18,6 +18,7 @@ namespace SphFluid.Validation
         readonly CaseSchedule schedule;
         readonly CaseFailure failures;
         readonly CaseObstacles obstacles;
+        readonly CaseBodies bodies;
         readonly FluidSolver solver;
         CaseStepper stepper;
         bool disposed;
@@ -35,18 +36,20 @@ namespace SphFluid.Validation
             this.metric = metric ?? throw new ArgumentNullException(nameof(metric));
             this.timed = timed;
             schedule = new CaseSchedule(setup.Duration, setup.SampleInterval, setup.Settings.TimeStep);
-            obstacles = new CaseObstacles(setup.Obstacles, true);
+            bodies = new CaseBodies(setup.Bodies);
+            obstacles = new CaseObstacles(setup.Obstacles, true, bodies);
             failures = new CaseFailure(setup);
             try
             {
                 solver = new FluidSolver(setup.Settings, shaders, setup.Particles);
+                obstacles.GiveTo(solver);
             }
             catch
             {
+                solver?.Dispose();
                 obstacles.Dispose();
                 throw;
             }
-            obstacles.GiveTo(solver);
         }
 
         /// <summary>The result, when the run has ended.</summary>
@@ -57,7 +60,7 @@ namespace SphFluid.Validation
         {
             string failure = Sample();
             stepper?.Dispose();
-            stepper = new CaseStepper(solver, timed);
+            stepper = new CaseStepper(solver, timed, bodies);
             long due = schedule.Next(0);
             while (failure == null && solver.StepCount < schedule.LastStep)
             {
@@ -103,9 +106,11 @@ namespace SphFluid.Validation
         string Sample()
         {
             FluidSnapshot state = FluidSnapshot.Read(solver);
-            string failure = failures.Of(state);
+            CaseReadings readings = bodies.Read(solver.SimulatedTime);
+            string failure = failures.Of(state, readings);
             if (failure == null)
             {
+                metric.Read(solver.SimulatedTime, readings);
                 metric.Sample(solver.SimulatedTime, state);
                 failure = metric.Failure;
             }

@@ -21,6 +21,9 @@ namespace SphFluid.Validation
         /// <summary>Closed obstacles, three corners a triangle, outward by the left-hand rule as Unity's meshes; empty for none.</summary>
         public IReadOnlyList<Vector3[]> Obstacles = System.Array.Empty<Vector3[]>();
 
+        /// <summary>Bodies that move, in an order that the metric knows; empty for none.</summary>
+        public IReadOnlyList<CaseBody> Bodies = System.Array.Empty<CaseBody>();
+
         /// <summary>True: the faces of the domain are out of the liquid's reach, and liquid that comes there is lost.</summary>
         public bool IsOpen;
 

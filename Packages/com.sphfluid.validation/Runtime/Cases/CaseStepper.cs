@@ -20,6 +20,7 @@ namespace SphFluid.Validation
         static readonly ProfilerMarker marker = ComputeKernel.CreateMarker(FrameBlocks.Frame);
 
         readonly FluidSolver solver;
+        readonly CaseBodies bodies;
         readonly GpuClock clock;
         readonly CommandBuffer cmd = new CommandBuffer { name = "Validation Case" };
         readonly Stopwatch recording = new Stopwatch();
@@ -29,9 +30,11 @@ namespace SphFluid.Validation
 
         /// <param name="solver">The solver, with fresh neighbours.</param>
         /// <param name="timed">Whether GPU times are taken.</param>
-        public CaseStepper(FluidSolver solver, bool timed)
+        /// <param name="bodies">Bodies that move; null for none.</param>
+        public CaseStepper(FluidSolver solver, bool timed, CaseBodies bodies = null)
         {
             this.solver = solver;
+            this.bodies = bodies;
             clock = timed ? new GpuClock(Array.Empty<BenchBlock>()) : null;
         }
 
@@ -54,6 +57,7 @@ namespace SphFluid.Validation
             int count = (int)Math.Min(requested, atOnce);
             var submission = Stopwatch.StartNew();
             recording.Start();
+            bodies?.MoveTo(solver.SimulatedTime + count * (double)solver.Settings.TimeStep);
             cmd.Clear();
             cmd.BeginSample(marker);
             solver.RecordSteps(cmd, count);

@@ -21,6 +21,9 @@ namespace SphFluid.Validation
         /// <summary>γ [1/s].</summary>
         public double DampingRate { get; private set; }
 
+        /// <summary>C, what it swings about, in the samples' unit.</summary>
+        public double Constant { get; private set; }
+
         /// <summary>√(A² + B²), in the samples' unit.</summary>
         public double Amplitude { get; private set; }
 
@@ -75,6 +78,7 @@ namespace SphFluid.Validation
             {
                 Frequency = bestW,
                 DampingRate = bestG,
+                Constant = c[2],
                 Amplitude = Math.Sqrt(c[0] * c[0] + c[1] * c[1]),
                 Residual = Math.Sqrt(best / values.Count / variance),
             };
@@ -106,7 +110,7 @@ namespace SphFluid.Validation
                 }
             }
             squares = 0.0;
-            double[] c = Solve(matrix);
+            double[] c = LinearSystem.Solve(matrix);
             for (int s = 0; c != null && s < times.Count; s++)
             {
                 Basis(times[s], w, g, basis);
@@ -122,28 +126,6 @@ namespace SphFluid.Validation
             basis[0] = decay * Math.Cos(w * t);
             basis[1] = decay * Math.Sin(w * t);
             basis[2] = 1.0;
-        }
-
-        // Gauss–Jordan with pivots; null where the functions cannot be distinguished.
-        static double[] Solve(double[,] m)
-        {
-            for (int column = 0; column < 3; column++)
-            {
-                int pivot = column;
-                for (int row = column + 1; row < 3; row++)
-                    pivot = Math.Abs(m[row, column]) > Math.Abs(m[pivot, column]) ? row : pivot;
-                if (!(Math.Abs(m[pivot, column]) > 1e-12))
-                    return null;
-                for (int k = 0; k < 4; k++)
-                    (m[column, k], m[pivot, k]) = (m[pivot, k], m[column, k]);
-                for (int row = 0; row < 3; row++)
-                {
-                    double factor = row == column ? 0.0 : m[row, column] / m[column, column];
-                    for (int k = column; k < 4; k++)
-                        m[row, k] -= factor * m[column, k];
-                }
-            }
-            return new[] { m[0, 3] / m[0, 0], m[1, 3] / m[1, 1], m[2, 3] / m[2, 2] };
         }
 
         static double Variance(IReadOnlyList<double> values, out double mean)

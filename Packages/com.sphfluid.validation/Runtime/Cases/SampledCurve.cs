@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 
 namespace SphFluid.Validation
 {
@@ -9,6 +10,8 @@ namespace SphFluid.Validation
         readonly List<double> ys = new List<double>();
 
         public int Count => xs.Count;
+
+        public IReadOnlyList<(double X, double Y)> Points => xs.Select((x, i) => (x, ys[i])).ToArray();
 
         public double LastX => xs.Count == 0 ? double.NaN : xs[xs.Count - 1];
 

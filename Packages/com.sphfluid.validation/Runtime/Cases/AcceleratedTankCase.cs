@@ -1,0 +1,77 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid.Validation
+{
+    /// <summary>
+    /// A tank of water, 2 m long and 1 m deep, is at rest and then accelerated along its length at a constant 0.05 g. The level tilts,
+    /// overshoots and swings about the plane at right angles to what now pulls, of slope a/g. Seen from the tank; a thin slab, periodic across.
+    /// </summary>
+    public sealed class AcceleratedTankCase : ValidationCase
+    {
+        const double Length = 2.0, Depth = 1.0, Gravity = 9.81;
+        const double Slope = 0.05;
+        const double Periods = 2.0; // of the first mode
+        const double SamplesPerPeriod = 40.0;
+
+        /// <inheritdoc/>
+        public override string Name => "accelerated-tank";
+
+        /// <inheritdoc/>
+        public override string Title => "Levels along an accelerated tank";
+
+        /// <inheritdoc/>
+        public override string Source => "exact modes of linear waves in a tank (Lamb, Hydrodynamics, § 257)";
+
+        /// <inheritdoc/>
+        public override string ErrorName => AcceleratedTankMetric.ErrorName;
+
+        /// <summary>Terms of third order: (k a)² of the first mode at its highest, 0.081 m.</summary>
+        /// <inheritdoc/>
+        public override double Floor => 0.02;
+
+        /// <inheritdoc/>
+        public override (string X, string Y) AxisTitles => ("t [s]", "level at the end walls over (a/g) L/2");
+
+        /// <inheritdoc/>
+        public override CaseParameters Base(CaseMethod method) => CaseParameters.At(method, 20, 6.0);
+
+        /// <summary><see cref="CaseParameters.Resolution"/> particles over the depth; speeds are over √(gH).</summary>
+        /// <inheritdoc/>
+        public override CaseSetup Build(in CaseParameters parameters)
+        {
+            WallCaseSetup.Require(parameters, Name, 6);
+            double dx = Depth / parameters.Resolution;
+            int width = WallCaseSetup.PeriodicCount(parameters);
+            var domain = new Vector3((float)Length, (float)(Depth + 2.0 * Slope * Length + 4.0 * dx), (float)(width * dx));
+            double period = 2.0 * Math.PI / new TankModes(Length, Depth, Gravity, double.PositiveInfinity).Frequency(1);
+            return new CaseSetup
+            {
+                Settings = CaseSettings.For(parameters, domain, dx, Math.Sqrt(Gravity * Depth),
+                    new Vector3((float)(Slope * Gravity), -(float)Gravity, 0f), null, new FluidBoundaries { Periodic = FluidAxes.Z }),
+                Particles = Level(parameters, domain, width, dx),
+                Duration = Periods * period,
+                SampleInterval = period / SamplesPerPeriod,
+            };
+        }
+
+        /// <inheritdoc/>
+        public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) => new AcceleratedTankMetric(
+            new TankModes(Length, Depth, Gravity, setup.Settings.SoundSpeed), -0.5 * setup.Settings.DomainSize.x, Slope);
+
+        // At rest under gravity alone, compressed by it.
+        static FluidParticle[] Level(in CaseParameters parameters, Vector3 domain, int width, double dx)
+        {
+            double m = parameters.SoundSpeedRatio * parameters.SoundSpeedRatio;
+            var counts = new Vector3Int((int)Math.Round(Length / dx), parameters.Resolution, width);
+            List<Vector3> positions = CaseLattice.Box(counts, dx, new Vector3(-0.5f * domain.x, 0f, -0.5f * domain.z));
+            for (int i = 0; i < positions.Count; i++)
+            {
+                Vector3 p = positions[i];
+                positions[i] = new Vector3(p.x, (float)WallCaseSetup.Settled(p.y, Depth, m) - 0.5f * domain.y, p.z);
+            }
+            return WallCaseSetup.AtRest(positions, parameters, dx, domain);
+        }
+    }
+}

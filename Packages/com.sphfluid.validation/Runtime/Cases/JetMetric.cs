@@ -1,0 +1,116 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace SphFluid.Validation
+{
+    /// <summary>
+    /// The force of a jet on the wall that it hits, from what momentum the liquid loses, and the speed of the sheets in which it leaves. A jet
+    /// that is turned through a right angle gives the wall ρ U² b a metre of its breadth, whatever happens within; by Bernoulli the sheets
+    /// leave as fast as it came.
+    /// </summary>
+    public sealed class JetMetric : CaseMetric
+    {
+        internal const string ErrorName = "force";
+
+        // Over b from the jet's middle: there the liquid at the wall, the slowest, has 98 % of U and more.
+        const double SheetsFrom = 2.0, SheetsTo = 3.0;
+
+        readonly double width, length, speed, from, to, sheetsSince;
+        readonly List<double> times = new List<double>();
+        readonly List<double> momenta = new List<double>(); // of all particles' velocities toward the wall [m/s]
+        double sheetSpeeds, energies;
+        int sheets;
+
+        /// <summary>A metric for one run.</summary>
+        /// <param name="width">b [m].</param>
+        /// <param name="length">Length of the jet at the start, which flies along −x [m].</param>
+        /// <param name="speed">U [m/s].</param>
+        /// <param name="from">Where the flow is even from, in b/U.</param>
+        /// <param name="to">Where that ends, in b/U.</param>
+        public JetMetric(double width, double length, double speed, double from, double to)
+        {
+            this.width = width;
+            this.length = length;
+            this.speed = speed;
+            this.from = from;
+            this.to = to;
+            sheetsSince = 0.5 * (from + to); // their fronts are beyond
+        }
+
+        /// <inheritdoc/>
+        public override void Sample(double time, FluidSnapshot state)
+        {
+            double momentum = 0.0, t = time * speed / width;
+            for (int i = 0; i < state.Count; i++)
+            {
+                Vector3 velocity = state.Velocities[i];
+                momentum -= velocity.x;
+                double off = Math.Abs(state.LocalPositions[i].y) / width;
+                if (t < sheetsSince || t > to || off < SheetsFrom || off > SheetsTo)
+                    continue;
+                sheetSpeeds += Math.Sign(state.LocalPositions[i].y) * velocity.y;
+                energies += velocity.sqrMagnitude;
+                sheets++;
+            }
+            times.Add(t);
+            momenta.Add(momentum);
+        }
+
+        // Of a length of b: what ρ U² b gives the wall in b/U.
+        double Unit => momenta[0] * width / length;
+
+        /// <summary>
+        /// The force's error over ρ U² b, absolute; the same with its sign; how uneven the force is while the flow is even; speed of the
+        /// sheets over U less 1; what they have lost of their kinetic energy.
+        /// </summary>
+        public override IReadOnlyList<CaseError> Evaluate()
+        {
+            var line = new LineFit();
+            for (int i = 0; i < times.Count; i++)
+            {
+                if (times[i] >= from && times[i] <= to)
+                    line.Add(times[i], momenta[i]);
+            }
+            double squares = 0.0;
+            int count = 0;
+            foreach ((double time, double force) in Forces())
+            {
+                if (time < from || time > to)
+                    continue;
+                squares += (force + line.Slope / Unit) * (force + line.Slope / Unit);
+                count++;
+            }
+            double error = -line.Slope / Unit - 1.0;
+            return new[]
+            {
+                new CaseError(ErrorName, Math.Abs(error)),
+                new CaseError("force over ρ U² b − 1", error),
+                new CaseError("force, RMS about its mean", Math.Sqrt(squares / count)),
+                new CaseError("speed of the sheets over U − 1", sheetSpeeds / sheets / speed - 1.0),
+                new CaseError("energy lost by the sheets", 1.0 - energies / sheets / (speed * speed)),
+            };
+        }
+
+        /// <inheritdoc/>
+        public override IReadOnlyList<CaseSeries> Series()
+        {
+            var exact = new CaseSeries("momentum of the jet", true);
+            var measured = new CaseSeries("force");
+            foreach ((double time, double force) in Forces())
+            {
+                measured.Add(time, force);
+                if (time >= from && time <= to)
+                    exact.Add(time, 1.0);
+            }
+            return new[] { exact, measured };
+        }
+
+        // Between each two samples, over ρ U² b.
+        IEnumerable<(double Time, double Force)> Forces()
+        {
+            for (int i = 1; i < times.Count; i++)
+                yield return (0.5 * (times[i - 1] + times[i]), (momenta[i - 1] - momenta[i]) / Unit / (times[i] - times[i - 1]));
+        }
+    }
+}

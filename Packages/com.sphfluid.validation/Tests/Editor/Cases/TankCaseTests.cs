@@ -1,0 +1,99 @@
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using SphFluid.Validation;
+using UnityEngine;
+
+namespace SphFluid.Tests
+{
+    /// <summary>Tanks, box and jet: how they start, and coarse runs of the Standard method.</summary>
+    public sealed class TankCaseTests
+    {
+        static readonly CaseMethod standard = CaseMethod.Find("standard");
+
+        static IEnumerable<ValidationCase> Cases()
+        {
+            yield return new AcceleratedTankCase();
+            yield return new PaddleCase();
+            yield return new HeaveCase();
+            yield return new JetCase();
+        }
+
+        [Test]
+        public void SetupsCanBeRun([ValueSource(nameof(Cases))] ValidationCase flow, [Values(10, 13, 20)] int resolution, [Values(2.0, 2.5)] double supportRatio)
+        {
+            foreach (CaseMethod method in CaseMethod.All.Where(m => m == standard || !(flow is HeaveCase)))
+            {
+                CaseParameters parameters = At(flow, resolution, method);
+                parameters.SupportRatio = supportRatio;
+                CaseSetup setup = flow.Build(parameters);
+                setup.Settings.Validate();
+                FluidSolver.CheckParticles(setup.Settings, setup.Particles);
+                Assert.That(flow.CreateMetric(parameters, setup), Is.Not.Null);
+            }
+        }
+
+        [Test]
+        public void TheBoxStartsOnItsWaterAndFloatsByItsMass([Values(10, 13, 20)] int resolution)
+        {
+            CaseSetup setup = new HeaveCase().Build(At(new HeaveCase(), resolution, standard));
+            CaseBody box = setup.Bodies.Single();
+            Bounds bounds = box.Mesh.Bounds;
+            double bottom = box.Centre.y + bounds.min.y, dx = setup.Settings.Spacing;
+            float[] under = setup.Particles.Where(p => Mathf.Abs(p.Position.x) < bounds.max.x).Select(p => p.Position.y).ToArray();
+            Assert.That(bottom - under.Max(), Is.InRange(0.4 * dx, 0.6 * dx));
+            Assert.That(setup.Particles.Count(p => Mathf.Abs(p.Position.x) < bounds.max.x + 0.4 * dx && p.Position.y > bottom), Is.Zero);
+            int draught = Mathf.RoundToInt(0.4f * resolution);
+            Assert.That(box.Mass, Is.EqualTo(setup.Settings.ParticleMass * 2 * draught * draught * setup.Settings.DomainSize.z / dx).Within(0.01).Percent);
+        }
+
+        [Test]
+        public void AMethodThatMovesNoBodiesCannotHeave()
+        {
+            foreach (string method in new[] { "thesis", "thesis-printed" })
+                Assert.That(() => new HeaveCase().Build(new HeaveCase().Base(CaseMethod.Find(method))), Throws.ArgumentException.With.Message.Contains("moves no bodies"));
+        }
+
+        [Test]
+        public void ThePaddleIsTheFlumesEndAndGoesByItsStroke()
+        {
+            CaseSetup setup = new PaddleCase().Build(At(new PaddleCase(), 10, standard));
+            CaseBody paddle = setup.Bodies.Single();
+            float face = paddle.Centre.x + paddle.Mesh.Bounds.max.x, nearest = setup.Particles.Min(p => p.Position.x);
+            Assert.That(0.5f * setup.Settings.DomainSize.x - face, Is.EqualTo(5f).Within(1e-5f));
+            Assert.That(nearest - face, Is.EqualTo(0.05f).Within(0.006f), "half a spacing");
+            Assert.That(paddle.Path(0.0).x, Is.Zero);
+            Assert.That(paddle.Path(System.Math.PI / PaddleCase.Frequency).x, Is.EqualTo(0.08f).Within(1e-5f));
+        }
+
+        [Test]
+        public void TheTanksLevelSwings()
+        {
+            Assert.That(Run(new AcceleratedTankCase(), 8, out CaseMetric metric), Is.LessThan(0.35));
+            Assert.That(WallCaseStates.Named(metric, "slope that it swings about over a/g − 1"), Is.Zero.Within(0.12));
+            Assert.That(WallCaseStates.Named(metric, "first mode's period, T/T_exact − 1"), Is.Zero.Within(0.06));
+        }
+
+        [Test]
+        public void TheJetPushesWithItsMomentum()
+        {
+            Assert.That(Run(new JetCase(), 6, out CaseMetric metric), Is.LessThan(0.08));
+            Assert.That(WallCaseStates.Named(metric, "speed of the sheets over U − 1"), Is.Zero.Within(0.1));
+        }
+
+        static CaseParameters At(ValidationCase flow, int resolution, CaseMethod method)
+        {
+            CaseParameters parameters = flow.Base(method);
+            parameters.Resolution = resolution;
+            return parameters;
+        }
+
+        // The main error.
+        static double Run(ValidationCase flow, int resolution, out CaseMetric metric)
+        {
+            CaseResult result = WallCaseRig.Run(flow, At(flow, resolution, standard), SurfaceTestScene.LoadShaders(), out metric);
+            Assert.That(result.Failure, Is.Null);
+            return result.Errors[0].Value;
+        }
+    }
+}

@@ -1,0 +1,96 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using SphFluid.Validation;
+
+namespace SphFluid.Tests
+{
+    /// <summary>The metrics of levels in tanks on linear waves and on others.</summary>
+    public sealed class TankMetricTests
+    {
+        const double Length = 5.0, Depth = 1.0, Gravity = 9.81, Wall = -2.3, WaveNumber = 1.5, Small = 1e-4;
+        const int Modes = 25;
+        const string HeightName = "height of the waves over the linear ones' − 1";
+        static readonly TankModes tank = new TankModes(Length, Depth, Gravity, double.PositiveInfinity);
+        static readonly double frequency = tank.FrequencyOf(WaveNumber);
+
+        [Test]
+        public void AnAcceleratedTanksLinearWavesHaveNoError()
+        {
+            AcceleratedTankMetric metric = Accelerated(1.0, 0.0);
+
+            Assert.That(metric.Evaluate()[0].Name, Is.EqualTo(new AcceleratedTankCase().ErrorName));
+            foreach (CaseError error in metric.Evaluate())
+                Assert.That(error.Value, Is.Zero.Within(1e-3), error.Name);
+            IReadOnlyList<CaseSeries> series = metric.Series();
+            Assert.That(series[1].Y, Is.EqualTo(series[0].Y).Within(2e-3));
+            Assert.That(series[3].Y, Is.EqualTo(series[2].Y).Within(2e-3));
+            Assert.That(series[3].Y.Max(), Is.InRange(1.5, 2.1), "it overshoots to about twice the plane's height");
+        }
+
+        [Test]
+        public void LevelsThatAreTooHighAndTheSecondOrderAreToldApart()
+        {
+            AcceleratedTankMetric metric = Accelerated(1.1, 0.25);
+
+            Assert.That(metric.Evaluate()[0].Value, Is.EqualTo(0.1).Within(1e-3));
+            Assert.That(WallCaseStates.Named(metric, "slope that it swings about over a/g − 1"), Is.EqualTo(0.1).Within(1e-3));
+            Assert.That(WallCaseStates.Named(metric, "first mode's period, T/T_exact − 1"), Is.Zero.Within(1e-3));
+            Assert.That(WallCaseStates.Named(metric, "second mode over the first"), Is.EqualTo(0.25).Within(1e-3));
+        }
+
+        [Test]
+        public void APaddlesLinearWavesHaveNoError()
+        {
+            PaddleMetric metric = Driven(1.0, 0.0);
+
+            Assert.That(metric.Evaluate()[0].Name, Is.EqualTo(new PaddleCase().ErrorName));
+            for (int i = 0; i < 3; i++)
+                Assert.That(metric.Evaluate()[i].Value, Is.Zero.Within(1e-3), metric.Evaluate()[i].Name);
+            Assert.That(WallCaseStates.Named(metric, "waves late, in periods"), Is.Zero.Within(1e-3));
+            Assert.That(WallCaseStates.Named(metric, HeightName), Is.Zero.Within(1e-3));
+        }
+
+        [Test]
+        public void WavesThatAreTooHighOrLateAreFound()
+        {
+            PaddleMetric high = Driven(1.2, 0.0), late = Driven(1.0, 0.05);
+
+            Assert.That(high.Evaluate()[0].Value, Is.EqualTo(0.2).Within(1e-3));
+            Assert.That(WallCaseStates.Named(late, "waves late, in periods"), Is.EqualTo(0.05).Within(2e-3));
+            Assert.That(late.Evaluate()[0].Value, Is.GreaterThan(0.2));
+            Assert.That(WallCaseStates.Named(high, HeightName), Is.EqualTo(0.2).Within(1e-3));
+        }
+
+        [Test]
+        public void AShortRunHasNoEvenWaves() => Assert.That(WallCaseStates.Named(Driven(1.0, 0.0, 1.5), "waves late, in periods"), Is.NaN);
+
+        static AcceleratedTankMetric Accelerated(double factor, double second)
+        {
+            var metric = new AcceleratedTankMetric(tank, Wall, Small);
+            double period = 2.0 * Math.PI / tank.Frequency(1);
+            for (int i = 0; i <= 80; i++)
+            {
+                double t = 2.0 * period * i / 80;
+                double[] modes = Enumerable.Range(1, 7).Select(n => factor * tank.Tilted(n, Small, t)).ToArray();
+                modes[1] = second * modes[0];
+                metric.Sample(t, TankStates.Below(Wall, Wall + Length, x => Depth + tank.Level(modes, x - Wall)));
+            }
+            return metric;
+        }
+
+        static PaddleMetric Driven(double factor, double late, double periods = 3.25)
+        {
+            var metric = new PaddleMetric(tank, Wall, Small, WaveNumber);
+            for (int i = 0; i <= 20 * periods; i++)
+            {
+                double t = 2.0 * Math.PI / frequency * i / 20.0, earlier = Math.Max(0.0, t - late * 2.0 * Math.PI / frequency);
+                double[] modes = Enumerable.Range(1, Modes).Select(n => factor * tank.Driven(n, Small, frequency, earlier)).ToArray();
+                double moved = 0.5 * Small * (1.0 - Math.Cos(frequency * t)), mean = Depth * moved / Length;
+                metric.Sample(t, TankStates.Below(Wall + moved, Wall + Length, x => Depth + mean + tank.Level(modes, x - Wall)));
+            }
+            return metric;
+        }
+    }
+}
