@@ -19,6 +19,12 @@ namespace SphFluid.Validation
         public override string Name => "accelerated-tank";
 
         /// <inheritdoc/>
+        public override IReadOnlyList<string> Words => new[] { "sloshing", "tank" };
+
+        /// <inheritdoc/>
+        public override string LengthTitle => "the depth";
+
+        /// <inheritdoc/>
         public override string Title => "Levels along an accelerated tank";
 
         /// <inheritdoc/>

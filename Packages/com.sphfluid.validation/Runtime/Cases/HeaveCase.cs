@@ -13,12 +13,18 @@ namespace SphFluid.Validation
     {
         const double Depth = 1.0, Gravity = 9.81;
         const double Freeboard = 0.3;
-        const double Lasts = 3.0;
+        const double Lasts = 2.5;
         const double Samples = 60.0; // a second
         const int GridCells = 60; // of the reference, over the depth
 
         /// <inheritdoc/>
         public override string Name => "heave";
+
+        /// <inheritdoc/>
+        public override IReadOnlyList<string> Words => new[] { "floating", "buoyancy" };
+
+        /// <inheritdoc/>
+        public override string LengthTitle => "the depth";
 
         /// <inheritdoc/>
         public override string Title => "A floating box heaves";

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace SphFluid.Validation
@@ -17,6 +18,12 @@ namespace SphFluid.Validation
 
         /// <inheritdoc/>
         public override string Name => "jet";
+
+        /// <inheritdoc/>
+        public override IReadOnlyList<string> Words => new[] { "hose" };
+
+        /// <inheritdoc/>
+        public override string LengthTitle => "the jet's width";
 
         /// <inheritdoc/>
         public override string Title => "A jet hits a wall";

@@ -5,21 +5,27 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// A paddle, a plate from below the floor to above the surface, moves to and fro as ½S (1 − cos ωt) at one end of a flume 5 m long and
+    /// A paddle, a plate from below the floor to above the surface, moves to and fro as ½S (1 − cos ωt) at one end of a flume 4 m long and
     /// 1 m deep, kH = 1.5, and makes waves. The plate is a mesh. A thin slab, periodic across; the far end is a wall and reflects, in the
     /// reference too.
     /// </summary>
     public sealed class PaddleCase : ValidationCase
     {
-        const double Length = 5.0, Depth = 1.0, Gravity = 9.81;
+        const double Length = 4.0, Depth = 1.0, Gravity = 9.81;
         const double Stroke = 0.08;
         const double WaveNumber = 1.5; // of the waves that run [1/m]
-        const double Periods = 3.25;
+        const double Periods = 2.5;
         const double SamplesPerPeriod = 60.0; // between two of them the paddle moves evenly
         const int RoomBehind = 4; // in dx
 
         /// <inheritdoc/>
         public override string Name => "paddle";
+
+        /// <inheritdoc/>
+        public override IReadOnlyList<string> Words => new[] { "wavemaker" };
+
+        /// <inheritdoc/>
+        public override string LengthTitle => "the depth";
 
         /// <inheritdoc/>
         public override string Title => "Waves of a paddle";

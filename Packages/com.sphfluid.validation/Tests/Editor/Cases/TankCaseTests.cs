@@ -60,7 +60,7 @@ namespace SphFluid.Tests
             CaseSetup setup = new PaddleCase().Build(At(new PaddleCase(), 10, standard));
             CaseBody paddle = setup.Bodies.Single();
             float face = paddle.Centre.x + paddle.Mesh.Bounds.max.x, nearest = setup.Particles.Min(p => p.Position.x);
-            Assert.That(0.5f * setup.Settings.DomainSize.x - face, Is.EqualTo(5f).Within(1e-5f));
+            Assert.That(0.5f * setup.Settings.DomainSize.x - face, Is.EqualTo(4f).Within(1e-5f));
             Assert.That(nearest - face, Is.EqualTo(0.05f).Within(0.006f), "half a spacing");
             Assert.That(paddle.Path(0.0).x, Is.Zero);
             Assert.That(paddle.Path(System.Math.PI / PaddleCase.Frequency).x, Is.EqualTo(0.08f).Within(1e-5f));

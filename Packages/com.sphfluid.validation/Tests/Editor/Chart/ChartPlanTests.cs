@@ -82,12 +82,12 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void TheFullPlanOfAllCasesHasTheSpacingsThatFitsNeedWithinNinetyMinutesOfTwoCores()
+        public void TheFullPlanOfAllCasesHasTheSpacingsThatFitsNeedWithinItsTimeOnTwoCores()
         {
             ValidationCase[] charted = CaseCatalogue.All.Where(c => !c.IsGate).ToArray();
             ChartPlan plan = ChartPlan.Full(charted, CaseMethod.All, ChartPlan.FullBudget(true), ChartPlan.SoftwareRunLimit);
 
-            Assert.That(plan.Cost / StepWork.SoftwareRate, Is.LessThan(90.0 * 60.0));
+            Assert.That(plan.Cost / StepWork.SoftwareRate, Is.LessThan(125.0 * 60.0));
             foreach (ValidationCase c in charted)
             {
                 List<ChartRun> own = plan.Runs.Where(r => r.Config.Case == c && r.Config.Method.Name == "standard").ToList();
