@@ -68,7 +68,8 @@ namespace SphFluid
 
         /// <summary>This group, which cannot do without another that it shares with others.</summary>
         public ShaderGroup With(ShaderGroup shared) => new ShaderGroup(Part, Folder, GroupThreads, Buffers, WritableBuffers, GroupMemory, VertexBuffers,
-            new List<string>(Shaders).ToArray()) { Shared = shared };
+            new List<string>(Shaders).ToArray())
+        { Shared = shared };
 
         /// <summary>The group that this one cannot do without; null for none.</summary>
         public ShaderGroup Shared { get; private set; }
