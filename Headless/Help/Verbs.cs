@@ -75,6 +75,11 @@ internal static class Verbs
             Notes = ["writes DIR/surface-quality.csv after every variant of every state"],
             Examples = [("--quick", "fewer variants"), ("--state sphere --variant default", "one surface of one state")],
         },
+        Measured("budgets", "what the method Automatic picks for a budget, against the ways that it has, as CSV") with
+        {
+            Notes = ["writes DIR/budgets.csv after every run, and the errors with the last"],
+            Examples = [("--budget 4 16 --particles 1000 --repeat 1", "two budgets, each once: a minute or two on two CPU cores")],
+        },
         new("figures", "pictures of what the thesis's printed forms do") { Own = OfPackage("figures"), Examples = [("--out Build/figures", "all of them")] },
         new("check", "conformance checks that need no GPU")
         {

@@ -21,6 +21,7 @@ public sealed class MeasurementOutputTests
     [TestCase("SphFluid.Validation.CommandLine.Stability", "stability-m2.svg", "--quick")]
     [TestCase("SphFluid.Validation.CommandLine.Leaks", "leaks.csv")]
     [TestCase("SphFluid.Validation.CommandLine.Surfaces", "surface-quality.csv", "--quick")]
+    [TestCase("SphFluid.Validation.CommandLine.Budgets", "budgets.csv")]
     [TestCase("SphFluid.Validation.Editor.SwitchFigures.Write", "thesis-kernel.png")]
     [TestCase("SphFluid.Validation.Editor.FailureFigures.Write", "failure-pairing.png")]
     public void AFileOfTheUsersIsNamedAndStays(string method, string file, params string[] flags)
@@ -42,6 +43,7 @@ public sealed class MeasurementOutputTests
     [TestCase("SphFluid.Validation.CommandLine.Stability")]
     [TestCase("SphFluid.Validation.CommandLine.Leaks")]
     [TestCase("SphFluid.Validation.CommandLine.Surfaces")]
+    [TestCase("SphFluid.Validation.CommandLine.Budgets")]
     [TestCase("SphFluid.Validation.Editor.SwitchFigures.Write")]
     [TestCase("SphFluid.Validation.Editor.FailureFigures.Write")]
     [Platform("Linux")]

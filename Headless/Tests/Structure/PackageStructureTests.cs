@@ -126,7 +126,8 @@ public sealed partial class PackageStructureTests
             .SelectMany(f => Declaration().Matches(File.ReadAllText(f)).Select(m => m.Groups[1].Value));
     }
 
-    [GeneratedRegex(@"[!=]= FluidMethodKind\.\w+|is (?:not )?FluidMethodKind\.\w+|case FluidMethodKind\.\w+|FluidMethodKind\.\w+ =>")]
+    // Automatic is no method.
+    [GeneratedRegex(@"[!=]= FluidMethodKind\.(?!Automatic)\w+|is (?:not )?FluidMethodKind\.(?!Automatic)\w+|case FluidMethodKind\.\w+|FluidMethodKind\.\w+ =>")]
     private static partial Regex Branch();
 
     [GeneratedRegex(@"^    (?:\w+ )+(?:class|struct|interface|enum) (\w+)", RegexOptions.Multiline)]

@@ -31,7 +31,7 @@ namespace SphFluid.Editor
                 ("GPU memory", preview.Lack ?? Invariant($"{preview.GpuBytes / Mebibyte:0.0} MiB, without what draws it")),
                 ("Steps a frame", needed <= most ? Invariant($"{steps:0.#} at {Frames} frames a second")
                     : Invariant($"{most:0}, the most allowed; {needed:0.#} keep up with time at {Frames} frames a second")),
-                ("GPU time a frame", Estimate(preview.Constants.Method, preview.Particles, steps)),
+                ("GPU time a frame", Estimate(StepCostKey.Of(preview.Constants, preview.HasBodies), preview.Particles, steps)),
                 ("Error class", Class(preview, 1.0)),
                 ("Half the spacing", Finer(preview, needed)),
             });
@@ -42,8 +42,8 @@ namespace SphFluid.Editor
         {
             if (preview.Particles == 0) return "depends on what is poured";
             long particles = 8L * preview.Particles;
-            string cost = StepCost.TryFind(preview.Constants.Method, particles, out double nanoseconds, out _)
-                ? Invariant($", about {2e-6 * nanoseconds * particles * steps:0.0} ms") : "";
+            string cost = StepCosts.TryFind(StepCostKey.Of(preview.Constants, preview.HasBodies), particles, out StepCost found)
+                ? Invariant($", about {2.0 * found.Milliseconds * steps:0.0} ms") : "";
             return Invariant($"{particles:N0} particles, {2.0 * steps:0.#} steps a frame{cost}; class {Class(preview, 2.0)}");
         }
 
@@ -56,15 +56,15 @@ namespace SphFluid.Editor
         }
 
         /// <summary>Time that a number of steps takes, by what was measured on this device.</summary>
-        /// <param name="method">The method.</param>
+        /// <param name="key">Of which steps.</param>
         /// <param name="particles">Number of particles.</param>
         /// <param name="steps">Number of steps.</param>
         /// <returns>The text.</returns>
-        internal static string Estimate(FluidMethodKind method, long particles, double steps)
+        internal static string Estimate(in StepCostKey key, long particles, double steps)
         {
             if (particles == 0) return "depends on what is poured";
-            return StepCost.TryFind(method, particles, out double nanoseconds, out long with)
-                ? Invariant($"about {1e-6 * nanoseconds * particles * steps:0.00} ms for the steps, by the last run with some {with:N0} particles on {SystemInfo.graphicsDeviceName}")
+            return StepCosts.TryFind(key, particles, out StepCost cost)
+                ? Invariant($"about {cost.Milliseconds * steps:0.00} ms for the steps, by the last run with {cost.Particles:N0} particles on {SystemInfo.graphicsDeviceName}")
                 : StepTimer.IsSupported ? "not measured on this device yet: press Play once" : "this device reports no GPU times";
         }
 

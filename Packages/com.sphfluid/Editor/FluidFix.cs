@@ -58,6 +58,8 @@ namespace SphFluid.Editor
                     return Change(simulation, "Coarsen Spacing", () => Coarsen(simulation));
                 case FluidIssue.TooManyCells:
                     return Change(simulation, "Coarsen Spacing", () => simulation.Spacing = CellChecks.FittingSpacing(simulation.Spec));
+                case FluidIssue.MethodChoice when message.Severity == FluidSeverity.Warning && message.Cure.StartsWith(MethodChoiceText.SpacingCure, StringComparison.Ordinal):
+                    return Change(simulation, "Coarsen Spacing", () => CoarsenForBudget(simulation));
                 case FluidIssue.VolumeSizeInvalid when context is FluidVolume volume && !(Smallest(volume.Size) > 0f):
                     return Change(volume, "Make Positive", () => volume.Size = Positive(volume.Size));
                 case FluidIssue.VolumeChanged when Application.isPlaying:
@@ -106,6 +108,11 @@ namespace SphFluid.Editor
         {
             simulation.Spacing = simulation.SpacingForParticleCount(simulation.Profile.MaxParticles);
             for (int i = 0; i < 50 && simulation.Validate().Any(m => m.Issue == FluidIssue.TooManyParticles); i++) simulation.Spacing *= 1.01f;
+        }
+
+        static void CoarsenForBudget(FluidSimulation simulation)
+        {
+            if (FluidSimulationChecks.PreviewChoice(simulation) is FluidMethodChoice choice && choice.ProposedSpacing > 0f) simulation.Spacing = choice.ProposedSpacing;
         }
 
         static float FittingSpacing(FluidSimulation simulation)

@@ -98,11 +98,14 @@ namespace SphFluid.Editor
             SerializedProperty relaxation = edited.FindProperty("startRelaxation");
             bool isSet = relaxation.enumValueIndex != (int)FluidStartRelaxation.None || relaxation.hasMultipleDifferentValues;
             if (!isSet && !AnyRelaxes(edited)) hidden.Add("startRelaxation");
+            if (!Array.Exists(edited.targetObjects, IsChosen)) hidden.AddRange(new[] { "frameBudget", "budgetFrameRate" });
             return hidden.ToArray();
         }
 
+        static bool IsChosen(Object simulation) => FluidMethods.IsChosen(((FluidSimulation)simulation).Method);
+
         static bool AnyRelaxes(SerializedObject edited) =>
-            Array.Exists(edited.targetObjects, t => FluidMethods.Has(((FluidSimulation)t).Method, FluidMethodFeatures.RelaxedStart));
+            Array.Exists(edited.targetObjects, t => FluidMethods.Has(((FluidSimulation)t).ActiveMethod, FluidMethodFeatures.RelaxedStart));
 
         void DrawTimeStep(in FluidSolverSettings constants)
         {
@@ -126,7 +129,7 @@ namespace SphFluid.Editor
         {
             if (Application.isPlaying) return;
             if (FillGizmos.Text(validation.Memory) is string text) EditorGUILayout.HelpBox(text, MessageType.None);
-            bool relaxes = Simulation.StartRelaxation != FluidStartRelaxation.None && FluidMethods.Has(Simulation.Method, FluidMethodFeatures.RelaxedStart);
+            bool relaxes = Simulation.StartRelaxation != FluidStartRelaxation.None && FluidMethods.Has(Simulation.ActiveMethod, FluidMethodFeatures.RelaxedStart);
             if (relaxes && validation.Preview != null && !validation.Memory.IsRelaxed && GUILayout.Button("Preview Relaxed Start")) validation.Relax();
         }
 
@@ -143,6 +146,7 @@ namespace SphFluid.Editor
             EditorGUILayout.LabelField("State", !simulation.IsRunning ? "stopped" : simulation.Paused ? "paused" : simulation.IsAsleep ? "asleep" : "running");
             if (simulation.IsRunning)
             {
+                if (simulation.MethodChoice is FluidMethodChoice choice) EditorGUILayout.LabelField("Method in use", MethodChoiceText.Short(choice));
                 FluidCounters counters = simulation.Solver.Counters;
                 EditorGUILayout.LabelField("Simulated time", $"{simulation.SimulatedTime:0.00} s in {simulation.StepCount:N0} steps");
                 EditorGUILayout.LabelField("Real-time factor", $"{simulation.RealTimeFactor:0.00} ({simulation.CapHits} frames at the substep cap)");
@@ -160,7 +164,13 @@ namespace SphFluid.Editor
                 if (GUILayout.Button(all ? "Restart" : "Start")) Each(simulation => simulation.ResetSimulation());
                 using (new EditorGUI.DisabledScope(!AnyRuns))
                     if (GUILayout.Button("Stop")) Each(simulation => simulation.StopSimulation());
+                if (Array.Exists(targets, IsChosen) && GUILayout.Button("Choose Again")) Each(ChooseAgain);
             }
+        }
+
+        static void ChooseAgain(FluidSimulation simulation)
+        {
+            if (IsChosen(simulation)) simulation.ChooseMethodAgain();
         }
 
         void Each(Action<FluidSimulation> act)

@@ -18,7 +18,7 @@ namespace SphFluid.Editor
                 if (!simulation.IsRunning || Done.Contains(simulation)) continue;
                 if (Under.Add(simulation)) simulation.BeginTiming();
                 if (simulation.Timer == null || simulation.Timer.FrameCount < StepTimer.Window) continue;
-                StepCost.Note(simulation.Method, simulation.ParticleCount, simulation.Timer.NanosecondsAParticleStep);
+                StepCostWatch.Note(simulation.Timer, simulation.Solver, simulation.Obstacles.Count > 0);
                 simulation.EndTiming();
                 Under.Remove(simulation);
                 Done.Add(simulation);

@@ -84,6 +84,13 @@ namespace SphFluid.Validation
         public static void Surfaces() =>
             Measure("surfaces", (words, progress) => new SurfaceSession(SurfaceArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
+        /// <summary>
+        /// Plays a liquid by every way that the method Automatic has, and as it picks for each budget: the flags --budget, --particles, --repeat and --out; see
+        /// <see cref="BudgetArguments"/>. In play mode only. The program ends with it. A wrong flag ends it with exit code 2.
+        /// </summary>
+        public static void Budgets() =>
+            Measure("budgets", (words, progress) => new BudgetSession(BudgetArguments.Parse(words), SessionAssets.FindShaders(), progress));
+
         internal static void Prepare(PlayArguments arguments)
         {
             bool begun = false;

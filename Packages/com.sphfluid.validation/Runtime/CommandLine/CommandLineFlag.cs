@@ -67,6 +67,10 @@ namespace SphFluid.Validation
         /// <exception cref="CommandLineException">It is none, or outside of the range.</exception>
         public int Integer(int least, int most) => CommandLineWords.Integer(Name, Value(), least, most);
 
+        /// <summary>Its value, a number of milliseconds above zero.</summary>
+        /// <exception cref="CommandLineException">It is none.</exception>
+        public double Milliseconds() => CommandLineWords.Milliseconds(Name, Value());
+
         /// <summary>Its value, one of some words.</summary>
         /// <exception cref="CommandLineException">It is another one.</exception>
         public string OneOf(string[] allowed)

@@ -103,6 +103,15 @@ namespace SphFluid.Validation
         static bool TryNumber(string value, out double number) =>
             double.TryParse(value, NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent, CultureInfo.InvariantCulture, out number) && number > 0.0 && number <= 1e9;
 
+        /// <summary>A number of milliseconds above zero.</summary>
+        /// <exception cref="CommandLineException">It is none.</exception>
+        public static double Milliseconds(string flag, string value)
+        {
+            if (!double.TryParse(value, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double milliseconds) || !(milliseconds >= 1e-3) || milliseconds > 1e6)
+                throw new CommandLineException($"{flag} must be a number of milliseconds from 0.001 to 1000000, found '{Shown(value)}'.");
+            return milliseconds;
+        }
+
         /// <summary>A number of minutes above zero.</summary>
         /// <exception cref="CommandLineException">It is none.</exception>
         public static TimeSpan Minutes(string flag, string value)

@@ -12,14 +12,17 @@ namespace SphFluid.Validation
     public sealed class PlayArguments
     {
         const string OutFlag = "--out";
+        const string AutomaticName = "automatic";
         const string MeshText = "writes the surface at the end: with marching-cubes the sparse one, with marching-cubes-gs and cubes the thesis's grid, " +
             "with particles and none as the scene's own surface component would make it";
         static readonly string[] surfaces = { "marching-cubes", "marching-cubes-gs", "cubes", "particles", "none" };
 
         internal PlayArguments()
         {
-            string[] methods = CaseMethod.All.Select(m => m.Name).ToArray();
-            Options.Add("--method", "NAME", "solver of every liquid", "as in the scene", methods, flag => Method = CaseMethod.Find(flag.OneOf(methods)).Kind);
+            string[] methods = CaseMethod.All.Select(m => m.Name).Append(AutomaticName).ToArray();
+            Options.Add("--method", "NAME", "solver of every liquid (automatic: the one that fits the frame budget)", "as in the scene", methods, flag => Method = KindOf(flag.OneOf(methods)));
+            Options.Add("--budget", "MS", "milliseconds a frame that the steps of every liquid may take with --method automatic", "as in the scene",
+                flag => Budget = (float)flag.Milliseconds());
             Options.Add("--surface", "NAME", "how every liquid is drawn (none: not at all)", "as in the scene", surfaces, flag => Surface = flag.OneOf(surfaces));
             Options.Add("--particles", "N", "the same liquid with about N particles", "as in the scene", flag => Particles = flag.Integer(1, int.MaxValue));
             Options.Add("--seed", "N", "seed of the start jitter", "as in the scene", flag => Seed = flag.Integer(0, int.MaxValue));
@@ -32,6 +35,9 @@ namespace SphFluid.Validation
 
         /// <summary>Method for every simulation; null keeps the scene's.</summary>
         public FluidMethodKind? Method { get; private set; }
+
+        /// <summary>Frame budget for every simulation [ms]; null keeps the scene's.</summary>
+        public float? Budget { get; private set; }
 
         /// <summary>Drawing for every simulation: marching-cubes, marching-cubes-gs, cubes, particles or none; null keeps the scene's.</summary>
         public string Surface { get; private set; }
@@ -75,6 +81,8 @@ namespace SphFluid.Validation
             result.RequireDifferentFiles();
             return result;
         }
+
+        static FluidMethodKind KindOf(string name) => name == AutomaticName ? FluidMethodKind.Automatic : CaseMethod.Find(name).Kind;
 
         void RequireDifferentFiles()
         {

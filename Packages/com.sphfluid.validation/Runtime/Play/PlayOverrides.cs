@@ -14,6 +14,8 @@ namespace SphFluid.Validation
             {
                 if (arguments.Method is FluidMethodKind method)
                     simulation.Method = method;
+                if (arguments.Budget is float budget)
+                    simulation.FrameBudget = budget;
                 if (arguments.Particles is int count)
                     SetParticles(simulation, count);
                 if (arguments.Seed is int seed)

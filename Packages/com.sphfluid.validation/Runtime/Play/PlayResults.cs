@@ -82,9 +82,9 @@ namespace SphFluid.Validation
             FluidCounters counters = simulation.Solver.ReadCountersNow();
             int throughColliders = sides.TryGetValue(simulation, out ColliderSides start) && start.AreOf(simulation) ? start.CountChanged(simulation, snapshot) : 0;
             SurfaceCaps surface = surfaces.TryGetValue(simulation, out SurfaceCaps watched) ? watched : new SurfaceCaps();
-            return new JsonObject()
+            var summary = new JsonObject()
                 .Add("simulation", simulation.name)
-                .Add("method", CaseMethod.Of(simulation.Method).Name)
+                .Add("method", CaseMethod.Of(simulation.ActiveMethod).Name)
                 .Add("surface", PlayOverrides.SurfaceOf(simulation))
                 .Add("particles", simulation.ParticleCount)
                 .Add("removed_particles", counters.Removed)
@@ -118,6 +118,7 @@ namespace SphFluid.Validation
                     .Add("surface_skipped_particles", surface.SkippedParticles))
                 .Add("fluid_gpu_bytes", simulation.GpuBytes + PlaySurface.GpuBytesOf(simulation))
                 .Add("state_hash", snapshot.Hash);
+            return simulation.MethodChoice == null ? summary : summary.Add("method_choice", PlayChoice.Of(simulation.MethodChoice));
         }
     }
 }

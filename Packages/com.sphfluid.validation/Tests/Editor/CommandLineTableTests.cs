@@ -22,7 +22,7 @@ namespace SphFluid.Tests
         {
             ("play", w => PlayArguments.Parse(w), new[]
             {
-                ("--method", NoNames), ("--surface", NoNames), ("--particles", NoCounts), ("--seed", NoSeeds), ("--state", NoFiles), ("--mesh", NoFiles), ("--record", NoFiles),
+                ("--method", NoNames), ("--budget", NoMinutes), ("--surface", NoNames), ("--particles", NoCounts), ("--seed", NoSeeds), ("--state", NoFiles), ("--mesh", NoFiles), ("--record", NoFiles),
             }),
             ("bench", w => BenchArguments.Parse(w), new[]
             {
@@ -37,6 +37,7 @@ namespace SphFluid.Tests
             ("stability", w => StabilityArguments.Parse(w), new[] { ("--map", NoNames), ("--method", NoNames), ("--slice", NoMinutes), ("--out", NoFolders) }),
             ("leaks", w => LeakArguments.Parse(w), new[] { ("--scene", NoNames), ("--out", NoFolders) }),
             ("surfaces", w => SurfaceArguments.Parse(w), new[] { ("--state", NoNames), ("--variant", NoNames), ("--out", NoFolders) }),
+            ("budgets", w => BudgetArguments.Parse(w), new[] { ("--budget", NoMinutes), ("--particles", NoCounts), ("--repeat", NoCounts), ("--out", NoFolders) }),
             ("figures", w => FigureArguments.Parse(w, new[] { "clumps" }), new[] { ("--only", NoNames), ("--out", NoFolders) }),
         };
 

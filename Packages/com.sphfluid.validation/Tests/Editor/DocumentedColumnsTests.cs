@@ -26,6 +26,7 @@ namespace SphFluid.Tests
             yield return Table("stability.csv", StabilityRow.Format.Names);
             yield return Table("limits.csv", LimitRow.Format.Names);
             yield return Table("leaks.csv", LeakResult.Format.Names);
+            yield return Table("budgets.csv", BudgetRow.Format.Names);
             yield return Table("surface-quality.csv", SurfaceQuality.Format.Names);
             yield return Table("thesis.csv and sweep.csv", new ThesisLayout("thesis", new[] { "BLOCK" }).Format.Names);
             yield return Table("solver.csv", new SolverLayout(new[] { "PART" }).Format.Names);

@@ -73,6 +73,15 @@ namespace SphFluid.Tests
             Assert.That(() => Parse("player", "--", "--seed", "--mesh", "a.ply"), Throws.TypeOf<CommandLineException>().With.Message.Contains("--seed needs a value"));
         }
 
+        [Test]
+        public void AutomaticComesWithABudget()
+        {
+            PlayArguments arguments = Parse("player", "--", "--method", "automatic", "--budget", "2.5");
+            Assert.That(arguments.Method, Is.EqualTo(FluidMethodKind.Automatic));
+            Assert.That(arguments.Budget, Is.EqualTo(2.5f));
+            Assert.That(Parse("player", "--").Budget, Is.Null);
+        }
+
         static PlayArguments Parse(params string[] words) => PlayArguments.Parse(words);
     }
 }

@@ -28,8 +28,16 @@ namespace SphFluid
             "and twice as many steps. A change starts the liquid again.")]
         float particleSpacing = 0.025f;
 
-        [SerializeField, Tooltip("How the motion is computed: Standard; Robust, softer, by a fixed number of steps a frame; or the thesis's method to compare with. A change starts the liquid again.")]
+        [SerializeField, Tooltip("How the motion is computed: Standard; Robust, softer, by a fixed number of steps a frame; the thesis's method to compare with; or Automatic, " +
+            "which picks one at the start that fits the Frame Budget on this device. A change starts the liquid again.")]
         FluidMethodKind method = FluidMethodKind.Standard;
+
+        [SerializeField, Min(0f), Tooltip("Time that this liquid's steps may take of a frame on the graphics device in milliseconds, with the method Automatic. In play a change " +
+            "chooses again, and another method starts the liquid again.")]
+        float frameBudget = 4f;
+
+        [SerializeField, Min(0f), Tooltip("Frames a second that the Frame Budget is for. 0: the application's target frame rate, or 60 where it sets none.")]
+        float budgetFrameRate;
 
         [SerializeField, Tooltip("Layers whose colliders the liquid collides with.")]
         LayerMask colliderLayers = ~0;
@@ -100,6 +108,8 @@ namespace SphFluid
         readonly List<WallSpec> walls = new List<WallSpec>();
         readonly List<VolumeSpec> volumes = new List<VolumeSpec>();
         readonly VolumeWatch volumeWatch = new VolumeWatch();
+        readonly AutomaticMethod automatic = new AutomaticMethod();
+        readonly StepCostWatch costs = new StepCostWatch();
         FluidRun run;
         FluidQueries queries;
         IFluidFrames frames;
@@ -140,6 +150,21 @@ namespace SphFluid
 
         /// <summary>How the motion is computed.</summary>
         public FluidMethodKind Method { get => method; set => method = value; }
+
+        /// <summary>
+        /// The method in use: <see cref="Method"/>, or what Automatic has picked. Before the first start with Automatic it is the first method that runs on this
+        /// device.
+        /// </summary>
+        public FluidMethodKind ActiveMethod => OwnSpec.Method;
+
+        /// <summary>What Automatic has picked, why, and what else it considered; null with another method, and before the first start.</summary>
+        public FluidMethodChoice MethodChoice => FluidMethods.IsChosen(method) ? automatic.Choice : null;
+
+        /// <summary>Time that this liquid's steps may take of a frame on the graphics device [ms], greater than 0; with the method Automatic.</summary>
+        public float FrameBudget { get => frameBudget; set => frameBudget = value; }
+
+        /// <summary>Frames a second that <see cref="FrameBudget"/> is for; 0: those of Application.targetFrameRate or Time.captureDeltaTime, or 60 where neither is set.</summary>
+        public float BudgetFrameRate { get => budgetFrameRate; set => budgetFrameRate = value; }
 
         /// <summary>Layers whose colliders count.</summary>
         public LayerMask ColliderLayers { get => colliderLayers; set => colliderLayers = value; }
@@ -269,7 +294,21 @@ namespace SphFluid
             }
         }
 
-        FluidSpec OwnSpec => new FluidSpec
+        FluidSpec OwnSpec
+        {
+            get
+            {
+                FluidSpec spec = SpecAsSet;
+                if (FluidMethods.IsChosen(method)) spec.Automatic = new AutomaticSpec(frameBudget, FrameRate, spec);
+                return automatic.Resolve(spec);
+            }
+        }
+
+        // What is typed, or the frames that the program makes.
+        double FrameRate => budgetFrameRate != 0f ? budgetFrameRate : Time.captureDeltaTime > 0f ? Math.Round(1.0 / Time.captureDeltaTime, 3)
+            : Application.targetFrameRate > 0 ? Application.targetFrameRate : AutomaticSpec.UsualFrameRate;
+
+        FluidSpec SpecAsSet => new FluidSpec
         {
             CapacityPolicy = capacityPolicy,
             Capacity = capacity,
@@ -328,15 +367,23 @@ namespace SphFluid
         /// <summary>GPU time of the steps, between <see cref="BeginTiming"/> and <see cref="EndTiming"/>; else null.</summary>
         internal StepTimer Timer { get; private set; }
 
-        /// <summary>Someone wants to know the steps' GPU time; costs two timestamps a frame.</summary>
-        internal void BeginTiming()
+        /// <summary>
+        /// Time that the graphics device takes for the steps of a frame [ms]: the mean over the last 60 frames with steps, between <see cref="BeginTiming"/> and
+        /// <see cref="EndTiming"/>. 0 before there is one, and where the device reports no times.
+        /// </summary>
+        public double StepMilliseconds => Timer?.MillisecondsAFrame ?? 0.0;
+
+        /// <summary>Begins to time the steps on the graphics device, for two timestamps a frame. Each call needs an <see cref="EndTiming"/>.</summary>
+        public void BeginTiming()
         {
             if (timings++ == 0) Timer = new StepTimer();
         }
 
-        /// <summary>They do not any more.</summary>
-        internal void EndTiming()
+        /// <summary>Ends what <see cref="BeginTiming"/> began.</summary>
+        /// <exception cref="InvalidOperationException">There were fewer calls of it.</exception>
+        public void EndTiming()
         {
+            if (timings == 0) throw new InvalidOperationException($"'{name}' is not timed: each EndTiming ends one BeginTiming.");
             if (--timings > 0) return;
             if (run != null) run.Timer = null;
             Timer?.Dispose();
@@ -350,13 +397,38 @@ namespace SphFluid
             requested = true;
             Release();
             messages.Clear();
+            automatic.Forget();
             if (FluidReports.NotPlaying(this) is FluidMessage obstacle) Report(obstacle);
             else run = FluidStarter.TryStart(Spec, FluidScene.Volumes(this), Watch, Report);
+            if (run != null) TakeChoice();
             volumeWatch.Begin(OwnSpec, FluidScene.Volumes(this));
             failed = null;
             if (run == null) Fail();
             if (run != null) Started?.Invoke(this);
             return run != null;
+        }
+
+        // What its steps cost in play is better known than what they cost at the start.
+        void TakeChoice()
+        {
+            automatic.Take(run.Start.Choice, Spec);
+            if (run.Start.Choice == null || !StepTimer.IsSupported) return;
+            BeginTiming();
+            costs.Begin();
+        }
+
+        void EndCosts()
+        {
+            if (!costs.IsUnderWay) return;
+            costs.End();
+            EndTiming();
+        }
+
+        void LookAtCosts()
+        {
+            if (!costs.IsUnderWay) return;
+            if (costs.Look(Timer, run, automatic.Choice, this) is FluidMessage message) Report(message);
+            if (!costs.IsUnderWay) EndTiming();
         }
 
         /// <summary>Stops the liquid and frees its GPU memory.</summary>
@@ -405,6 +477,7 @@ namespace SphFluid
             }
             Release();
             run = restored;
+            TakeChoice();
             volumeWatch.Begin(OwnSpec, FluidScene.Volumes(this));
             requested = true;
             failed = null;
@@ -422,6 +495,20 @@ namespace SphFluid
 
         /// <summary>Ends the liquid's sleep: it takes steps until it has rested again.</summary>
         public void Wake() => run?.Wake();
+
+        /// <summary>
+        /// With the method Automatic: chooses again, by what steps cost in play as far as that was measured. Where another method is picked, the liquid starts
+        /// again; else it goes on. A stopped liquid starts.
+        /// </summary>
+        /// <returns>Whether it runs.</returns>
+        /// <exception cref="InvalidOperationException">The method is not Automatic.</exception>
+        public bool ChooseMethodAgain()
+        {
+            if (!FluidMethods.IsChosen(method)) throw new InvalidOperationException($"The method of '{name}' is {method}: there is nothing to choose. Set Method to Automatic.");
+            if (run == null) return StartSimulation();
+            automatic.ChooseAgain(Spec, run, true, Report);
+            return run.Key.Equals(FluidStartKey.Of(Spec)) || StartSimulation();
+        }
 
         /// <summary>Adds the liquid of a box to the running liquid, where there is a place for it: not in colliders, and not where liquid is.</summary>
         /// <param name="centre">World position [m].</param>
@@ -493,14 +580,14 @@ namespace SphFluid
         /// <exception cref="InvalidOperationException">The liquid does not run, or its method has no force zones.</exception>
         public void AddExplosion(Vector3 centre, float radius, float speed) => PushedRun().Zones.Push(new ZonePush(centre, radius, speed), name);
 
-        FluidRun PushedRun() => Running(FluidMethods.Has(method, FluidMethodFeatures.ForceZones), "it cannot be pushed", "no force zones or impulses");
+        FluidRun PushedRun() => Running(FluidMethods.Has(ActiveMethod, FluidMethodFeatures.ForceZones), "it cannot be pushed", "no force zones or impulses");
 
         FluidRun ExchangingRun() => Running(run != null && run.Solver.Exchanges, "no liquid can be added or removed", "a fixed number of particles");
 
         FluidRun Running(bool serves, string consequence, string has)
         {
             if (run == null) throw new InvalidOperationException($"'{name}' does not run, so {consequence}.");
-            if (!serves) throw new InvalidOperationException($"The method {method} of '{name}' has {has}. Set Method to Standard.");
+            if (!serves) throw new InvalidOperationException($"The method {ActiveMethod} of '{name}' has {has}. Set Method to Standard.");
             return run;
         }
 
@@ -577,6 +664,7 @@ namespace SphFluid
         void LateUpdate()
         {
             if (!requested) return;
+            if (run != null && profile != null) automatic.Follow(Spec, run, Report);
             FluidSpec spec = Spec;
             if (run == null || !run.Key.Equals(FluidStartKey.Of(spec)))
             {
@@ -590,6 +678,7 @@ namespace SphFluid
             if (TryAdvance(spec, out FluidMessage failure))
             {
                 FluidProfiler.AddLiquid(run.Solver.LiveCount, StepCount - steps, CapHits - capped, GpuBytes);
+                LookAtCosts();
                 queries?.Ask(run.Solver, spec.Profile.Shaders, run.SimulatedTime, spec.Position, spec.Rotation);
                 Updated?.Invoke(this);
                 return;
@@ -649,6 +738,7 @@ namespace SphFluid
         {
             if (run == null) return;
             queries?.Detach();
+            EndCosts();
             run.Dispose();
             run = null;
             singleSteps = 0;

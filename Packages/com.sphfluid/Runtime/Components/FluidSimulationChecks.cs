@@ -15,6 +15,19 @@ namespace SphFluid
         /// <returns>True when one is an error.</returns>
         public static bool HasErrors(IReadOnlyList<FluidMessage> messages) => FluidChecks.HasErrors(messages);
 
+        /// <summary>What Automatic has picked for a simulation, or would pick by what is known; null with another method, or where it cannot start.</summary>
+        /// <param name="simulation">The simulation.</param>
+        /// <returns>The choice; nothing is measured for it.</returns>
+        public static FluidMethodChoice PreviewChoice(FluidSimulation simulation)
+        {
+            if (simulation.MethodChoice != null || !FluidMethods.IsChosen(simulation.Method)) return simulation.MethodChoice;
+            using (var collision = new CollisionScene())
+            {
+                FluidChecks.Check(simulation.Spec, FluidScene.Volumes(simulation), collision, FluidSpawner.Measure, out FluidStart start);
+                return start?.Choice;
+            }
+        }
+
         /// <summary>Checks like <see cref="Validate"/> and gives the constants that the simulation would start with.</summary>
         /// <param name="simulation">The simulation.</param>
         /// <param name="constants">Null when there is an error.</param>

@@ -88,6 +88,7 @@ namespace SphFluid
             var result = new LiquidFigures { Name = simulation.name, Runs = solver != null, State = State(simulation), Message = simulation.StatusMessage };
             if (solver == null) return result;
             FluidCounters counters = solver.Counters;
+            if (simulation.MethodChoice is FluidMethodChoice choice) result.Method = MethodChoiceText.Short(choice);
             result.Particles = solver.LiveCount;
             result.Slots = solver.Capacity;
             result.Removed = counters.Removed;

@@ -9,6 +9,9 @@ namespace SphFluid
         /// <summary>"running", "paused", "asleep" or "stopped".</summary>
         public string State;
 
+        /// <summary>The method that was picked automatically, with its cost; null: it is given.</summary>
+        public string Method;
+
         /// <summary>Whether there is a liquid; the numbers below are of it.</summary>
         public bool Runs;
 

@@ -33,6 +33,7 @@ namespace SphFluid
             text.Append('\n').Append(liquid.Name).Append("   ").Append(liquid.State);
             if (liquid.Runs)
             {
+                if (liquid.Method != null) text.Append("\n  ").Append(liquid.Method);
                 Add($"\n  {liquid.Particles:N0} particles, {liquid.Slots:N0} slots");
                 if (liquid.Removed > 0) Add($", {liquid.Removed:N0} removed");
                 if (liquid.Refused > 0) Add($", {liquid.Refused:N0} not born for want of slots");

@@ -118,6 +118,9 @@ namespace SphFluid
 
         /// <summary>An instrument cannot read what it is set to.</summary>
         InstrumentInvalid,
+
+        /// <summary>Which method Automatic picked and why, or what keeps it from picking one that fits.</summary>
+        MethodChoice,
     }
 
     /// <summary>One message to the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>

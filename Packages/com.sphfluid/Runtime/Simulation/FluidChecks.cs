@@ -31,14 +31,17 @@ namespace SphFluid
         /// <param name="collision">Receives the colliders.</param>
         /// <param name="spawn">Makes or counts the first particles.</param>
         /// <param name="start">How it starts; null when there is an error.</param>
+        /// <param name="measures">Whether steps are timed on the GPU where Automatic is to choose and their cost is not known.</param>
         /// <returns>The messages, errors first.</returns>
         public static List<FluidMessage> Check(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, CollisionScene collision,
-            Func<SpawnRequest, SpawnResult> spawn, out FluidStart start) =>
-            Check(spec, collision, (now, messages) => Begin(now, volumes, collision, spawn, messages, out _), out start);
+            Func<SpawnRequest, SpawnResult> spawn, out FluidStart start, bool measures = false) =>
+            Check(spec, collision, (now, messages) => Begin(now, volumes, collision, spawn, messages, out _), out start, measures);
 
         /// <summary>Checks a simulation that begins as it is said.</summary>
-        internal static List<FluidMessage> Check(in FluidSpec spec, CollisionScene collision, Func<FluidSpec, List<FluidMessage>, FluidStart> begin, out FluidStart start)
+        internal static List<FluidMessage> Check(in FluidSpec given, CollisionScene collision, Func<FluidSpec, List<FluidMessage>, FluidStart> begin, out FluidStart start,
+            bool measures = false)
         {
+            FluidSpec spec = given;
             start = null;
             var messages = new List<FluidMessage>();
             if (!FluidMethods.Has(spec.Method))
@@ -58,6 +61,7 @@ namespace SphFluid
                 {
                     CheckColliders(spec, collision, messages);
                     start = begin(spec, messages);
+                    if (start != null && spec.Automatic.IsOn && !HasErrors(messages)) spec = Choose(spec, start, collision, measures, messages);
                 }
                 BoundaryChecks.Check(spec, messages);
                 EmitterChecks.Check(spec, messages);
@@ -136,11 +140,42 @@ namespace SphFluid
                     "Use a smaller Particle Spacing or a larger Domain Size."));
             if (!AffineMath.IsFinite(spec.Gravity))
                 messages.Add(Error(spec.Owner, FluidIssue.GravityInvalid, "Gravity is not a finite number.", "Give Gravity three finite numbers."));
+            CheckBudget(spec, messages);
             float step = spec.FixedTimeStep;
             if (spec.TimeStepMode == FluidTimeStepMode.Fixed && !(AffineMath.IsFinite(step) && step > 0f))
                 messages.Add(Error(spec.Owner, FluidIssue.TimeStepInvalid, $"The fixed time step is {step} s.",
                     "Give Fixed Time Step a number greater than zero, or set Time Step Mode to Automatic."));
             return sized && spaced && AffineMath.IsFinite(spec.Position);
+        }
+
+        static void CheckBudget(in FluidSpec spec, List<FluidMessage> messages)
+        {
+            if (!spec.Automatic.IsOn) return;
+            if (!(spec.Automatic.Budget > 0.0) || double.IsInfinity(spec.Automatic.Budget))
+                messages.Add(Error(spec.Owner, FluidIssue.MethodChoice, FormattableString.Invariant($"The frame budget is {spec.Automatic.Budget} ms, so no method can be chosen by it."),
+                    "Give Frame Budget the milliseconds that this liquid's steps may take of a frame, or choose a Method."));
+            if (!(spec.Automatic.FrameRate > 0.0) || double.IsInfinity(spec.Automatic.FrameRate))
+                messages.Add(Error(spec.Owner, FluidIssue.MethodChoice, FormattableString.Invariant($"The budget frame rate is {spec.Automatic.FrameRate} frames a second."),
+                    "Give Budget Frame Rate a number greater than zero, or zero for the application's own."));
+        }
+
+        // A start that goes on from a save has its choice.
+        static FluidSpec Choose(in FluidSpec spec, FluidStart start, CollisionScene collision, bool measures, List<FluidMessage> messages)
+        {
+            try
+            {
+                FluidShaderSet shaders = spec.Profile.Shaders;
+                StepMeter meter = null;
+                if (measures) meter = (in FluidSolverSettings settings) => StepCalibration.Measure(settings, shaders, start.Particles, collision);
+                start.Choice ??= MethodChooser.Choose(spec, start, collision.Solids.Count > 0, meter);
+                if (start.Choice == null) return spec;
+                messages.Add(MethodChoiceText.Message(start.Choice, spec.Owner));
+                return start.Resolve(spec);
+            }
+            catch (ArgumentException)
+            {
+                return spec; // the derivation reports it
+            }
         }
 
         static void CheckColliders(in FluidSpec spec, CollisionScene collision, List<FluidMessage> messages)

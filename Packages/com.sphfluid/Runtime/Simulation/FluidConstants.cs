@@ -13,6 +13,24 @@ namespace SphFluid
         /// <exception cref="System.ArgumentException">A constant is out of range.</exception>
         public static FluidSolverSettings Derive(in FluidSpec spec, FluidStart start, Vector3 startGravity, double speed = double.NaN)
         {
+            FluidRuleInput input = Input(spec, start, startGravity);
+            if (!double.IsNaN(speed))
+            {
+                input.InitialSpeed = (float)speed;
+                input.LiquidHeight = 0f;
+            }
+            FluidSolverSettings settings = FluidRules.Derive(input);
+            settings.Boundaries = spec.Boundaries;
+            settings.BodyForce = spec.BodyForce;
+            return settings;
+        }
+
+        /// <summary>What the rules start from.</summary>
+        /// <param name="spec">What is to start, with a profile.</param>
+        /// <param name="start">Where the liquid starts.</param>
+        /// <param name="startGravity">Gravity at the start in simulation space [m/s²].</param>
+        public static FluidRuleInput Input(in FluidSpec spec, FluidStart start, Vector3 startGravity)
+        {
             Vector3 gravity = spec.LocalGravity;
             Vector3 fall = startGravity.sqrMagnitude > 0f ? startGravity : gravity;
             float height = LiquidExtent.FallHeight(spec, start.Extent, fall);
@@ -26,15 +44,7 @@ namespace SphFluid
             input.InitialSpeed = Hypotenuse(FastestSource(spec, start.InitialSpeed), start.Extent.SpeedBy(spec.BodyForce));
             input.MinSpeed = Mathf.Max(input.MinSpeed, Mathf.Max(spec.ExpectedSpeed, FastestWall(spec.Boundaries)));
             input.FixedTimeStep = spec.TimeStepMode == FluidTimeStepMode.Fixed ? spec.FixedTimeStep : 0f;
-            if (!double.IsNaN(speed))
-            {
-                input.InitialSpeed = (float)speed;
-                input.LiquidHeight = 0f;
-            }
-            FluidSolverSettings settings = FluidRules.Derive(input);
-            settings.Boundaries = spec.Boundaries;
-            settings.BodyForce = spec.BodyForce;
-            return settings;
+            return input;
         }
 
         static float FastestSource(in FluidSpec spec, float start)

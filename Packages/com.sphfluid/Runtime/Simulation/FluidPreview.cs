@@ -13,12 +13,14 @@ namespace SphFluid
         public FluidPreview(in FluidSpec spec, FluidStart start, CollisionScene collision)
         {
             Constants = start.Constants;
+            Choice = start.Choice;
+            HasBodies = collision.Solids.Count > 0;
             Particles = start.Count;
             Vector3 gravity = spec.LocalGravity;
             Depth = gravity.sqrMagnitude > 0f ? FluidConstants.DepthAtRest(spec, start, gravity) : 0f;
             try
             {
-                GpuBytes = BytesOf(spec, start, collision);
+                GpuBytes = BytesOf(start.Resolve(spec), start, collision);
             }
             catch (FluidDeviceException exception)
             {
@@ -28,6 +30,12 @@ namespace SphFluid
 
         /// <summary>The solver's constants.</summary>
         public FluidSolverSettings Constants { get; }
+
+        /// <summary>The method that Automatic would pick by what is known; null where the method is given.</summary>
+        public FluidMethodChoice Choice { get; }
+
+        /// <summary>Whether there are triangles in the domain.</summary>
+        public bool HasBodies { get; }
 
         /// <summary>Number of particles.</summary>
         public long Particles { get; }

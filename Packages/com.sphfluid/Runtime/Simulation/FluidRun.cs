@@ -59,6 +59,12 @@ namespace SphFluid
 
         public FluidSolver Solver { get; }
 
+        /// <summary>How it started: its constants follow from that.</summary>
+        public FluidStart Start => start;
+
+        /// <summary>Whether there are triangles in the domain.</summary>
+        public bool HasBodies => Collision.Solids.Count > 0;
+
         /// <summary>Takes the GPU time of the steps; null: nobody asks for it.</summary>
         public StepTimer Timer { get; set; }
 

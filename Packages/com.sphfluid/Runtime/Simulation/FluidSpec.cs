@@ -27,7 +27,13 @@ namespace SphFluid
 
         public Vector3 DomainSize;
         public float Spacing;
+
+        /// <summary>The method; where it is chosen automatically, the one in use.</summary>
         public FluidMethodKind Method;
+
+        /// <summary>What the method is chosen by, where it is chosen automatically.</summary>
+        public AutomaticSpec Automatic;
+
         public LayerMask ColliderLayers;
         public FluidTimeStepMode TimeStepMode;
         public float FixedTimeStep;

@@ -28,6 +28,12 @@ namespace SphFluid
         /// <summary>Gravity at the start in simulation space [m/s²].</summary>
         public Vector3 Gravity { get; set; }
 
+        /// <summary>The method that was chosen; null where it is given.</summary>
+        public FluidMethodChoice Choice { get; set; }
+
+        /// <summary>The simulation as it starts, by the choice.</summary>
+        public FluidSpec Resolve(in FluidSpec spec) => Choice == null ? spec : Choice.Apply(spec);
+
         /// <summary>The solver's constants with the present settings.</summary>
         public FluidSolverSettings Constants { get; set; }
     }

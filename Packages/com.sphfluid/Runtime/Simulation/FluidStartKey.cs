@@ -57,7 +57,9 @@ namespace SphFluid
         readonly FluidTimeStepMode mode;
         readonly bool sleeps;
         readonly float fixedTimeStep, expectedSpeed;
+        readonly float maxCompression, soundSpeedRatio;
         readonly int maxSubsteps, revision;
+        readonly AutomaticSpec automatic;
         readonly FluidBoundaries boundaries;
         readonly FluidBodyForce bodyForce;
 
@@ -72,6 +74,9 @@ namespace SphFluid
             boundaries = spec.Boundaries;
             bodyForce = spec.BodyForce;
             revision = spec.Profile.Revision;
+            maxCompression = spec.Profile.Rules.MaxCompression;
+            soundSpeedRatio = spec.Profile.Rules.SoundSpeedRatio;
+            automatic = spec.Automatic;
         }
 
         /// <summary>Settings as a running simulation sees them: gravity turns with the domain.</summary>
@@ -83,6 +88,7 @@ namespace SphFluid
         public bool Equals(FluidLiveKey other) =>
             AffineMath.Same(gravity, other.gravity) && mode == other.mode && sleeps == other.sleeps && fixedTimeStep.Equals(other.fixedTimeStep) &&
             expectedSpeed.Equals(other.expectedSpeed) && maxSubsteps == other.maxSubsteps && revision == other.revision &&
+            maxCompression.Equals(other.maxCompression) && soundSpeedRatio.Equals(other.soundSpeedRatio) && automatic.Equals(other.automatic) &&
             boundaries.Equals(other.boundaries) && bodyForce.Equals(other.bodyForce);
 
         public override bool Equals(object obj) => obj is FluidLiveKey other && Equals(other);

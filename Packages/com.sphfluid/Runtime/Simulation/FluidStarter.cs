@@ -7,16 +7,17 @@ namespace SphFluid
     internal static class FluidStarter
     {
         /// <summary>Checks the simulation and starts it.</summary>
-        /// <param name="spec">The simulation.</param>
+        /// <param name="asked">The simulation; its method may be chosen here.</param>
         /// <param name="volumes">Its liquid volumes, in hierarchy order.</param>
         /// <param name="watch">Watches a start that takes long.</param>
         /// <param name="report">Receives what is wrong or worth knowing.</param>
         /// <returns>Null when an error was reported.</returns>
-        public static FluidRun TryStart(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, in StartWatch watch, Action<FluidMessage> report)
+        public static FluidRun TryStart(in FluidSpec asked, IReadOnlyList<VolumeSpec> volumes, in StartWatch watch, Action<FluidMessage> report)
         {
             var collision = new CollisionScene();
-            List<FluidMessage> found = FluidChecks.Check(spec, volumes, collision, FluidSpawner.Fill, out FluidStart start);
+            List<FluidMessage> found = FluidChecks.Check(asked, volumes, collision, FluidSpawner.Fill, out FluidStart start, true);
             foreach (FluidMessage message in found) report(message);
+            FluidSpec spec = start == null ? asked : start.Resolve(asked);
             if (start != null)
             {
                 try

@@ -14,6 +14,7 @@ namespace SphFluid
         readonly (FluidCapacityPolicy policy, int capacity) slots;
         readonly VolumeSpec[] volumes;
         readonly EmitterSpec[] emitters;
+        readonly int costs;
 
         /// <summary>As of now.</summary>
         public PreviewKey(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes)
@@ -24,11 +25,12 @@ namespace SphFluid
             slots = (spec.CapacityPolicy, spec.Capacity);
             this.volumes = ToArray(volumes);
             emitters = ToArray(spec.Emitters);
+            costs = spec.Automatic.IsOn ? StepCosts.Revision : 0;
         }
 
         /// <summary>Whether nothing changed.</summary>
         public bool Is(PreviewKey other) => other != null && start.Equals(other.start) && live.Equals(other.live) && position.Equals(other.position) &&
-            rotation.Equals(other.rotation) && slots == other.slots && Same(volumes, other.volumes) && Same(emitters, other.emitters);
+            rotation.Equals(other.rotation) && slots == other.slots && costs == other.costs && Same(volumes, other.volumes) && Same(emitters, other.emitters);
 
         static T[] ToArray<T>(IReadOnlyList<T> items)
         {

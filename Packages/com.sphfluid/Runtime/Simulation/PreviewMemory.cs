@@ -99,7 +99,7 @@ namespace SphFluid
             if (begun == null) return false;
             try
             {
-                Points = new FillPoints(RelaxedStart.Particles(spec, begun, collision, watch, report));
+                Points = new FillPoints(RelaxedStart.Particles(begun.Resolve(spec), begun, collision, watch, report));
                 return IsRelaxed = true;
             }
             catch (OperationCanceledException)

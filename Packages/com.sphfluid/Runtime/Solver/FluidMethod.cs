@@ -86,6 +86,29 @@ namespace SphFluid
         /// <exception cref="FluidDeviceException">The device cannot hold a buffer.</exception>
         public abstract long PlannedBytes(in FluidSolverSettings settings, int particleCount, bool hasBodies);
 
+        /// <summary>Grows when a change to the method changes what its steps cost: older measurements then count for nothing.</summary>
+        public virtual int CostRevision => 1;
+
+        /// <summary>
+        /// Passes over every particle's neighbours in a usual step, its search counted as one: what kept costs are of, and what a step costs against another method's
+        /// where nothing is measured.
+        /// </summary>
+        public abstract double PassesAStep { get; }
+
+        /// <summary>The same for a step of some length, where the number of passes follows from it.</summary>
+        /// <param name="settings">The liquid's constants.</param>
+        /// <param name="timeStep">Length of the step [s].</param>
+        /// <param name="speed">Speed of the fastest particle [m/s].</param>
+        public virtual double PassesOf(in FluidSolverSettings settings, double timeStep, double speed) => PassesAStep;
+
+        /// <summary>Whether Automatic may pick it; then it makes <see cref="Offers"/>.</summary>
+        public virtual bool MayBePicked => false;
+
+        /// <summary>The ways in which Automatic may compute a liquid by this method, the most faithful first; none where it never picks the method.</summary>
+        /// <param name="question">The liquid and the frame.</param>
+        /// <exception cref="ArgumentException">An input is out of range.</exception>
+        public virtual IReadOnlyList<MethodOffer> Offers(in MethodQuestion question) => Array.Empty<MethodOffer>();
+
         /// <summary>Whether the method has a feature.</summary>
         public bool Has(FluidMethodFeatures feature) => (Features & feature) != 0;
 

@@ -17,6 +17,12 @@ namespace SphFluid
 
         /// <summary>Small-step XPBD: a fixed number of equal steps a frame at any speed. Never explodes, keeps real time, and is the softer the longer its steps are.</summary>
         Robust = 3,
+
+        /// <summary>
+        /// No method but a choice among them at the start: the most faithful one whose steps fit the frame budget of the simulation, by what they cost on this
+        /// device. <see cref="FluidSimulation.ActiveMethod"/> is the one picked. A solver takes only a picked one.
+        /// </summary>
+        Automatic = 4,
     }
 
     /// <summary>The list of methods: a new one is a value above, a line here and a folder of its own.</summary>
@@ -32,6 +38,9 @@ namespace SphFluid
 
         /// <summary>All methods, the default one first.</summary>
         public static IReadOnlyList<FluidMethod> All => Methods;
+
+        /// <summary>Whether the method is to be chosen at the start.</summary>
+        public static bool IsChosen(FluidMethodKind kind) => kind == FluidMethodKind.Automatic;
 
         /// <summary>Whether there is such a method: a scene's number may be from another version of the package.</summary>
         public static bool Has(FluidMethodKind kind) => Find(kind) != null;

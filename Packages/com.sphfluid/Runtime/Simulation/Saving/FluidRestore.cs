@@ -9,15 +9,17 @@ namespace SphFluid
         const int MostNames = 3;
 
         /// <summary>Reads and checks a save and makes its liquid, beside the one that runs.</summary>
-        /// <param name="spec">The simulation.</param>
+        /// <param name="asked">The simulation; where its method is chosen automatically, the save brings it.</param>
         /// <param name="stream">The save.</param>
         /// <param name="report">Receives what is wrong or worth knowing.</param>
         /// <returns>Null when an error was reported.</returns>
-        public static FluidRun TryMake(in FluidSpec spec, Stream stream, Action<FluidMessage> report)
+        public static FluidRun TryMake(in FluidSpec asked, Stream stream, Action<FluidMessage> report)
         {
+            FluidSpec spec = asked;
             try
             {
                 FluidSave save = FluidSave.Read(stream);
+                if (asked.Automatic.IsOn) spec = (save.Start.Choice = save.ChoiceFor(asked)).Apply(asked.Automatic.AsSet(asked));
                 if (Refusal(spec, save) is FluidMessage refusal) report(refusal);
                 else
                 {

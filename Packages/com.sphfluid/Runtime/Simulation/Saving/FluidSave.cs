@@ -8,7 +8,7 @@ namespace SphFluid
     internal sealed class FluidSave
     {
         public const string About = "ABOUT", Liquid = "LIQUID", Particles = "PARTICLE", Run = "RUN", Pace = "PACE", Flows = "FLOWS",
-            Zones = "ZONES", Colliders = "COLLIDER", Floats = "FLOATS";
+            Zones = "ZONES", Colliders = "COLLIDER", Floats = "FLOATS", Choice = "CHOICE";
 
         readonly Dictionary<string, byte[]> sections;
         readonly List<string> missing = new List<string>();
@@ -63,8 +63,17 @@ namespace SphFluid
             liquid.Write(solver.Progress);
             var particles = new SaveWriter();
             SavedParticles.Save(particles, SavedParticles.Read(solver));
-            return new List<(string, SaveWriter)> { (About, about), (Liquid, liquid), (Particles, particles) };
+            var sections = new List<(string, SaveWriter)> { (About, about), (Liquid, liquid), (Particles, particles) };
+            if (start.Choice == null) return sections;
+            var choice = new SaveWriter();
+            start.Choice.Save(choice);
+            sections.Add((Choice, choice));
+            return sections;
         }
+
+        /// <summary>The method that a simulation with the method Automatic goes on by: the one of the save, whatever would be picked now.</summary>
+        public FluidMethodChoice ChoiceFor(in FluidSpec spec) =>
+            Has(Choice) ? FluidMethodChoice.Load(spec.Automatic, Section(Choice)) : FluidMethodChoice.OfSave(spec, Identity.Method, Start.Count);
 
         /// <summary>The sections as a run goes on from them.</summary>
         public static FluidSave From(List<(string name, SaveWriter contents)> sections)

@@ -30,6 +30,12 @@ namespace SphFluid
 
         public override FluidSolverSettings Derive(in FluidRuleInput input) => StandardRules.Derive(input);
 
+        public override double PassesAStep => 3.0;
+
+        public override bool MayBePicked => true;
+
+        public override IReadOnlyList<MethodOffer> Offers(in MethodQuestion question) => StandardOffers.For(question);
+
         public override TimeStepAdvice Advise(in FluidSolverSettings settings, double maxSpeed) => StandardRules.Advise(settings, maxSpeed);
 
         public override FrameWork WorkOf(in FluidSolverSettings settings, double frameTime, double speed, double stepFraction)

@@ -31,6 +31,8 @@ namespace SphFluid
 
         public override FluidSolverSettings Derive(in FluidRuleInput input) => ThesisRules.Derive(input);
 
+        public override double PassesAStep => 3.0;
+
         public override TimeStepAdvice Advise(in FluidSolverSettings settings, double maxSpeed) => ThesisRules.Advise(settings, maxSpeed);
 
         public override bool SearchesOctants(in FluidRuleInput input) => IsPrinted || input.Switches.OctantSearch;

@@ -51,6 +51,17 @@ namespace SphFluid.Tests
             Assert.That(FluidSimulationEditor.Hidden(Both<FluidSimulation>()).Contains("fixedTimeStep"), Is.EqualTo(hidden));
         }
 
+        [TestCase(FluidMethodKind.Standard, FluidMethodKind.Standard, true)]
+        [TestCase(FluidMethodKind.Standard, FluidMethodKind.Automatic, false)]
+        [TestCase(FluidMethodKind.Automatic, FluidMethodKind.Automatic, false)]
+        public void TheBudgetIsShownIfOneOfTheObjectsChoosesByIt(FluidMethodKind one, FluidMethodKind other, bool hidden)
+        {
+            first.GetComponent<FluidSimulation>().Method = one;
+            second.GetComponent<FluidSimulation>().Method = other;
+            foreach (string field in new[] { "frameBudget", "budgetFrameRate" })
+                Assert.That(FluidSimulationEditor.Hidden(Both<FluidSimulation>()).Contains(field), Is.EqualTo(hidden), field);
+        }
+
         [Test]
         public void GravityIsShownIfOneOfTheObjectsReadsIt()
         {

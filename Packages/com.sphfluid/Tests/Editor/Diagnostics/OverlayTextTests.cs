@@ -43,6 +43,14 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void AMethodThatWasPickedHasALine()
+        {
+            LiquidFigures tank = Tank;
+            tank.Method = "Standard, 15 steps a frame at most, 2.31 ms of 4 ms";
+            Assert.That(Lines(tank)[2], Is.EqualTo("  Standard, 15 steps a frame at most, 2.31 ms of 4 ms"));
+        }
+
+        [Test]
         public void AStoppedLiquidSaysWhy()
         {
             var stopped = new LiquidFigures { Name = "Tank", State = "stopped", Message = "The liquid is empty." };

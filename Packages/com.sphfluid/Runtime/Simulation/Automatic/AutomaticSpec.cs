@@ -1,0 +1,59 @@
+using System;
+
+namespace SphFluid
+{
+    /// <summary>What a simulation lets Automatic choose by; all zero where its method is given.</summary>
+    internal readonly struct AutomaticSpec : IEquatable<AutomaticSpec>
+    {
+        /// <summary>Frames a second where nothing says another number.</summary>
+        public const double UsualFrameRate = 60.0;
+
+        readonly float maxCompression, soundSpeedRatio;
+        readonly int maxSubsteps;
+
+        /// <summary>Of a simulation as its settings have it.</summary>
+        /// <param name="budget">Time that a frame's steps may take on the graphics device [ms].</param>
+        /// <param name="frameRate">Frames a second that it is for.</param>
+        /// <param name="spec">The simulation.</param>
+        public AutomaticSpec(double budget, double frameRate, in FluidSpec spec)
+        {
+            IsOn = true;
+            Budget = budget;
+            FrameRate = frameRate;
+            maxCompression = spec.Profile.Rules.MaxCompression;
+            soundSpeedRatio = spec.Profile.Rules.SoundSpeedRatio;
+            maxSubsteps = spec.MaxSubstepsPerFrame;
+        }
+
+        /// <summary>Whether the method is to be chosen.</summary>
+        public bool IsOn { get; }
+
+        /// <summary>Time that a frame's steps may take on the graphics device [ms].</summary>
+        public double Budget { get; }
+
+        /// <summary>Frames a second that it is for.</summary>
+        public double FrameRate { get; }
+
+        /// <summary>Whether budget and frame rate are those of another.</summary>
+        public bool HasBudgetOf(in AutomaticSpec other) => Budget.Equals(other.Budget) && FrameRate.Equals(other.FrameRate);
+
+        /// <summary>The simulation as its settings have it, before a choice changed it.</summary>
+        public FluidSpec AsSet(FluidSpec spec)
+        {
+            spec.Profile.Rules.MaxCompression = maxCompression;
+            spec.Profile.Rules.SoundSpeedRatio = soundSpeedRatio;
+            spec.MaxSubstepsPerFrame = maxSubsteps;
+            return spec;
+        }
+
+        /// <inheritdoc/>
+        public bool Equals(AutomaticSpec other) => IsOn == other.IsOn && HasBudgetOf(other) && maxCompression.Equals(other.maxCompression) &&
+            soundSpeedRatio.Equals(other.soundSpeedRatio) && maxSubsteps == other.maxSubsteps;
+
+        /// <inheritdoc/>
+        public override bool Equals(object obj) => obj is AutomaticSpec other && Equals(other);
+
+        /// <inheritdoc/>
+        public override int GetHashCode() => HashCode.Combine(IsOn, Budget, FrameRate);
+    }
+}

@@ -1,0 +1,52 @@
+using System;
+using System.Collections.Generic;
+
+namespace SphFluid
+{
+    /// <summary>
+    /// The spacing at which a liquid that is too dear, or too soft, would be neither: the number of particles goes with the inverse cube of the spacing, the
+    /// number of steps as the methods offer. It is only proposed.
+    /// </summary>
+    internal static class CoarserSpacing
+    {
+        const double Growth = 1.02;
+
+        // Of the present spacing: a liquid with a thousandth of its particles is another scene.
+        const double Most = 10.0;
+
+        /// <summary>Adds the proposal to a choice, where there is one.</summary>
+        public static void Propose(FluidMethodChoice choice, in FluidRuleInput input, bool hasBodies)
+        {
+            for (double ratio = Growth; ratio <= Most; ratio *= Growth)
+            {
+                FluidRuleInput coarser = input;
+                coarser.Spacing = Round(input.Spacing * ratio);
+                long particles = (long)Math.Max(1.0, choice.Particles * Math.Pow(input.Spacing / (double)coarser.Spacing, 3.0));
+                if (!(Fitting(choice, coarser, particles, hasBodies) is FluidMethodKind method)) continue;
+                (choice.ProposedSpacing, choice.ProposedParticles, choice.ProposedMethod) = (coarser.Spacing, particles, method);
+                return;
+            }
+        }
+
+        static FluidMethodKind? Fitting(FluidMethodChoice choice, in FluidRuleInput input, long particles, bool hasBodies)
+        {
+            var asked = new HashSet<FluidMethodKind>();
+            foreach (FluidMethodCandidate candidate in choice.Considered)
+            {
+                if (candidate.Obstacle != null || double.IsNaN(candidate.MillisecondsAStep) || !asked.Add(candidate.Method)) continue;
+                double cost = candidate.CostSource == FluidCostSource.Estimated ? StepCosts.Estimate(candidate.Method, particles)
+                    : StepCosts.TryFind(StepCostKey.Of(candidate.Method, input.SupportRatio, hasBodies), particles, out StepCost known) ? known.Milliseconds : double.NaN;
+                foreach (MethodOffer offer in MethodChooser.Offers(FluidMethods.Of(candidate.Method), input, choice.Asked, cost))
+                    if (offer.StepsAFrame * offer.CostRatio * cost <= choice.FrameBudget && offer.SoundSpeed >= offer.LeastSoundSpeed) return candidate.Method;
+            }
+            return null;
+        }
+
+        // To three digits, as users type it: 0.031234 m to 0.0312.
+        static float Round(double spacing)
+        {
+            double digit = Math.Pow(10.0, Math.Floor(Math.Log10(spacing)) - 2.0);
+            return (float)(Math.Ceiling(spacing / digit - 1e-6) * digit);
+        }
+    }
+}
