@@ -17,6 +17,12 @@ namespace SphFluid.Validation
 
         const float FrameTime = 1f / 60f;
 
+        // Above what the stiffest way needs to stay calm, 0.001 c R at c = 20 √(2 g · 0.5 m) and R = 2.25 dx: all ways have the same liquid.
+        const float ViscosityOverSpacing = 0.15f; // m/s
+
+        // Enough for runs to part, so little that no way throws its particles up: elastic energy goes with c².
+        const float Jitter = 0.002f;
+
         static readonly Vector3 Domain = new Vector3(0.9f, 0.6f, 0.24f), Column = new Vector3(0.3f, 0.5f, 0.24f);
 
         readonly BudgetWay way;
@@ -30,6 +36,8 @@ namespace SphFluid.Validation
             this.way = way;
             profile = ScriptableObject.CreateInstance<FluidProfile>();
             (profile.Shaders, profile.MaxCompression, profile.SoundSpeedRatio) = (shaders, way.MaxCompression, way.SoundSpeedRatio);
+            if (way.Substeps > 0)
+                profile.Substeps = way.Substeps;
             holder = new GameObject("Budget Run");
             simulation = holder.AddComponent<FluidSimulation>();
             simulation.PlayOnEnable = false;
@@ -44,6 +52,8 @@ namespace SphFluid.Validation
             liquid.transform.localPosition = 0.5f * (Column - Domain);
             liquid.AddComponent<FluidVolume>().Size = Column;
             simulation.Spacing = simulation.SpacingForParticleCount(particles);
+            profile.KinematicViscosity = ViscosityOverSpacing * simulation.Spacing;
+            simulation.StartJitter = Jitter;
             Row = new BudgetRow { Way = way, Seed = seed, Spacing = simulation.Spacing };
         }
 
@@ -88,7 +98,7 @@ namespace SphFluid.Validation
             FluidMethodChoice choice = simulation.MethodChoice;
             Row.Path = path.ToArray();
             Row.Particles = particles;
-            Row.Method = CaseMethod.Of(simulation.ActiveMethod).Name;
+            Row.Method = PlayChoice.NameOf(simulation.ActiveMethod);
             Row.MaxCompression = choice?.Pick.MaxCompression ?? way.MaxCompression;
             Row.Substeps = choice?.Pick.Substeps ?? way.Substeps;
             Row.Predicted = choice?.Pick.MillisecondsAFrame ?? double.NaN;

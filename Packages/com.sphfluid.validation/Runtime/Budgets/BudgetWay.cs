@@ -43,7 +43,10 @@ namespace SphFluid.Validation
         {
             new BudgetWay("standard", FluidMethodKind.Standard),
             new BudgetWay("standard-soft", FluidMethodKind.Standard, SoftCompression, SoftRatio),
+            Robust(4), Robust(6), Robust(8), Robust(12), Robust(16),
         };
+
+        static BudgetWay Robust(int substeps) => new BudgetWay($"robust-{substeps}", FluidMethodKind.Robust) { Substeps = substeps };
 
         /// <summary>Automatic with a budget.</summary>
         /// <param name="milliseconds">The budget [ms].</param>

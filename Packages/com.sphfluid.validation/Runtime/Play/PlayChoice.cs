@@ -22,8 +22,11 @@ namespace SphFluid.Validation
                 .Add("considered", considered);
         }
 
+        /// <summary>A method's name, as flags have it.</summary>
+        public static string NameOf(FluidMethodKind method) => $"{method}".ToLowerInvariant();
+
         static JsonObject Of(in FluidMethodCandidate candidate) => new JsonObject()
-            .Add("method", CaseMethod.Of(candidate.Method).Name)
+            .Add("method", NameOf(candidate.Method))
             .Add("max_compression", candidate.MaxCompression)
             .Add("sound_speed_m_s", candidate.SoundSpeed)
             .Add("steps_a_frame", candidate.StepsAFrame)

@@ -58,7 +58,7 @@ namespace SphFluid
         readonly bool sleeps;
         readonly float fixedTimeStep, expectedSpeed;
         readonly float maxCompression, soundSpeedRatio;
-        readonly int maxSubsteps, revision;
+        readonly int maxSubsteps, revision, substeps;
         readonly AutomaticSpec automatic;
         readonly FluidBoundaries boundaries;
         readonly FluidBodyForce bodyForce;
@@ -76,6 +76,7 @@ namespace SphFluid
             revision = spec.Profile.Revision;
             maxCompression = spec.Profile.Rules.MaxCompression;
             soundSpeedRatio = spec.Profile.Rules.SoundSpeedRatio;
+            substeps = spec.Profile.Rules.Substeps;
             automatic = spec.Automatic;
         }
 
@@ -88,7 +89,7 @@ namespace SphFluid
         public bool Equals(FluidLiveKey other) =>
             AffineMath.Same(gravity, other.gravity) && mode == other.mode && sleeps == other.sleeps && fixedTimeStep.Equals(other.fixedTimeStep) &&
             expectedSpeed.Equals(other.expectedSpeed) && maxSubsteps == other.maxSubsteps && revision == other.revision &&
-            maxCompression.Equals(other.maxCompression) && soundSpeedRatio.Equals(other.soundSpeedRatio) && automatic.Equals(other.automatic) &&
+            maxCompression.Equals(other.maxCompression) && soundSpeedRatio.Equals(other.soundSpeedRatio) && substeps == other.substeps && automatic.Equals(other.automatic) &&
             boundaries.Equals(other.boundaries) && bodyForce.Equals(other.bodyForce);
 
         public override bool Equals(object obj) => obj is FluidLiveKey other && Equals(other);

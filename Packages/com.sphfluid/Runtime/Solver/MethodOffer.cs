@@ -49,6 +49,7 @@ namespace SphFluid
             input.Method = Method;
             input.MaxCompression = MaxCompression;
             input.SoundSpeedRatio = SoundSpeedRatio;
+            if (Substeps > 0) input.Substeps = Substeps;
             return input;
         }
     }

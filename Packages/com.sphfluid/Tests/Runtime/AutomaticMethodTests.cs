@@ -211,6 +211,86 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator ATightBudgetGoesToRobustAndALargerOneBack()
+        {
+            costs.Set(FluidMethodKind.Standard, 1.0).Set(FluidMethodKind.Robust, 0.1);
+            Start();
+            yield return null;
+            FluidSolver solver = simulation.Solver;
+            simulation.FrameBudget = 0.55f;
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Solver, Is.Not.SameAs(solver), "another method starts again");
+            Assert.That(simulation.Solver.Kind, Is.EqualTo(FluidMethodKind.Robust));
+            Assert.That(simulation.MethodChoice.Pick.Substeps, Is.EqualTo(5));
+            Assert.That(simulation.Solver.Settings.Own<RobustSettings>().Substeps, Is.EqualTo(5));
+            long steps = simulation.StepCount;
+            yield return null;
+            Assert.That(simulation.StepCount - steps, Is.EqualTo(5));
+            solver = simulation.Solver;
+            simulation.FrameBudget = 0.75f;
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Solver, Is.SameAs(solver), "other substeps of the same method act at once");
+            Assert.That(simulation.Solver.Settings.Own<RobustSettings>().Substeps, Is.EqualTo(7));
+            simulation.FrameBudget = 1000f;
+            yield return null;
+            yield return null;
+            Assert.That(simulation.Solver.Kind, Is.EqualTo(FluidMethodKind.Standard));
+        }
+
+        [UnityTest]
+        public IEnumerator OtherSettingsKeepTheMethodAndSayWhatANewStartWouldPick()
+        {
+            costs.Set(FluidMethodKind.Standard, 1.0).Set(FluidMethodKind.Robust, 0.1);
+            simulation.FrameBudget = 4.5f; // 4 steps as the profile asks
+            Start();
+            yield return null;
+            FluidSolver solver = simulation.Solver;
+            simulation.ExpectedSpeed = 20f; // many more
+            for (int i = 0; i < 4; i++) yield return null;
+            Assert.That(simulation.Solver, Is.SameAs(solver));
+            Assert.That(simulation.ActiveMethod, Is.EqualTo(FluidMethodKind.Standard));
+            Assert.That(Choices().Length, Is.EqualTo(2), "said once");
+            Assert.That(Choices().Last().Text, Does.Contain("another method than Standard, which stays in use").And.Contain("Robust"));
+            Assert.That(simulation.CapHits, Is.Zero);
+            Assert.That(simulation.ChooseMethodAgain());
+            Assert.That(simulation.ActiveMethod, Is.EqualTo(FluidMethodKind.Robust));
+        }
+
+        [UnityTest]
+        public IEnumerator ASaveOfRobustGoesOnByRobust()
+        {
+            costs.Set(FluidMethodKind.Standard, 1.0).Set(FluidMethodKind.Robust, 0.1);
+            simulation.FrameBudget = 0.65f;
+            Start();
+            for (int i = 0; i < 3; i++) yield return null;
+            var save = new MemoryStream();
+            simulation.Save(save);
+            simulation.FrameBudget = 1000f;
+            Start();
+            Assert.That(simulation.ActiveMethod, Is.EqualTo(FluidMethodKind.Standard));
+            save.Position = 0;
+            Assert.That(simulation.Restore(save), simulation.StatusMessage);
+            for (int i = 0; i < 3; i++) yield return null;
+            Assert.That(simulation.ActiveMethod, Is.EqualTo(FluidMethodKind.Robust));
+            Assert.That(simulation.Solver.Settings.Own<RobustSettings>().Substeps, Is.EqualTo(6));
+        }
+
+        [Test]
+        public void ADeviceWithoutStandardsKernelsRunsRobust()
+        {
+            costs.Set(FluidMethodKind.Standard, 1e-4).Set(FluidMethodKind.Robust, 1.0);
+            FluidShaderSet without = TestShaders.Without(TestShaders.PackageSet, "StandardDensity");
+            rig.Profile.Shaders = without;
+            simulation.FrameBudget = 100f;
+            Start();
+            Assert.That(simulation.ActiveMethod, Is.EqualTo(FluidMethodKind.Robust));
+            Assert.That(simulation.MethodChoice.Reason, Does.Contain("Standard has shaders that the shader set lacks"));
+            UnityEngine.Object.DestroyImmediate(without);
+        }
+
+        [UnityTest]
         public IEnumerator WhatPlayMeasuresIsKept()
         {
             if (!StepTimer.IsSupported) Assert.Ignore("The device reports no GPU times.");

@@ -9,7 +9,7 @@ namespace SphFluid
         public const double UsualFrameRate = 60.0;
 
         readonly float maxCompression, soundSpeedRatio;
-        readonly int maxSubsteps;
+        readonly int maxSubsteps, substeps;
 
         /// <summary>Of a simulation as its settings have it.</summary>
         /// <param name="budget">Time that a frame's steps may take on the graphics device [ms].</param>
@@ -23,6 +23,7 @@ namespace SphFluid
             maxCompression = spec.Profile.Rules.MaxCompression;
             soundSpeedRatio = spec.Profile.Rules.SoundSpeedRatio;
             maxSubsteps = spec.MaxSubstepsPerFrame;
+            substeps = spec.Profile.Rules.Substeps;
         }
 
         /// <summary>Whether the method is to be chosen.</summary>
@@ -43,12 +44,13 @@ namespace SphFluid
             spec.Profile.Rules.MaxCompression = maxCompression;
             spec.Profile.Rules.SoundSpeedRatio = soundSpeedRatio;
             spec.MaxSubstepsPerFrame = maxSubsteps;
+            spec.Profile.Rules.Substeps = substeps;
             return spec;
         }
 
         /// <inheritdoc/>
         public bool Equals(AutomaticSpec other) => IsOn == other.IsOn && HasBudgetOf(other) && maxCompression.Equals(other.maxCompression) &&
-            soundSpeedRatio.Equals(other.soundSpeedRatio) && maxSubsteps == other.maxSubsteps;
+            soundSpeedRatio.Equals(other.soundSpeedRatio) && maxSubsteps == other.maxSubsteps && substeps == other.substeps;
 
         /// <inheritdoc/>
         public override bool Equals(object obj) => obj is AutomaticSpec other && Equals(other);

@@ -69,8 +69,7 @@ namespace SphFluid
         internal FluidSpec Apply(FluidSpec spec)
         {
             spec.Method = Method;
-            spec.Profile.Rules.MaxCompression = Pick.Offer.MaxCompression;
-            spec.Profile.Rules.SoundSpeedRatio = Pick.Offer.SoundSpeedRatio;
+            spec.Profile.Rules = Pick.Offer.Apply(spec.Profile.Rules);
             double needed = Math.Ceiling(LongestFrame * Pick.StepsAFrame);
             if (spec.MaxSubstepsPerFrame < needed) spec.MaxSubstepsPerFrame = (int)Math.Min(needed, int.MaxValue);
             return spec;

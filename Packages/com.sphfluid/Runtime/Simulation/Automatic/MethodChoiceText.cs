@@ -23,6 +23,8 @@ namespace SphFluid
             int others = choice.FitsBudget ? choice.Rank : choice.Considered.Count;
             for (int i = 0; i < others; i++)
                 if (i != choice.Rank && Other(choice.Considered[i]) is string other) text.Append(' ').Append(other);
+            if (choice.Pick.Substeps > 0 && choice.Pick.IsStiffEnough)
+                text.Append(Invariant($" Its speed of sound is {choice.Pick.SoundSpeed:0.#} m/s."));
             if (!choice.Pick.IsStiffEnough)
                 text.Append(Invariant($" At a speed of sound of {choice.Pick.SoundSpeed:0.#} m/s it is too soft for this depth, which needs {choice.Pick.Offer.LeastSoundSpeed:0.#} m/s: it sinks in."));
             return text.Append(' ').Append(Source(choice)).ToString();
@@ -61,7 +63,7 @@ namespace SphFluid
 
         static string Other(in FluidMethodCandidate candidate) =>
             candidate.Obstacle != null ? (candidate.Offer.AsTheProfileAsks ? $"{candidate.Method} {candidate.Obstacle}." : null) :
-            double.IsNaN(candidate.MillisecondsAFrame) ? null :
+            double.IsNaN(candidate.MillisecondsAFrame) ? (candidate.Offer.AsTheProfileAsks ? $"{candidate.Method} is not timed yet: it is at the start." : null) :
             candidate.Substeps > 0 ? Invariant($"{Name(candidate)} would take {candidate.Substeps} substeps = {Time(candidate)}.")
             : Invariant($"{Name(candidate)} would take {candidate.StepsAFrame:0} steps = {Time(candidate)}.");
 

@@ -50,7 +50,7 @@ namespace SphFluid
         internal static string ObstacleOf(in FluidSpec spec, FluidMethod method)
         {
             if (!FluidSupport.Query().Supports(method.Kind)) return "does not run on this device";
-            if (spec.Profile.Shaders != null && spec.Profile.Shaders.Missing(method.Shaders.Shaders).Count > 0) return "has shaders that the shader set lacks";
+            if (spec.Profile.Shaders != null && spec.Profile.Shaders.Missing(method.Shaders.AllShaders).Count > 0) return "has shaders that the shader set lacks";
             return Lack(spec, method) is string lack ? $"has no {lack}, which the simulation uses" : null;
         }
 

@@ -25,6 +25,14 @@ namespace SphFluid
 
         public override FluidSolverSettings Derive(in FluidRuleInput input) => RobustRules.Derive(input);
 
+        public override double PassesAStep => PassesFor(RobustRules.LeastIterations);
+
+        public override double PassesOf(in FluidSolverSettings settings, double timeStep, double speed) => PassesFor(RobustRules.IterationsFor(settings, timeStep, speed));
+
+        public override bool MayBePicked => true;
+
+        public override IReadOnlyList<MethodOffer> Offers(in MethodQuestion question) => new[] { RobustOffers.For(this, question) };
+
         public override TimeStepAdvice Advise(in FluidSolverSettings settings, double maxSpeed) => RobustRules.Advise(settings, maxSpeed);
 
         public override double CellCount(in FluidSolverSettings settings) => FluidGrid.CountFor(settings, CellRows.Border);
@@ -61,6 +69,9 @@ namespace SphFluid
             int iterations = RobustRules.IterationsFor(settings, frameTime / steps, speed);
             return new FrameWork(steps, 2.0 * iterations + 1.0, steps + 1.0, 1.0);
         }
+
+        // Two an iteration, the last one and the search.
+        static double PassesFor(int iterations) => 2.0 * iterations + 2.0;
 
         public override IFluidStepper Start(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount) =>
             new RobustStepper(settings, shaders, particleCount);

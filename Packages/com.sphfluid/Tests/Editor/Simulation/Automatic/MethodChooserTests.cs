@@ -55,6 +55,33 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void RobustWhereStandardDoesNotFit()
+        {
+            costs.Set(FluidMethodKind.Standard, 1.0).Set(FluidMethodKind.Robust, 0.1);
+            FluidMethodChoice choice = Choose(0.65f);
+            Assert.That(choice.Method, Is.EqualTo(FluidMethodKind.Robust));
+            Assert.That(choice.Pick.Substeps, Is.EqualTo(6));
+            Assert.That(choice.FitsBudget);
+            Assert.That(choice.Considered.Count, Is.EqualTo(3));
+            Assert.That(choice.Reason, Does.StartWith("Robust, 6 substeps a frame: 0.60 ms of the 0.65 ms allowed").And.Contain("Standard would take").And.Contain("Standard with 12 % compression would take"));
+        }
+
+        [Test]
+        public void SoftRobustProposesACoarserSpacing()
+        {
+            costs.Set(FluidMethodKind.Standard, 100.0).Set(FluidMethodKind.Robust, 0.1);
+            simulation.DomainSize = new Vector3(0.2f, 4f, 0.2f);
+            simulation.GetComponentInChildren<FluidVolume>().Size = new Vector3(0.2f, 3.9f, 0.2f);
+            costs.Set(FluidMethodKind.Robust, 0.1, particles: 1248);
+            costs.Set(FluidMethodKind.Standard, 100.0, particles: 1248);
+            FluidMethodChoice choice = Choose(0.45f);
+            Assert.That(choice.Method, Is.EqualTo(FluidMethodKind.Robust));
+            Assert.That(choice.FitsBudget && !choice.Pick.IsStiffEnough);
+            Assert.That(choice.ProposedSpacing, Is.GreaterThan(simulation.Spacing));
+            Assert.That(choice.Reason, Does.Contain("too soft for this depth"));
+        }
+
+        [Test]
         public void WithoutCostsNothingIsClaimed()
         {
             FluidMethodChoice choice = Choose(4f);
