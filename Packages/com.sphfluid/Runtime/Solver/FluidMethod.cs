@@ -89,6 +89,9 @@ namespace SphFluid
         /// <summary>Grows when a change to the method changes what its steps cost: older measurements then count for nothing.</summary>
         public virtual int CostRevision => 1;
 
+        /// <summary>What a method computes besides where settings ask for it, in short, as far as it changes what a step costs; empty: nothing.</summary>
+        public virtual string CostVariant(in FluidSolverSettings settings) => "";
+
         /// <summary>
         /// Passes over every particle's neighbours in a usual step, its search counted as one: what kept costs are of, and what a step costs against another method's
         /// where nothing is measured.

@@ -72,12 +72,12 @@ namespace SphFluid
 
         static double CostOf(FluidMethod method, in FluidRuleInput input, in MethodOffer offer, long particles, bool hasBodies, StepMeter meter, out FluidCostSource source)
         {
-            StepCostKey key = StepCostKey.Of(method.Kind, input.SupportRatio, hasBodies);
             if (particles == 0) return Unknown(out source);
+            FluidSolverSettings settings = method.Derive(offer.Apply(input));
+            StepCostKey key = StepCostKey.Of(settings, hasBodies);
             bool known = StepCosts.TryFind(key, particles, out StepCost cost) && StepCostTable.IsNear(cost, particles);
             if (!known && meter != null)
             {
-                FluidSolverSettings settings = method.Derive(offer.Apply(input));
                 if (!(meter(settings) is StepCost measured))
                 {
                     source = FluidCostSource.Estimated;

@@ -32,6 +32,8 @@ namespace SphFluid
 
         public override double PassesAStep => 3.0;
 
+        public override string CostVariant(in FluidSolverSettings settings) => settings.Own<StandardSettings>().ImplicitViscosity ? "+viscous" : "";
+
         public override bool MayBePicked => true;
 
         public override IReadOnlyList<MethodOffer> Offers(in MethodQuestion question) => StandardOffers.For(question);
