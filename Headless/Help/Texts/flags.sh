@@ -1,5 +1,5 @@
 # Written by ./run help --update from the flags that the parsers read; run reads it.
-verbs='play bench chart choose stability leaks surfaces figures check model mutate docs devices publish build help'
+verbs='play bench chart choose stability leaks surfaces budgets figures check model mutate docs devices publish build help'
 declare -A all_flags=(
     [play]='--scene --seconds --fps --size --out --device --no-images --open --validate --method --budget --surface --particles --seed --state --mesh --record'
     [bench]='--device --validate --table --particles --grids --repeat --out --sweep --no-sweep --scene --phases --against --fps --size --method --surface --seed'
@@ -8,6 +8,7 @@ declare -A all_flags=(
     [stability]='--device --validate --quick --map --method --out --slice'
     [leaks]='--device --validate --scene --out'
     [surfaces]='--device --validate --quick --state --variant --out'
+    [budgets]='--device --validate --budget --particles --repeat --out'
     [figures]='--only --out'
     [check]='--only --update'
     [model]='--state --radius'
@@ -21,6 +22,7 @@ declare -A player_values=(
     [stability]='--device'
     [leaks]='--device'
     [surfaces]='--device'
+    [budgets]='--device'
 )
 declare -A player_switches=(
     [play]='--no-images --open --validate'
@@ -30,4 +32,5 @@ declare -A player_switches=(
     [stability]='--validate'
     [leaks]='--validate'
     [surfaces]='--validate'
+    [budgets]='--validate'
 )

@@ -299,7 +299,7 @@ namespace SphFluid
             get
             {
                 FluidSpec spec = SpecAsSet;
-                if (FluidMethods.IsChosen(method)) spec.Automatic = new AutomaticSpec(frameBudget, FrameRate, spec);
+                if (FluidMethods.IsChosen(method)) spec.Automatic = new AutomaticSpec(frameBudget, FrameRate, spec.Profile.Rules, spec.MaxSubstepsPerFrame);
                 return automatic.Resolve(spec);
             }
         }

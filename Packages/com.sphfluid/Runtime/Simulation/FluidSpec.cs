@@ -77,6 +77,16 @@ namespace SphFluid
         /// <summary>Whether there is a profile.</summary>
         public readonly bool HasProfile => !(Profile.Asset is null);
 
+        /// <summary>The simulation as its settings have it, before an automatic choice changed it.</summary>
+        public readonly FluidSpec AsSet()
+        {
+            FluidSpec spec = this;
+            if (!Automatic.IsOn) return spec;
+            spec.Profile.Rules = Automatic.AsSet(Profile.Rules);
+            spec.MaxSubstepsPerFrame = Automatic.MaxSubsteps;
+            return spec;
+        }
+
         /// <summary>Gravity in simulation space [m/s²].</summary>
         public readonly Vector3 LocalGravity => Quaternion.Inverse(Rotation) * Gravity;
 

@@ -81,7 +81,7 @@ namespace SphFluid
         }
 
         // As the settings have them, so that a choice's own changes are none.
-        static FluidLiveKey KeyOf(in FluidSpec spec) => FluidLiveKey.AsGiven(spec.Automatic.AsSet(spec));
+        static FluidLiveKey KeyOf(in FluidSpec spec) => FluidLiveKey.AsGiven(spec.AsSet());
 
         // The particles as they are now.
         static StepMeter MeterOf(in FluidSpec spec, FluidRun run)

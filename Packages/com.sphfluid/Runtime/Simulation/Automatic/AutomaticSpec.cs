@@ -9,21 +9,22 @@ namespace SphFluid
         public const double UsualFrameRate = 60.0;
 
         readonly float maxCompression, soundSpeedRatio;
-        readonly int maxSubsteps, substeps;
+        readonly int substeps;
 
         /// <summary>Of a simulation as its settings have it.</summary>
         /// <param name="budget">Time that a frame's steps may take on the graphics device [ms].</param>
         /// <param name="frameRate">Frames a second that it is for.</param>
-        /// <param name="spec">The simulation.</param>
-        public AutomaticSpec(double budget, double frameRate, in FluidSpec spec)
+        /// <param name="rules">What its profile asks for.</param>
+        /// <param name="maxSubsteps">Most steps a frame.</param>
+        public AutomaticSpec(double budget, double frameRate, in FluidRuleInput rules, int maxSubsteps)
         {
             IsOn = true;
             Budget = budget;
             FrameRate = frameRate;
-            maxCompression = spec.Profile.Rules.MaxCompression;
-            soundSpeedRatio = spec.Profile.Rules.SoundSpeedRatio;
-            maxSubsteps = spec.MaxSubstepsPerFrame;
-            substeps = spec.Profile.Rules.Substeps;
+            maxCompression = rules.MaxCompression;
+            soundSpeedRatio = rules.SoundSpeedRatio;
+            substeps = rules.Substeps;
+            MaxSubsteps = maxSubsteps;
         }
 
         /// <summary>Whether the method is to be chosen.</summary>
@@ -38,19 +39,19 @@ namespace SphFluid
         /// <summary>Whether budget and frame rate are those of another.</summary>
         public bool HasBudgetOf(in AutomaticSpec other) => Budget.Equals(other.Budget) && FrameRate.Equals(other.FrameRate);
 
-        /// <summary>The simulation as its settings have it, before a choice changed it.</summary>
-        public FluidSpec AsSet(FluidSpec spec)
+        /// <summary>Most steps a frame, before a choice changed them.</summary>
+        public int MaxSubsteps { get; }
+
+        /// <summary>The profile's rules, before a choice changed them.</summary>
+        public FluidRuleInput AsSet(FluidRuleInput rules)
         {
-            spec.Profile.Rules.MaxCompression = maxCompression;
-            spec.Profile.Rules.SoundSpeedRatio = soundSpeedRatio;
-            spec.MaxSubstepsPerFrame = maxSubsteps;
-            spec.Profile.Rules.Substeps = substeps;
-            return spec;
+            (rules.MaxCompression, rules.SoundSpeedRatio, rules.Substeps) = (maxCompression, soundSpeedRatio, substeps);
+            return rules;
         }
 
         /// <inheritdoc/>
         public bool Equals(AutomaticSpec other) => IsOn == other.IsOn && HasBudgetOf(other) && maxCompression.Equals(other.maxCompression) &&
-            soundSpeedRatio.Equals(other.soundSpeedRatio) && maxSubsteps == other.maxSubsteps && substeps == other.substeps;
+            soundSpeedRatio.Equals(other.soundSpeedRatio) && MaxSubsteps == other.MaxSubsteps && substeps == other.substeps;
 
         /// <inheritdoc/>
         public override bool Equals(object obj) => obj is AutomaticSpec other && Equals(other);

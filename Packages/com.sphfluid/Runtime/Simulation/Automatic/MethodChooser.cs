@@ -24,7 +24,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">An input of the rules is out of range.</exception>
         public static FluidMethodChoice Choose(in FluidSpec resolved, FluidStart start, bool hasBodies, StepMeter meter, FluidMethodChoice present = null, FluidMethodKind? only = null)
         {
-            FluidSpec spec = resolved.Automatic.AsSet(resolved);
+            FluidSpec spec = resolved.AsSet();
             FluidRuleInput input = FluidConstants.Input(spec, start, start.Gravity);
             long particles = ParticlesOf(spec, start);
             var candidates = new List<FluidMethodCandidate>();

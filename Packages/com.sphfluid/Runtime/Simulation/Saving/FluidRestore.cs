@@ -19,7 +19,7 @@ namespace SphFluid
             try
             {
                 FluidSave save = FluidSave.Read(stream);
-                if (asked.Automatic.IsOn) spec = (save.Start.Choice = save.ChoiceFor(asked)).Apply(asked.Automatic.AsSet(asked));
+                if (asked.Automatic.IsOn) spec = (save.Start.Choice = save.ChoiceFor(asked)).Apply(asked.AsSet());
                 if (Refusal(spec, save) is FluidMessage refusal) report(refusal);
                 else
                 {
