@@ -32,7 +32,8 @@ namespace SphFluid
 
         public override double PassesAStep => 3.0;
 
-        public override string CostVariant(in FluidSolverSettings settings) => settings.Own<StandardSettings>().ImplicitViscosity ? "+viscous" : "";
+        public override string CostVariant(in FluidSolverSettings settings) =>
+            (settings.Own<StandardSettings>().ImplicitViscosity ? "+viscous" : "") + (settings.Own<StandardSettings>().SurfaceTension > 0f ? "+tension" : "");
 
         public override bool MayBePicked => true;
 
