@@ -116,7 +116,7 @@ namespace SphFluid
         {
             FluidSolver solver = liquid.Solver;
             if (!solver.MeasuresWallForces)
-                return Warn($"The method {liquid.Method} does not sum the force on walls, so there is no wall pressure to read.",
+                return Warn($"The method {solver.Kind} does not sum the force on walls, so there is no wall pressure to read.",
                     $"Set the simulation's Method to {FluidMethodKind.Standard}, or Kind to Liquid Pressure, which is noisy.");
             if (!(patchSize.x > 0f && patchSize.y > 0f && AffineMath.IsFinite(patchSize)))
             {
