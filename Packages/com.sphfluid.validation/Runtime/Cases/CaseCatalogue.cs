@@ -20,6 +20,7 @@ namespace SphFluid.Validation
             new MomentumCase(),
             new EnergyCase(),
             new SloshingCase(),
+            new ViolentCase(),
         };
     }
 }
