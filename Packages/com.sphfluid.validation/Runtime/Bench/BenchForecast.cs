@@ -17,7 +17,7 @@ namespace SphFluid.Validation
         // Work in particle-steps of the Standard method: of the thesis method's step, of a surface and of whitewater for each particle; for each cell of
         // a dense grid, and of a sparse one for each square of cells across, as many as its surface is large; of water's picture.
         // From benchmarks/surface-llvmpipe-2026-11-25.csv, by the calibration of that run.
-        const double ThesisWeight = 2.0, SurfaceWeight = 1.5, WhitewaterWeight = 4.5, CellWeight = 0.9, SquareWeight = 12.0, WaterPicture = 5e4, StepOverhead = 1500.0;
+        const double ThesisWeight = 2.0, RobustWeight = 2.4, SurfaceWeight = 1.5, WhitewaterWeight = 4.5, CellWeight = 0.9, SquareWeight = 12.0, WaterPicture = 5e4, StepOverhead = 1500.0;
 
         readonly List<Item> items = new List<Item>();
         readonly double sampleSeconds, secondsPerWork;
@@ -81,7 +81,7 @@ namespace SphFluid.Validation
             }
         }
 
-        static double WeightOf(BenchSolver solver) => solver.Method == FluidMethodKind.Standard ? 1.0 : ThesisWeight;
+        static double WeightOf(BenchSolver solver) => solver.IsThesis ? ThesisWeight : solver.Method == FluidMethodKind.Robust ? RobustWeight : 1.0;
 
         static double Work(double particles, double weight) => weight * particles + StepOverhead;
 

@@ -95,6 +95,7 @@ namespace SphFluid.Validation
                 BenchConfig.Step(BenchSolver.StandardSearch), BenchConfig.Step(BenchSolver.StandardUnordered),
                 BenchConfig.Step(BenchSolver.StandardMesh), BenchConfig.StepsAtOnce(BenchSolver.StandardMesh),
                 BenchConfig.Step(BenchSolver.StandardWide), BenchConfig.StepsAtOnce(BenchSolver.StandardWide),
+                BenchConfig.Step(BenchSolver.Robust), BenchConfig.StepsAtOnce(BenchSolver.Robust), BenchConfig.StepsAtOnce(BenchSolver.RobustWide),
             };
             return new BenchPlan("solver", configs, particles ?? ForDevice(SolverParticles), FrameBlocks.Step, new SolverLayout(FrameBlocks.Step.Select(b => b.Name)))
             {

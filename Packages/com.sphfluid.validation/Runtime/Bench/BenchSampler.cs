@@ -72,9 +72,9 @@ namespace SphFluid.Validation
             do
             {
                 liquid.Restore();
-                // What only the first frame behind a restored state does is no part of the others': the Standard method takes the
+                // What only the first frame behind a restored state does is no part of the others': methods with a counting sort take the
                 // particles in, and the sort of a surface serves the next step.
-                if (liquid.Solver.Kind == FluidMethodKind.Standard)
+                if (!CaseMethod.IsThesis(liquid.Solver.Settings))
                     yield return Prepare(liquid.Solver, () => liquid.Solver.RecordSteps(cmd, 1));
                 if (surface != null)
                     yield return PrepareSurface(liquid.Solver, surface);

@@ -36,6 +36,13 @@ namespace SphFluid.Validation
         public static readonly BenchSolver StandardWide =
             new BenchSolver("standard_2.25", "Standard, κ 2.25", FluidMethodKind.Standard) { StableOrder = true, NeighbourList = true, SupportRatio = 2.25f };
 
+        /// <summary>The Robust method: a step of two iterations.</summary>
+        public static readonly BenchSolver Robust = new BenchSolver("robust", "Robust", FluidMethodKind.Robust) { StableOrder = true, NeighbourList = true };
+
+        /// <summary>The Robust method at κ = 2.25.</summary>
+        public static readonly BenchSolver RobustWide =
+            new BenchSolver("robust_2.25", "Robust, κ 2.25", FluidMethodKind.Robust) { StableOrder = true, NeighbourList = true, SupportRatio = 2.25f };
+
         BenchSolver(string name, string title, FluidMethodKind method)
         {
             Name = name;
@@ -53,7 +60,10 @@ namespace SphFluid.Validation
         public FluidMethodKind Method { get; }
 
         /// <summary>The method's name in tables.</summary>
-        public string MethodName => Method == FluidMethodKind.Standard ? "standard" : "thesis";
+        public string MethodName => CaseMethod.Of(Method).Name;
+
+        /// <summary>Whether it is the thesis's method.</summary>
+        internal bool IsThesis => Method == FluidMethodKind.Thesis;
 
         /// <summary>κ = R/dx.</summary>
         public float SupportRatio { get; private set; } = ComparedRatio;
@@ -74,7 +84,7 @@ namespace SphFluid.Validation
         public bool HasMesh { get; private set; }
 
         /// <summary>The search in words; runs are the 27 cells, three of a row at once.</summary>
-        public string Search => OctantSearch ? "8 cells of 2R" : Method == FluidMethodKind.Standard ? "9 runs of R" : "27 cells of R";
+        public string Search => OctantSearch ? "8 cells of 2R" : IsThesis ? "27 cells of R" : "9 runs of R";
 
         internal FluidSolverSettings Settings(float spacing, float height)
         {
@@ -87,7 +97,9 @@ namespace SphFluid.Validation
             rules.LiquidDepth = height;
             FluidSolverSettings settings = FluidRules.Derive(rules);
             settings.OctantSearch = OctantSearch;
-            if (Method != FluidMethodKind.Standard)
+            if (Method == FluidMethodKind.Robust)
+                return settings;
+            if (IsThesis)
                 return settings.WithOwn((ref ThesisSettings own) => own.FusedSort = FusedSort);
             return settings.WithOwn((ref StandardSettings own) =>
             {

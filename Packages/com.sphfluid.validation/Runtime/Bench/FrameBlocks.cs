@@ -47,8 +47,9 @@ namespace SphFluid.Validation
         {
             new BenchBlock("sort", "CalculateParticleCellValue", "BitonicSort", "FusedBitonicSort", "ResetGridIndices", "SetGridIndices", "SortParticles",
                 "ScanCells", "ScatterParticles"),
-            new BenchBlock("density", "CalculateDensity", "StandardDensity"),
-            new BenchBlock("motion", "CalculateForce", "CalculateAcceleration", "CalculateNewPosition", "MoveParticles"),
+            new BenchBlock("density", "CalculateDensity", "StandardDensity", "ConstrainDensity"),
+            new BenchBlock("motion", "CalculateForce", "CalculateAcceleration", "CalculateNewPosition", "MoveParticles",
+                "PredictParticles", "MoveByConstraints", "FinishParticles"),
             new BenchBlock("colliders", "GatherWalls", "FindContacts", "ResolveContacts"),
         };
     }

@@ -36,6 +36,23 @@ namespace SphFluid.Validation
             return scan + scatter + densities + motion + walls + list;
         }
 
+        /// <summary>Bytes of a step of the Robust method, the density for readers behind it included.</summary>
+        /// <param name="particles">Number of particles.</param>
+        /// <param name="cells">Number of cells.</param>
+        /// <param name="iterations">Iterations of the step.</param>
+        /// <param name="listed">Mean number of neighbours that are listed; null for none and no list.</param>
+        public static long Robust(long particles, long cells, int iterations, double? listed)
+        {
+            const long vector = 16, word = 4;
+            long list = listed.HasValue ? (long)(particles * word * (1.0 + listed.Value)) : 0;
+            long sort = 3 * word * cells + particles * (vector + 2 * word + word + 6 * vector) + 2 * word * cells;
+            long prediction = particles * (2 * vector + 3 * vector + word) + 3 * word * cells;
+            long constraint = particles * 2 * vector + word * cells + list;
+            long move = particles * (3 * vector + 3 * vector + vector) + list;
+            long finish = particles * (4 * vector + 3 * vector + word) + 3 * word * cells + list;
+            return prediction + 2 * sort + iterations * (constraint + move) + finish + constraint;
+        }
+
         /// <summary>Bytes of a step of the thesis method.</summary>
         /// <param name="particles">Number of particles.</param>
         /// <param name="cells">Number of cells.</param>
@@ -60,6 +77,8 @@ namespace SphFluid.Validation
         public static long Of(BenchRow row)
         {
             BenchSolver solver = row.Config.Solver;
+            if (solver.Method == FluidMethodKind.Robust)
+                return Robust(row.Particles, row.Cells, 2, row.IsListed ? row.NeighboursMean : (double?)null);
             return solver.Method == FluidMethodKind.Standard
                 ? Standard(row.Particles, row.Cells, solver.StableOrder, solver.HasMesh, row.IsListed ? row.NeighboursMean : (double?)null)
                 : Thesis(row.Particles, row.Cells, row.Dispatches);

@@ -24,6 +24,7 @@ namespace SphFluid.Validation
             new MomentumCase(),
             new EnergyCase(),
             new SloshingCase(),
+            new ViolentCase(),
         };
     }
 }

@@ -31,8 +31,13 @@ namespace SphFluid.Validation
         {
             new CaseMethod("thesis-printed", "thesis, as printed", FluidMethodKind.ThesisPrinted, 2.0),
             new CaseMethod("thesis", "thesis, corrected", FluidMethodKind.Thesis, 2.0),
+            new CaseMethod("robust", "robust", FluidMethodKind.Robust, 2.25),
             new CaseMethod("standard", "standard", FluidMethodKind.Standard, 2.25),
         };
+
+        /// <summary>Whether settings are of one of the thesis's methods.</summary>
+        internal static bool IsThesis(in FluidSolverSettings settings) =>
+            settings.Method == FluidMethodKind.Thesis || settings.Method == FluidMethodKind.ThesisPrinted;
 
         /// <summary>The method of a kind.</summary>
         public static CaseMethod Of(FluidMethodKind kind)

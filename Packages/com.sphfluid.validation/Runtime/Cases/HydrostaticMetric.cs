@@ -135,7 +135,7 @@ namespace SphFluid.Validation
         double Share => HalvesPressure ? 0.5 : 1.0;
 
         // Equation (13) of the thesis has ½ (p_i + p_j).
-        bool HalvesPressure => settings.Method != FluidMethodKind.Standard && settings.Own<ThesisSettings>().PressureHalf;
+        bool HalvesPressure => CaseMethod.IsThesis(settings) && settings.Own<ThesisSettings>().PressureHalf;
 
         // ρ0 c² (e^x − 1), x = g d/c²: ρ g d of liquid that its own weight compresses. The hyperbolic sine keeps the digits of a small x.
         double Exact(double below)

@@ -54,9 +54,9 @@ namespace SphFluid.Validation
         /// times the acceleration; 1 else.
         /// </summary>
         internal static double ForceFactor(in FluidSolverSettings settings) =>
-            settings.Method != FluidMethodKind.Standard && settings.Own<ThesisSettings>().ForceTimesMass ? (double)settings.ParticleMass * settings.RestDensity : 1.0;
+            CaseMethod.IsThesis(settings) && settings.Own<ThesisSettings>().ForceTimesMass ? (double)settings.ParticleMass * settings.RestDensity : 1.0;
 
         /// <summary>Speed at which waves run [m/s].</summary>
-        internal static double EffectiveSound(in FluidSolverSettings settings) => settings.SoundSpeed * Math.Sqrt(ForceFactor(settings));
+        internal static double EffectiveSound(in FluidSolverSettings settings) => FluidRules.EffectiveSoundSpeed(settings, settings.TimeStep, settings.MaxSpeed) * Math.Sqrt(ForceFactor(settings));
     }
 }

@@ -42,9 +42,9 @@ namespace SphFluid.Validation
         public FluidSolverSettings Settings()
         {
             StabilityTheory theory = StabilityTheory.Of(Method);
-            bool standard = Method.Kind == FluidMethodKind.Standard;
+            bool isThesis = theory == StabilityTheory.Thesis;
             FluidRuleInput input = FluidRuleInput.Water;
-            input.Method = standard ? FluidMethodKind.Standard : FluidMethodKind.Thesis;
+            input.Method = isThesis ? FluidMethodKind.Thesis : Method.Kind;
             input.DomainSize = DomainSize;
             input.Spacing = (float)Spacing;
             input.Gravity = Gravity;
@@ -54,15 +54,15 @@ namespace SphFluid.Validation
             input.SoundSpeedRatio = (float)(Sound * theory.WaveSpeedRatio / Speed);
             FluidSolverSettings settings = FluidRules.Derive(input);
             settings.TimeStep = (float)TimeStep;
-            if (standard)
-                settings.PressureClamp = !Suction;
-            else
+            if (isThesis)
                 settings = settings.With(Switches());
+            else
+                settings.PressureClamp = !Suction;
             double factor = LiquidEnergy.ForceFactor(settings);
             float stiffness = (float)(Sound * Sound / factor);
-            settings = standard
-                ? settings.WithSoundSpeed(Mathf.Sqrt(stiffness))
-                : settings.WithOwn((ref ThesisSettings own) => own.Stiffness = stiffness);
+            settings = isThesis
+                ? settings.WithOwn((ref ThesisSettings own) => own.Stiffness = stiffness)
+                : settings.WithSoundSpeed(Mathf.Sqrt(stiffness));
             double viscosity = double.IsNaN(Viscosity) ? settings.Viscosity : Viscosity * settings.RestDensity;
             settings.Viscosity = (float)(viscosity / factor);
             settings.Boundaries.Periodic = Periodic;

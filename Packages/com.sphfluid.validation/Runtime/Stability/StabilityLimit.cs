@@ -80,6 +80,8 @@ namespace SphFluid.Validation
         /// <param name="quick">Whether for the short plan.</param>
         public static IReadOnlyList<StabilityLimit> Of(CaseMethod method, bool quick)
         {
+            if (StabilityTheory.Of(method) == StabilityTheory.Robust)
+                return Array.Empty<StabilityLimit>();
             if (StabilityTheory.Of(method) == StabilityTheory.Standard)
                 return quick ? standardQuick : standard;
             return quick ? thesisQuick : thesis;

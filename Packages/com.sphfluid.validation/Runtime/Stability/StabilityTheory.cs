@@ -20,6 +20,14 @@ namespace SphFluid.Validation
             SupportRatio = 2.25, WaveSpeedRatio = 1.0, AcousticBorder = 0.876, ViscousBorder = 0.0756,
         };
 
+        /// <summary>
+        /// The Robust method, to which no linear theory sets a border: its maps have the axes of the Standard method, and are to be compared with those.
+        /// </summary>
+        public static readonly StabilityTheory Robust = new StabilityTheory
+        {
+            SupportRatio = 2.25, WaveSpeedRatio = 1.0, AcousticBorder = 0.876, ViscousBorder = 0.0756,
+        };
+
         StabilityTheory()
         {
         }
@@ -40,6 +48,7 @@ namespace SphFluid.Validation
         public bool HasAccelerationLimit { get; private set; }
 
         /// <summary>What holds for a method; both forms of the thesis method have the same.</summary>
-        public static StabilityTheory Of(CaseMethod method) => method.Kind == FluidMethodKind.Standard ? Standard : Thesis;
+        public static StabilityTheory Of(CaseMethod method) =>
+            method.Kind == FluidMethodKind.Standard ? Standard : method.Kind == FluidMethodKind.Robust ? Robust : Thesis;
     }
 }
