@@ -129,7 +129,9 @@ namespace SphFluid.Validation
         }
 
         // c²/(g H).
-        double M => (double)settings.SoundSpeed * settings.SoundSpeed / (gravity * depth);
+        double M => Sound * Sound / (gravity * depth);
+
+        double Sound => FluidRules.EffectiveSoundSpeed(settings, settings.TimeStep, settings.MaxSpeed);
 
         // Of the pressure as it is read, what pushes.
         double Share => HalvesPressure ? 0.5 : 1.0;
@@ -140,7 +142,7 @@ namespace SphFluid.Validation
         // ρ0 c² (e^x − 1), x = g d/c²: ρ g d of liquid that its own weight compresses. The hyperbolic sine keeps the digits of a small x.
         double Exact(double below)
         {
-            double square = (double)settings.SoundSpeed * settings.SoundSpeed;
+            double square = Sound * Sound;
             double half = 0.5 * gravity * below / square;
             return settings.RestDensity * square * 2.0 * Math.Sinh(half) * Math.Exp(half);
         }

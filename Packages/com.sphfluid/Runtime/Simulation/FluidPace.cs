@@ -85,7 +85,9 @@ namespace SphFluid
         public int Advance(double deltaTime, double bodyMotion)
         {
             Prepare(deltaTime, bodyMotion);
-            return Clock.Advance(deltaTime);
+            int steps = Clock.Advance(deltaTime);
+            solver.LongestStep = (float)((Clock as FrameClock)?.LongestOfLate ?? 0.0);
+            return steps;
         }
 
         /// <summary>Takes one step, whatever the time.</summary>
@@ -135,7 +137,7 @@ namespace SphFluid
         public void Save(SaveWriter writer)
         {
             writer.Write((Clock as StepClock)?.Pending ?? 0.0);
-            (double target, double pending, double step) = adaptive?.Progress ?? (0.0, 0.0, (Clock as FrameClock)?.TimeStep ?? 0.0);
+            (double target, double pending, double step) = adaptive?.Progress ?? ((Clock as FrameClock)?.LongestOfLate ?? 0.0, 0.0, (Clock as FrameClock)?.TimeStep ?? 0.0);
             writer.Write(target);
             writer.Write(pending);
             writer.Write(step);
@@ -162,7 +164,7 @@ namespace SphFluid
             if (reference != null && !yields) solver.ApplySettings(AtReference());
             TakeClock();
             if (Clock is StepClock clock) clock.Pending = rest;
-            if (Clock is FrameClock frames && step > 0.0) frames.TimeStep = step;
+            if (Clock is FrameClock frames && step > 0.0) (frames.TimeStep, frames.LongestOfLate) = (step, target);
             if (adaptive != null && step > 0.0) adaptive.Progress = (target, pending, step);
             if (speeds != null) sleep?.Continue((quiet, watches, sleeps), keepPlaces);
         }

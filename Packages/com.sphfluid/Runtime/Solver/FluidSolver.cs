@@ -134,6 +134,12 @@ namespace SphFluid
                 : throw new ArgumentOutOfRangeException(nameof(value), value, "The liquid's speed must be zero or more.");
         }
 
+        /// <summary>
+        /// The longest step of late [s], for methods that are the softer the longer a step is: where steps vary they stay as soft as that one makes them, and what
+        /// rests goes on resting. 0, the default: each step decides alone.
+        /// </summary>
+        internal float LongestStep { get; set; }
+
         /// <summary>Neighbour setups recorded since the start: no more than one a step, and one for drawing that the next step uses.</summary>
         public long SetupCount { get; private set; }
 
@@ -290,7 +296,7 @@ namespace SphFluid
             BoundParticles();
             if (state.WallsChange()) neighboursFresh = false; // what drawing was given has the walls at rest
             var blocks = new StepBlocks(steps, stepper.StepsPerSetup(steps, timeStep, FlowSpeed));
-            stepper.PlanSteps(blocks.LongestBlock, timeStep, PeakSpeed);
+            stepper.PlanSteps(blocks.LongestBlock, timeStep, PeakSpeed, Mathf.Max(timeStep, LongestStep));
             state.WallForces?.Begin(state, steps);
             for (int i = 0; i < steps; i++)
             {

@@ -5,9 +5,13 @@ namespace SphFluid
     /// <summary>
     /// Cuts each frame into the same number of equal steps, however long it is: liquid by a fixed number of iterations keeps real time. A frame
     /// so long that its steps would be longer than allowed has more of them; what is beyond the most is dropped and reported.
+    /// It remembers the longest step of late: liquid that is as stiff as that one allows does not notice that frames vary.
     /// </summary>
     internal sealed class FrameClock : IStepClock
     {
+        // What was long is forgotten by 1 % a frame, so slowly that liquid at rest follows.
+        const double Forgetting = 0.99;
+
         readonly int substeps;
         readonly double longest;
 
@@ -25,8 +29,11 @@ namespace SphFluid
             this.substeps = substeps;
             longest = longestStep;
             MaxSteps = Math.Max(substeps, maxSteps);
-            TimeStep = firstStep;
+            TimeStep = LongestOfLate = firstStep;
         }
+
+        /// <summary>The longest step of late, no less than <see cref="TimeStep"/> [s].</summary>
+        public double LongestOfLate { get; internal set; }
 
         /// <inheritdoc/>
         public int MaxSteps { get; }
@@ -53,6 +60,7 @@ namespace SphFluid
             int needed = StepsOf(deltaTime, substeps, longest), steps = Math.Min(needed, MaxSteps);
             TimeStep = needed > steps ? longest : deltaTime / steps;
             LastDroppedTime = needed > steps ? deltaTime - steps * longest : 0.0;
+            LongestOfLate = Math.Max(TimeStep, Forgetting * LongestOfLate);
             return steps;
         }
 

@@ -27,7 +27,8 @@ namespace SphFluid
         /// <param name="steps">Number of steps.</param>
         /// <param name="timeStep">Length of each [s].</param>
         /// <param name="speed">Speed of the fastest particle [m/s].</param>
-        void PlanSteps(int steps, float timeStep, float speed);
+        /// <param name="longest">The longest step of late, no less than <paramref name="timeStep"/> [s].</param>
+        void PlanSteps(int steps, float timeStep, float speed, float longest);
 
         /// <summary>Records the neighbour setup with one of its passes left out, to measure what the pass is for.</summary>
         /// <param name="cmd">Command buffer to record into.</param>

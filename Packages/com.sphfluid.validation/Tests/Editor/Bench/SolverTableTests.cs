@@ -136,7 +136,7 @@ namespace SphFluid.Tests
             IReadOnlyList<BenchSolver> solvers = BenchPlan.Solver(new[] { 64 }).Solvers;
 
             Assert.That(solvers.First(), Is.SameAs(BenchSolver.StandardMesh));
-            Assert.That(solvers.Select(s => s.Name).Distinct().Count(), Is.EqualTo(8));
+            Assert.That(solvers.Select(s => s.Name).Distinct().Count(), Is.EqualTo(10));
         }
 
         // The 27 cells about a's, or the 8 that its octant touches.

@@ -135,7 +135,7 @@ namespace SphFluid.Tests
         {
             ValidationCase[] mixed = { new FlatCase("cheap", 8), new FlatCase("costly", 40) };
             double cheap = new ChartRun(new ChartConfig(mixed[0], mixed[0].Base(CaseMethod.All[0]), ChartFactor.Base), 1).Cost;
-            double budget = 60.0 * cheap;
+            double budget = 80.0 * cheap;
             ChartPlan plan = ChartPlan.Quick(mixed, CaseMethod.All, budget);
 
             Assert.That(plan.Cost, Is.LessThanOrEqualTo(budget));

@@ -21,7 +21,7 @@ namespace SphFluid.Tests
         [Test]
         public void LeavesThePrintedMethodOutWhenQuick()
         {
-            Assert.That(Parse("player", "--", "--quick").Methods.Select(m => m.Name), Is.EqualTo(new[] { "thesis", "standard" }));
+            Assert.That(Parse("player", "--", "--quick").Methods.Select(m => m.Name), Is.EqualTo(new[] { "thesis", "robust", "standard" }));
             Assert.That(Parse("player", "--", "--quick", "--method", "thesis-printed").Methods.Single().Name, Is.EqualTo("thesis-printed"));
         }
 

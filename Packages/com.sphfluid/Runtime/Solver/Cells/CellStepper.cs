@@ -76,7 +76,7 @@ namespace SphFluid
         public abstract int StepsPerSetup(int steps, float timeStep, float speed);
 
         /// <inheritdoc/>
-        public abstract void PlanSteps(int steps, float timeStep, float speed);
+        public abstract void PlanSteps(int steps, float timeStep, float speed, float longest);
 
         /// <inheritdoc/>
         public abstract void RecordNeighbourSetup(CommandBuffer cmd);

@@ -24,23 +24,29 @@ namespace SphFluid
         }
 
         /// <summary>The first iteration of a step: finds the neighbours at the predicted places, and lists them.</summary>
-        public void Record(CommandBuffer cmd, RobustState state, float timeStep)
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="state">Buffers.</param>
+        /// <param name="compliance">α [1/m²].</param>
+        public void Record(CommandBuffer cmd, RobustState state, double compliance)
         {
             using (Sample(cmd))
             {
                 BindSearch(cmd, search, state);
-                BindConstraint(cmd, search, state, timeStep);
+                BindConstraint(cmd, search, state, compliance);
                 search.DispatchThreads(cmd, state.ParticleCount);
             }
         }
 
         /// <summary>A later iteration, where the last one left the particles.</summary>
-        public void RecordListed(CommandBuffer cmd, RobustState state, float timeStep)
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="state">Buffers.</param>
+        /// <param name="compliance">α [1/m²].</param>
+        public void RecordListed(CommandBuffer cmd, RobustState state, double compliance)
         {
             using (Sample(cmd))
             {
                 Bind(cmd, listed, state);
-                BindConstraint(cmd, listed, state, timeStep);
+                BindConstraint(cmd, listed, state, compliance);
                 listed.Set(cmd, state.Buffers.NewPositions);
                 listed.DispatchThreads(cmd, state.ParticleCount);
             }
@@ -70,13 +76,11 @@ namespace SphFluid
             kernel.Set(cmd, state.Buffers.Velocities);
         }
 
-        static void BindConstraint(CommandBuffer cmd, ComputeKernel kernel, RobustState state, float timeStep)
+        static void BindConstraint(CommandBuffer cmd, ComputeKernel kernel, RobustState state, double compliance)
         {
-            RobustSettings own = state.Own;
-            double reach = own.SoundSpeed * (double)timeStep;
             RobustBindings.SetGradients(cmd, kernel, state.Settings);
-            kernel.SetFloat(cmd, Relaxation, own.Relaxation);
-            kernel.SetFloat(cmd, Compliance, (float)(1.0 / (reach * reach)));
+            kernel.SetFloat(cmd, Relaxation, state.Own.Relaxation);
+            kernel.SetFloat(cmd, Compliance, (float)compliance);
         }
 
         static void Bind(CommandBuffer cmd, ComputeKernel kernel, RobustState state)

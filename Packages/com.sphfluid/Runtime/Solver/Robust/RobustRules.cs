@@ -80,9 +80,33 @@ namespace SphFluid
         public static double EffectiveSoundSpeed(in FluidSolverSettings settings, double timeStep, int iterations)
         {
             RobustSettings own = settings.Own<RobustSettings>();
-            double reached = 1.0 - Math.Pow(1.0 - own.Relaxation, iterations), spring = IterationSpeed(settings, timeStep, iterations);
+            double reached = Reached(own, iterations), spring = IterationSpeed(settings, timeStep, iterations);
             return 1.0 / Math.Sqrt(1.0 / (reached * own.SoundSpeed * (double)own.SoundSpeed) + 1.0 / (spring * spring));
         }
+
+        /// <summary>
+        /// α of a step: 1/(c² dt²), or as much more as makes the liquid as soft as it was in the longest step of late. Steps that vary would else make its
+        /// stiffness vary as 1/dt², and liquid at rest jump up and down by parts of its compression.
+        /// </summary>
+        /// <param name="settings">The liquid's constants.</param>
+        /// <param name="timeStep">Length of the step [s].</param>
+        /// <param name="longest">The longest step of late, no less [s].</param>
+        /// <param name="iterations">Iterations of the step.</param>
+        /// <returns>α [1/m²].</returns>
+        public static double Compliance(in FluidSolverSettings settings, double timeStep, double longest, int iterations)
+        {
+            RobustSettings own = settings.Own<RobustSettings>();
+            double softness = 1.0 / ((double)own.SoundSpeed * own.SoundSpeed);
+            if (longest > timeStep)
+            {
+                double before = IterationSpeed(settings, longest, iterations), now = IterationSpeed(settings, timeStep, iterations);
+                softness += Reached(own, iterations) * (1.0 / (before * before) - 1.0 / (now * now));
+            }
+            return softness / (timeStep * timeStep);
+        }
+
+        // What of a compliance some iterations make act.
+        static double Reached(in RobustSettings own, int iterations) => 1.0 - Math.Pow(1.0 - own.Relaxation, iterations);
 
         /// <summary>The dynamic viscosity that acts, which a long step bounds [Pa s].</summary>
         public static double ActingViscosity(in FluidSolverSettings settings, double timeStep)

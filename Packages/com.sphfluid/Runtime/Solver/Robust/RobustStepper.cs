@@ -16,6 +16,7 @@ namespace SphFluid
         readonly MoveByConstraintsPass moveByConstraints;
         readonly FinishParticlesPass finishParticles;
         int iterations = RobustRules.LeastIterations;
+        float longestStep;
         bool hasPressures;
 
         public RobustStepper(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount) : base(shaders)
@@ -47,7 +48,11 @@ namespace SphFluid
         public override int StepsPerSetup(int steps, float timeStep, float speed) => steps;
 
         /// <inheritdoc/>
-        public override void PlanSteps(int steps, float timeStep, float speed) => iterations = RobustRules.IterationsFor(state.Settings, timeStep, speed);
+        public override void PlanSteps(int steps, float timeStep, float speed, float longest)
+        {
+            iterations = RobustRules.IterationsFor(state.Settings, timeStep, speed);
+            longestStep = longest;
+        }
 
         /// <inheritdoc/>
         public override void RecordNeighbourSetup(CommandBuffer cmd)
@@ -68,10 +73,11 @@ namespace SphFluid
             if (state.HasBodies) ProveMotion(cmd, sorting, state.Motion.NewStarts);
             Sort(cmd);
             if (state.HasBodies) GatherWalls.Record(cmd, state, state.Buffers.Positions, isAtEnd: true);
+            double compliance = RobustRules.Compliance(state.Settings, step.Length, longestStep, iterations);
             for (int i = 0; i < iterations; i++)
             {
-                if (i == 0) constrainDensity.Record(cmd, state, step.Length);
-                else constrainDensity.RecordListed(cmd, state, step.Length);
+                if (i == 0) constrainDensity.Record(cmd, state, compliance);
+                else constrainDensity.RecordListed(cmd, state, compliance);
                 moveByConstraints.Record(cmd, state, step.Length, i == 0);
             }
 

@@ -46,7 +46,7 @@ namespace SphFluid
         public override int StepsPerSetup(int steps, float timeStep, float speed) => ListReuse.Steps(state, steps, timeStep, speed);
 
         /// <inheritdoc/>
-        public override void PlanSteps(int steps, float timeStep, float speed) => listTime = (steps - 1) * timeStep;
+        public override void PlanSteps(int steps, float timeStep, float speed, float longest) => listTime = (steps - 1) * timeStep;
 
         /// <inheritdoc/>
         public override void RecordNeighbourSetup(CommandBuffer cmd)

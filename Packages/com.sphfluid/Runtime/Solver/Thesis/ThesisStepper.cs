@@ -57,7 +57,7 @@ namespace SphFluid
         public int StepsPerSetup(int steps, float timeStep, float speed) => 1;
 
         /// <inheritdoc/>
-        public void PlanSteps(int steps, float timeStep, float speed)
+        public void PlanSteps(int steps, float timeStep, float speed, float longest)
         {
         }
 

@@ -67,6 +67,18 @@ namespace SphFluid.Tests
             Assert.That(clock.TimeStep, Is.EqualTo(0.005));
         }
 
+        [Test]
+        public void TheLongestStepOfLateIsForgottenSlowly()
+        {
+            FrameClock clock = Clock();
+            clock.Advance(0.03);
+            Assert.That(clock.LongestOfLate, Is.EqualTo(0.0075));
+            for (int i = 0; i < 10; i++) clock.Advance(0.02);
+            Assert.That(clock.LongestOfLate, Is.EqualTo(0.0075 * Math.Pow(0.99, 10)).Within(1e-9));
+            for (int i = 0; i < 100; i++) clock.Advance(0.02);
+            Assert.That(clock.LongestOfLate, Is.EqualTo(0.005));
+        }
+
         [TestCase(-1.0)]
         [TestCase(double.NaN)]
         [TestCase(double.PositiveInfinity)]

@@ -52,7 +52,7 @@ namespace SphFluid.Tests
                     Vector4[] terms = GpuTest.Read<Vector4>(buffers.PositionTerms, count);
                     for (int i = 0; i < count; i++) multipliers[i] += terms[i].w;
                     buffers.NewPositions.SetData(particles.Select((p, i) => RobustStateRig.WithW(p.Position, multipliers[i])).ToArray());
-                    GpuTest.Run(cmd => pass.RecordListed(cmd, rig.State, 1e-4f));
+                    GpuTest.Run(cmd => pass.RecordListed(cmd, rig.State, RobustRules.Compliance(settings, 1e-4, 1e-4, 1)));
                 }
                 double reach = settings.SoundSpeed * 1e-4;
                 for (int i = 0; i < count; i++)
@@ -61,6 +61,20 @@ namespace SphFluid.Tests
                     Assert.That(multipliers[i], Is.EqualTo(Math.Min(0.0, -constraint * reach * reach)).Within(1e-3 * reach * reach), $"particle {i}");
                 }
             }
+        }
+
+        [Test]
+        public void ShorterStepsStayAsSoftAsTheLongest()
+        {
+            FluidSolverSettings settings = RobustStateRig.Robust(Domain, Spacing);
+            double longest = RobustRules.EffectiveSoundSpeed(settings, TimeStep, 2);
+            foreach (double part in new[] { 1.0, 0.9, 0.5, 0.1 })
+            {
+                double step = part * TimeStep, compliance = RobustRules.Compliance(settings, step, TimeStep, 2);
+                double own = 1.0 / System.Math.Sqrt(compliance * step * step);
+                Assert.That(RobustRules.EffectiveSoundSpeed(settings.WithSoundSpeed((float)own), step, 2), Is.EqualTo(longest).Within(1e-3).Percent);
+            }
+            Assert.That(RobustRules.Compliance(settings, TimeStep, TimeStep, 2), Is.EqualTo(System.Math.Pow(settings.SoundSpeed * (double)TimeStep, -2.0)).Within(1e-6).Percent);
         }
 
         [Test]

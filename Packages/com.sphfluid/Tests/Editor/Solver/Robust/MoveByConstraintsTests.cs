@@ -123,7 +123,7 @@ namespace SphFluid.Tests
         {
             FluidParticle[] particles = rig.FillSorted(ParticleSets.Random(rig.State.ParticleCount, Domain, 1f, 5));
             var pass = new ConstrainDensityPass(rig.Shaders);
-            GpuTest.Run(cmd => pass.Record(cmd, rig.State, TimeStep));
+            GpuTest.Run(cmd => pass.Record(cmd, rig.State, RobustRules.Compliance(rig.State.Settings, TimeStep, TimeStep, 1)));
             return particles;
         }
 

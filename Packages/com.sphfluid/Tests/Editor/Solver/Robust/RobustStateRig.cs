@@ -27,7 +27,7 @@ namespace SphFluid.Tests
         {
             FluidParticle[] particles = FillSorted(ParticleSets.Random(State.ParticleCount, 0.9f * State.Settings.DomainSize, 1f, 5));
             var pass = new ConstrainDensityPass(Shaders);
-            GpuTest.Run(cmd => pass.Record(cmd, State, timeStep));
+            GpuTest.Run(cmd => pass.Record(cmd, State, RobustRules.Compliance(State.Settings, timeStep, timeStep, 1)));
             return particles;
         }
     }
