@@ -27,6 +27,7 @@ namespace SphFluid.Tests
             simulation.Spacing = Spacing;
             simulation.UseSceneGravity = gravity;
             simulation.Gravity = Vector3.zero;
+            simulation.Profile.SurfaceTension = 0f;
             return simulation;
         }
 
