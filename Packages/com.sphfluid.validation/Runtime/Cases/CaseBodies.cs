@@ -65,14 +65,12 @@ namespace SphFluid.Validation
 
         /// <summary>Where the steps left them; waits for the GPU.</summary>
         /// <param name="time">Time now [s].</param>
-        public CaseReadings Read(double time)
+        public IReadOnlyList<Vector3> Read(double time)
         {
-            if (bodies.Count == 0)
-                return CaseReadings.None;
             var places = new Vector3[bodies.Count];
             for (int i = 0; i < places.Length; i++)
                 places[i] = bodies[i].Floats ? obstacles.ReadPoseNow(numbers[i], out _) : bodies[i].At(time);
-            return new CaseReadings(places);
+            return places;
         }
     }
 }

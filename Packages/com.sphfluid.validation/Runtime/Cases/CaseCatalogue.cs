@@ -20,6 +20,8 @@ namespace SphFluid.Validation
             new MarinCase(),
             new DropsCase(),
             new JetCase(),
+            new WallImpactCase(),
+            new CapillaryDropCase(),
             new FreeFallCase(),
             new MomentumCase(),
             new EnergyCase(),

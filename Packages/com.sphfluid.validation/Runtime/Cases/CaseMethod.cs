@@ -6,12 +6,14 @@ namespace SphFluid.Validation
     /// <summary>A method under its name on the command line and in tables.</summary>
     public sealed class CaseMethod
     {
-        CaseMethod(string name, string title, FluidMethodKind kind, double supportRatio)
+        CaseMethod(string name, string title, FluidMethodKind kind, double supportRatio, bool feelsWalls = false, bool hasTension = false)
         {
             Name = name;
             Title = title;
             Kind = kind;
             SupportRatio = supportRatio;
+            FeelsWalls = feelsWalls;
+            HasTension = hasTension;
         }
 
         /// <summary>Name, for instance "thesis".</summary>
@@ -26,13 +28,19 @@ namespace SphFluid.Validation
         /// <summary>κ = R/dx that cases sweep about: what the method is best run with.</summary>
         public double SupportRatio { get; }
 
+        /// <summary>Whether the method sums the force on walls: <see cref="FluidSolver.MeasuresWallForces"/>.</summary>
+        public bool FeelsWalls { get; }
+
+        /// <summary>Whether surface tension acts in the method.</summary>
+        public bool HasTension { get; }
+
         /// <summary>All methods, the best last.</summary>
         public static IReadOnlyList<CaseMethod> All { get; } = new[]
         {
             new CaseMethod("thesis-printed", "thesis, as printed", FluidMethodKind.ThesisPrinted, 2.0),
             new CaseMethod("thesis", "thesis, corrected", FluidMethodKind.Thesis, 2.0),
             new CaseMethod("robust", "robust", FluidMethodKind.Robust, 2.25),
-            new CaseMethod("standard", "standard", FluidMethodKind.Standard, 2.25),
+            new CaseMethod("standard", "standard", FluidMethodKind.Standard, 2.25, feelsWalls: true, hasTension: true),
         };
 
         /// <summary>Whether settings are of one of the thesis's methods.</summary>

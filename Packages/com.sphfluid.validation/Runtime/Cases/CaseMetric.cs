@@ -15,7 +15,7 @@ namespace SphFluid.Validation
 
         /// <summary>What the run knows besides its particles; called before <see cref="Sample"/>, with the same time.</summary>
         /// <param name="time">Time since the start [s].</param>
-        /// <param name="readings">Where bodies are.</param>
+        /// <param name="readings">Where bodies are, and what walls bear.</param>
         public virtual void Read(double time, CaseReadings readings)
         {
         }

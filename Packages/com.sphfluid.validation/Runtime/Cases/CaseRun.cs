@@ -19,6 +19,7 @@ namespace SphFluid.Validation
         readonly CaseFailure failures;
         readonly CaseObstacles obstacles;
         readonly CaseBodies bodies;
+        readonly CaseWalls walls;
         readonly FluidSolver solver;
         CaseStepper stepper;
         bool disposed;
@@ -43,6 +44,7 @@ namespace SphFluid.Validation
             {
                 solver = new FluidSolver(setup.Settings, shaders, setup.Particles);
                 obstacles.GiveTo(solver);
+                walls = new CaseWalls(solver, setup.Patches);
             }
             catch
             {
@@ -106,7 +108,7 @@ namespace SphFluid.Validation
         string Sample()
         {
             FluidSnapshot state = FluidSnapshot.Read(solver);
-            CaseReadings readings = bodies.Read(solver.SimulatedTime);
+            var readings = new CaseReadings(bodies.Read(solver.SimulatedTime), walls.Read());
             string failure = failures.Of(state, readings);
             if (failure == null)
             {

@@ -16,9 +16,10 @@ namespace SphFluid.Validation
         /// <param name="gravity">Gravity [m/s²].</param>
         /// <param name="viscosity">ν [m²/s] exactly; null: water's, or the least that the method needs.</param>
         /// <param name="boundaries">Periodic axes and walls.</param>
+        /// <param name="tension">Surface tension σ [N/m], for methods that have it.</param>
         /// <exception cref="System.ArgumentException">They cannot be computed with, for instance a periodic axis too short for κ.</exception>
         public static FluidSolverSettings For(in CaseParameters parameters, Vector3 domainSize, double spacing, double speed,
-            Vector3 gravity, double? viscosity = null, in FluidBoundaries boundaries = default)
+            Vector3 gravity, double? viscosity = null, in FluidBoundaries boundaries = default, double tension = 0.0)
         {
             FluidRuleInput input = FluidRuleInput.Water;
             input.Method = parameters.Method.Kind;
@@ -33,6 +34,7 @@ namespace SphFluid.Validation
             input.SupportRatio = (float)parameters.SupportRatio;
             input.SoundSpeedRatio = (float)parameters.SoundSpeedRatio;
             input.TimeStepFraction = (float)parameters.TimeStepFraction;
+            input.SurfaceTension = (float)tension;
             if (viscosity.HasValue)
             {
                 input.KinematicViscosity = (float)viscosity.Value;

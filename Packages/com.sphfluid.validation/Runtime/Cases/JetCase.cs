@@ -62,11 +62,12 @@ namespace SphFluid.Validation
                 Particles = CaseLattice.Particles(positions, p => new Vector3(-(float)Speed, 0f, 0f)),
                 Duration = To * Width / Speed,
                 SampleInterval = Interval * Width / Speed,
+                Patches = JetWall.Patches(domain, Width),
             };
         }
 
         /// <inheritdoc/>
         public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) =>
-            new JetMetric(Width, Length, Speed, From, To);
+            new JetMetric(Width, Length, Speed, From, To, setup.Settings.ParticleMass / Math.Pow(setup.Settings.Spacing, 3.0));
     }
 }

@@ -16,11 +16,12 @@ namespace SphFluid.Validation
         // Over b from the jet's middle: there the liquid at the wall, the slowest, has 98 % of U and more.
         const double SheetsFrom = 2.0, SheetsTo = 3.0;
 
-        readonly double width, length, speed, from, to, sheetsSince;
+        readonly double width, length, speed, from, to, sheetsSince, density;
+        readonly double[] pressures = new double[JetWall.Strips]; // sums over readings of the even flow [Pa]
         readonly List<double> times = new List<double>();
         readonly List<double> momenta = new List<double>(); // of all particles' velocities toward the wall [m/s]
         double sheetSpeeds, energies;
-        int sheets;
+        int sheets, readings;
 
         /// <summary>A metric for one run.</summary>
         /// <param name="width">b [m].</param>
@@ -28,14 +29,27 @@ namespace SphFluid.Validation
         /// <param name="speed">U [m/s].</param>
         /// <param name="from">Where the flow is even from, in b/U.</param>
         /// <param name="to">Where that ends, in b/U.</param>
-        public JetMetric(double width, double length, double speed, double from, double to)
+        /// <param name="density">Mass of the liquid in a volume [kg/m³].</param>
+        public JetMetric(double width, double length, double speed, double from, double to, double density)
         {
             this.width = width;
             this.length = length;
             this.speed = speed;
             this.from = from;
             this.to = to;
+            this.density = density;
             sheetsSince = 0.5 * (from + to); // their fronts are beyond
+        }
+
+        /// <inheritdoc/>
+        public override void Read(double time, CaseReadings readings)
+        {
+            double t = time * speed / width;
+            if (readings.Pressures.Count == 0 || t < from || t > to)
+                return;
+            for (int i = 0; i < pressures.Length; i++)
+                pressures[i] += readings.Pressures[i];
+            this.readings++;
         }
 
         /// <inheritdoc/>
@@ -62,7 +76,8 @@ namespace SphFluid.Validation
 
         /// <summary>
         /// The force's error over ρ U² b, absolute; the same with its sign; how uneven the force is while the flow is even; speed of the
-        /// sheets over U less 1; what they have lost of their kinetic energy.
+        /// sheets over U less 1; what they have lost of their kinetic energy. Where the wall's pressure is measured also the RMS of its error along
+        /// the wall over ½ρU², and how far what the strips bear is from the force by momentum.
         /// </summary>
         public override IReadOnlyList<CaseError> Evaluate()
         {
@@ -82,7 +97,7 @@ namespace SphFluid.Validation
                 count++;
             }
             double error = -line.Slope / Unit - 1.0;
-            return new[]
+            var errors = new List<CaseError>
             {
                 new CaseError(ErrorName, Math.Abs(error)),
                 new CaseError("force over ρ U² b − 1", error),
@@ -90,6 +105,9 @@ namespace SphFluid.Validation
                 new CaseError("speed of the sheets over U − 1", sheetSpeeds / sheets / speed - 1.0),
                 new CaseError("energy lost by the sheets", 1.0 - energies / sheets / (speed * speed)),
             };
+            if (readings > 0)
+                AddWall(errors, error + 1.0);
+            return errors;
         }
 
         /// <inheritdoc/>
@@ -104,6 +122,21 @@ namespace SphFluid.Validation
                     exact.Add(time, 1.0);
             }
             return new[] { exact, measured };
+        }
+
+        // The strips reach 2 b to each side, where 99 % of the force are.
+        void AddWall(List<CaseError> errors, double force)
+        {
+            double squares = 0.0, borne = 0.0, exact = 0.0, unit = 0.5 * density * speed * speed;
+            for (int i = 0; i < pressures.Length; i++)
+            {
+                double measured = pressures[i] / readings / unit, right = JetWall.Pressure(i);
+                squares += (measured - right) * (measured - right);
+                borne += measured;
+                exact += right;
+            }
+            errors.Add(new CaseError("pressure along the wall, RMS over ½ρU²", Math.Sqrt(squares / pressures.Length)));
+            errors.Add(new CaseError("force of the wall's strips over that by momentum − 1", borne / exact / force - 1.0));
         }
 
         // Between each two samples, over ρ U² b.

@@ -67,6 +67,7 @@ namespace SphFluid.Validation
                 Duration = Lasts,
                 SampleInterval = MarinHeights.Interval,
                 Obstacles = new[] { Box() },
+                Patches = Faces(),
             };
         }
 
@@ -91,6 +92,18 @@ namespace SphFluid.Validation
                 particles[i] = WallCaseSetup.Particle(corner + Vector3.Scale(part, water), (uint)i, parameters.Jitter * dx, random, settings);
             }
             return particles;
+        }
+
+        // Squares about the rows of gauges, as wide as the row is long: of the face that the water hits, and of the top.
+        static CasePatch[] Faces()
+        {
+            float x = BoxCentre - 0.5f * tank.x, floor = -0.5f * tank.y;
+            var size = new Vector2(box.x, box.y);
+            return new[]
+            {
+                new CasePatch(new Vector3(x + 0.5f * box.x, floor + 0.5f * box.y, 0f), Vector3.right, Vector3.up, size),
+                new CasePatch(new Vector3(x, floor + box.y, 0f), Vector3.up, Vector3.right, size),
+            };
         }
 
         // Closed, so that a particle that got in gets out again; it stands on the floor.

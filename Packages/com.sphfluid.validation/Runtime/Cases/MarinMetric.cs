@@ -27,6 +27,7 @@ namespace SphFluid.Validation
 
         readonly FluidSolverSettings settings;
         readonly SampledCurve[] heights = new SampledCurve[MarinHeights.Gauges.Length];
+        readonly List<double>[] pressures = { new List<double>(), new List<double>() }; // on the box's front and top
         readonly List<double> levels = new List<double>();
         readonly List<(double Level, double Weight)> column = new List<(double Level, double Weight)>();
 
@@ -40,6 +41,13 @@ namespace SphFluid.Validation
         }
 
         /// <inheritdoc/>
+        public override void Read(double time, CaseReadings readings)
+        {
+            for (int face = 0; time > 0.0 && face < readings.Pressures.Count; face++)
+                pressures[face].Add(readings.Pressures[face]);
+        }
+
+        /// <inheritdoc/>
         public override void Sample(double time, FluidSnapshot state)
         {
             for (int gauge = 0; gauge < heights.Length; gauge++)
@@ -50,7 +58,9 @@ namespace SphFluid.Validation
         /// The mean over the gauges of RMS(h − h_exp)/RMS(h_exp) from 0 to 6 s, then each gauge's, then how much of the wave that
         /// comes back from the far wall is missing: its highest water at the last gauge after 2.5 s over the record's, less 1.
         /// <para>With this unit a gauge that stays dry errs by 1. Water that stands at its final level of 0.211 m all the time
-        /// errs by 0.40: most of the record is level. The last error sees what the others average away.</para>
+        /// errs by 0.40: most of the record is level. The last of them sees what the others average away.</para>
+        /// <para>Where the force on walls is measured also RMS(p − p_exp)/RMS(p_exp) of means over 50 ms on the box's front and on its top, and
+        /// the impulse on each from 0 to 6 s over the record's, less 1.</para>
         /// </summary>
         public override IReadOnlyList<CaseError> Evaluate()
         {
@@ -64,6 +74,8 @@ namespace SphFluid.Validation
             }
             errors.Insert(0, new CaseError(ErrorName, sum / heights.Length));
             errors.Add(new CaseError("returning wave, height − 1", ReturningWave(heights[ReturnGauge].At) / ReturningWave(Record) - 1.0));
+            AddPressure(errors, "front", pressures[0], MarinPressures.Front);
+            AddPressure(errors, "top", pressures[1], MarinPressures.Top);
             return errors;
         }
 
@@ -81,6 +93,22 @@ namespace SphFluid.Validation
                 result.Add(heights[gauge].ToSeries(place, 1.0, 0.0));
             }
             return result;
+        }
+
+        static void AddPressure(List<CaseError> errors, string face, List<double> measured, double[] record)
+        {
+            if (measured.Count < record.Length)
+                return;
+            double squares = 0.0, unit = 0.0, sum = 0.0, own = 0.0;
+            for (int i = 0; i < record.Length; i++)
+            {
+                squares += (measured[i] - record[i]) * (measured[i] - record[i]);
+                unit += record[i] * record[i];
+                sum += measured[i];
+                own += record[i];
+            }
+            errors.Add(new CaseError($"pressure on the {face} of the box, normalised RMS", Math.Sqrt(squares / unit)));
+            errors.Add(new CaseError($"impulse on the {face} of the box over the record's − 1", sum / own - 1.0));
         }
 
         static string Place(int gauge) => FormattableString.Invariant($"x = {MarinHeights.Gauges[gauge]:0.000} m");

@@ -1,4 +1,5 @@
-using System.Collections.Generic;
+using System;
+using System.Linq;
 using NUnit.Framework;
 using SphFluid.Validation;
 using UnityEngine;
@@ -8,6 +9,7 @@ namespace SphFluid.Tests
     public sealed class JetMetricTests
     {
         const float Width = 0.5f, Speed = 3f, Spacing = 0.025f;
+        const double Density = 980.0;
 
         [Test]
         public void AJetThatIsTurnedThroughARightAngleHasNoError()
@@ -32,10 +34,31 @@ namespace SphFluid.Tests
             Assert.That(WallCaseStates.Named(Watched(-0.5f, 1f), "force over ρ U² b − 1"), Is.EqualTo(-0.5).Within(1e-3), "not all is stopped");
         }
 
+        [Test]
+        public void PressureAlongTheWallIsHeldAgainstTheStreamlines()
+        {
+            JetMetric right = Watched(0f, 1f), high = Watched(0f, 1f);
+            for (int i = 0; i <= 60; i++)
+            {
+                double time = 0.1 * i * Width / Speed;
+                right.Read(time, Readings(i < 30 ? 9.0 : 1.0));
+                high.Read(time, Readings(1.1));
+            }
+
+            Assert.That(WallCaseStates.Named(right, "pressure along the wall, RMS over ½ρU²"), Is.Zero.Within(1e-9), "what was before the flow is even does not count");
+            Assert.That(WallCaseStates.Named(right, "force of the wall's strips over that by momentum − 1"), Is.Zero.Within(1e-3));
+            Assert.That(WallCaseStates.Named(high, "force of the wall's strips over that by momentum − 1"), Is.EqualTo(0.1).Within(1e-3));
+            double own = Math.Sqrt(Enumerable.Range(0, JetWall.Strips).Average(s => JetWall.Pressure(s) * JetWall.Pressure(s)));
+            Assert.That(WallCaseStates.Named(high, "pressure along the wall, RMS over ½ρU²"), Is.EqualTo(0.1 * own).Within(1e-6));
+        }
+
+        static CaseReadings Readings(double factor) => new CaseReadings(Array.Empty<Vector3>(),
+            Enumerable.Range(0, JetWall.Strips).Select(s => factor * 0.5 * Density * Speed * Speed * JetWall.Pressure(s)).ToArray());
+
         // A bar of particles that goes on; what has come to the wall goes off to both sides, and away from it by a part of U.
         static JetMetric Watched(float rebound, float sheet)
         {
-            var metric = new JetMetric(Width, 8.0 * Width, Speed, 3.0, 6.0);
+            var metric = new JetMetric(Width, 8.0 * Width, Speed, 3.0, 6.0, Density);
             int across = Mathf.RoundToInt(Width / Spacing), along = Mathf.RoundToInt(8f * Width / Spacing);
             for (int i = 0; i <= 60; i++)
             {

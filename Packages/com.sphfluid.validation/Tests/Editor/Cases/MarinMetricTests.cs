@@ -23,6 +23,31 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void PressuresOnTheBoxAreHeldAgainstTheRecords()
+        {
+            MarinMetric metric = Watched((gauge, row) => MarinHeights.Heights[gauge][row]);
+            metric.Read(0.0, new CaseReadings(Array.Empty<Vector3>(), new[] { double.NaN, double.NaN }));
+            for (int i = 0; i < MarinPressures.Front.Length; i++)
+                metric.Read((i + 1) * MarinPressures.Interval, new CaseReadings(Array.Empty<Vector3>(), new[] { MarinPressures.Front[i], 1.2 * MarinPressures.Top[i] }));
+
+            Assert.That(metric.Evaluate().Count, Is.EqualTo(10));
+            Assert.That(WallCaseStates.Named(metric, "pressure on the front of the box, normalised RMS"), Is.Zero.Within(1e-12));
+            Assert.That(WallCaseStates.Named(metric, "impulse on the front of the box over the record's − 1"), Is.Zero.Within(1e-12));
+            Assert.That(WallCaseStates.Named(metric, "pressure on the top of the box, normalised RMS"), Is.EqualTo(0.2).Within(1e-9));
+            Assert.That(WallCaseStates.Named(metric, "impulse on the top of the box over the record's − 1"), Is.EqualTo(0.2).Within(1e-9));
+        }
+
+        [Test]
+        public void TheRecordsOfPressureHaveTheHitAndTheLevel()
+        {
+            Assert.That(MarinPressures.Front, Has.Length.EqualTo(120).And.Length.EqualTo(MarinPressures.Top.Length));
+            Assert.That(Array.FindIndex(MarinPressures.Front, p => p > 1000.0) * MarinPressures.Interval, Is.EqualTo(0.4).Within(1e-9), "P1 rises at 0.41 s");
+            // ρ g (level − middle of the box) at the end, the level that of the gauges beside it.
+            double level = 0.5 * (MarinHeights.Heights[0][120] + MarinHeights.Heights[1][120]);
+            Assert.That(MarinPressures.Front[119], Is.EqualTo(1000.0 * 9.81 * (level - 0.0805)).Within(25).Percent);
+        }
+
+        [Test]
         public void EachGaugeIsHeldAgainstItsOwnRecord([Values(0, 1, 2, 3)] int wrong)
         {
             MarinMetric metric = Watched((gauge, row) => (gauge == wrong ? 1.1 : 1.0) * MarinHeights.Heights[gauge][row]);

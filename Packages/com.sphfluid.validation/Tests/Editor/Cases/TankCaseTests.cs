@@ -17,12 +17,14 @@ namespace SphFluid.Tests
             yield return new PaddleCase();
             yield return new HeaveCase();
             yield return new JetCase();
+            yield return new WallImpactCase();
+            yield return new CapillaryDropCase();
         }
 
         [Test]
         public void SetupsCanBeRun([ValueSource(nameof(Cases))] ValidationCase flow, [Values(10, 13, 20)] int resolution, [Values(2.0, 2.5)] double supportRatio)
         {
-            foreach (CaseMethod method in CaseMethod.All.Where(m => !(flow is HeaveCase && m.Name.StartsWith("thesis"))))
+            foreach (CaseMethod method in CaseMethod.All.Where(m => Runs(flow, m)))
             {
                 CaseParameters parameters = At(flow, resolution, method);
                 parameters.SupportRatio = supportRatio;
@@ -48,10 +50,21 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void AMethodThatMovesNoBodiesCannotHeave()
+        public void MethodsThatLackWhatACaseIsAboutAreNamed([ValueSource(nameof(Cases))] ValidationCase flow)
         {
-            foreach (string method in new[] { "thesis", "thesis-printed" })
-                Assert.That(() => new HeaveCase().Build(new HeaveCase().Base(CaseMethod.Find(method))), Throws.ArgumentException.With.Message.Contains("moves no bodies"));
+            foreach (CaseMethod method in CaseMethod.All.Where(m => !Runs(flow, m)))
+                Assert.That(() => flow.Build(flow.Base(method)), Throws.ArgumentException.With.Message.Contains(flow is HeaveCase ? "moves no bodies" : method.Name));
+        }
+
+        [Test]
+        public void MethodsFeelWallsAsTheSolverSays()
+        {
+            foreach (CaseMethod method in CaseMethod.All)
+            {
+                CaseSetup setup = new AcceleratedTankCase().Build(At(new AcceleratedTankCase(), 8, method));
+                using (var solver = new FluidSolver(setup.Settings, SurfaceTestScene.LoadShaders(), setup.Particles))
+                    Assert.That(solver.MeasuresWallForces, Is.EqualTo(method.FeelsWalls), method.Name);
+            }
         }
 
         [Test]
@@ -79,7 +92,26 @@ namespace SphFluid.Tests
         {
             Assert.That(Run(new JetCase(), 6, out CaseMetric metric), Is.LessThan(0.08));
             Assert.That(WallCaseStates.Named(metric, "speed of the sheets over U − 1"), Is.Zero.Within(0.1));
+            Assert.That(WallCaseStates.Named(metric, "force of the wall's strips over that by momentum − 1"), Is.Zero.Within(0.12));
+            Assert.That(WallCaseStates.Named(metric, "pressure along the wall, RMS over ½ρU²"), Is.LessThan(0.3));
         }
+
+        [Test]
+        public void TheWallFeelsTheDamBreak()
+        {
+            Assert.That(Run(new WallImpactCase(), 10, out CaseMetric metric), Is.LessThan(0.7));
+            Assert.That(WallCaseStates.Named(metric, "even pressure over the record's − 1"), Is.Zero.Within(0.3));
+        }
+
+        [Test]
+        public void TheDropSwingsByItsTension()
+        {
+            Assert.That(Run(new CapillaryDropCase(), 5, out CaseMetric metric), Is.LessThan(0.25));
+            Assert.That(WallCaseStates.Named(metric, "radius at the end over the start's − 1"), Is.Zero.Within(0.05));
+        }
+
+        static bool Runs(ValidationCase flow, CaseMethod method) => flow is CapillaryDropCase ? method.HasTension
+            : flow is WallImpactCase ? method.FeelsWalls : !(flow is HeaveCase && method.Name.StartsWith("thesis"));
 
         static CaseParameters At(ValidationCase flow, int resolution, CaseMethod method)
         {
