@@ -24,6 +24,7 @@ NearWall WallOf(uint slot, float3 position)
 // shares: what each plane has of the gradient.
 WallDensity DensityOf(NearWall wall, out float3 shares[WALL_PLANES])
 {
+    const uint edge = EdgePlane(wall);
     WallDensity density;
     density.Value = 0.0;
     density.Gradient = float3(0.0, 0.0, 0.0);
@@ -32,9 +33,14 @@ WallDensity DensityOf(NearWall wall, out float3 shares[WALL_PLANES])
     for (int k = 0; k < WALL_PLANES; k++)
     {
         const float4 plane = wall.Planes[k];
-        const float2 profile = wall.Solid[k] * MirrorProfile(plane.w);
-        float value = profile.x;
-        float3 gradient = -profile.y * _InverseSupport * plane.xyz;
+        float4 solid = float4(0.0, 0.0, 0.0, wall.Solid[k]);
+        if (uint(k) == edge)
+        {
+            solid = BeyondEdge(plane.xyz, plane.w, dot(plane.xyz, wall.Face), wall.Face, _MirrorSpacing / _InverseSupport);
+        }
+        const float2 profile = MirrorProfile(plane.w);
+        float value = solid.w * profile.x;
+        float3 gradient = profile.x * solid.xyz - solid.w * profile.y * _InverseSupport * plane.xyz;
         [unroll]
         for (int before = 0; before < k; before++)
         {

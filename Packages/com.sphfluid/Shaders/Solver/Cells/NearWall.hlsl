@@ -12,11 +12,12 @@ struct NearWall
     float3 Approach;   // speed of each plane along its normal, m/s
     float Friction;    // of the first triangle's wall, 0 free slip to 1 no slip; negative: that of the domain's faces
     float3 Velocity;   // of the first triangle's wall, m/s
-    uint Flags;        // bits 0 to 2: the plane is a face's, not one beyond an edge; bits 4 and 5: the first triangle's plane, 3 for none
+    uint Flags;        // bits 0 to 2: the plane is a face's, not one beyond an edge; bit 3: there is an edge; bits 4 and 5: the first triangle's plane, 3 for none
+    float3 Face;       // of the first plane beyond an edge: the triangle's unit normal, on the particle's side
 };
 
 // The same as it is stored, for any place of the particle until the walls are gathered again: a plane's distance is n.x - offset.
-// Solid to 1e-5, normals to 3e-5, what only holds velocities back to 3 digits. Mirrored by MeshWallBuffers.WallStride; 44 bytes.
+// Solid to 1e-5, normals to 3e-5, what only holds velocities back to 3 digits. Mirrored by MeshWallBuffers.WallStride; 48 bytes.
 struct PackedPlane
 {
     uint Normal;       // octahedral, 16 bits a coordinate; axes are exact
@@ -29,9 +30,12 @@ struct PackedWall
     PackedPlane Planes[WALL_PLANES];
     uint VelocityXY;   // half floats
     uint VelocityZ;    // a half float, and below it friction in thousandths, 1023 for the domain's, and flags
+    uint Face;         // as Normal
 };
 
 #define DOMAIN_FRICTION 1023u
+#define EDGE_FLAG 8u
+#define FACE_COSINE 0.98 // between the direction to a particle and the normal of the triangle that is nearest: less is beyond an edge
 
 // How much of a plane one that comes before it leaves in sight, in w, and the gradient of that: triangles of one plane hide each
 // other, those square to each other do not. The gradient is bounded by that at 0.1 dx; particles come no nearer.
@@ -42,6 +46,20 @@ float4 InSight(float4 before, float4 plane, float spacing)
     const float hidden = cosine * ratio;
     const float slope = hidden > 0.0 && hidden < 1.0 ? cosine / max(before.w, 0.1 * spacing) : 0.0;
     return float4(slope * (ratio * before.xyz - plane.xyz), 1.0 - saturate(hidden));
+}
+
+// How much of a wall is there for a particle beyond its edge, in w, and the gradient of that: less than of a half-space where it looks
+// at the edge from the side, all of it at the edge itself, as if that were round by half a spacing. So the wall's energy is continuous there:
+// a weight by the angle alone jumps from 1 to 0 within no distance, and what goes round the edge gets energy from nowhere.
+float4 BeyondEdge(float3 normal, float distance, float facing, float3 face, float spacing)
+{
+    const float seen = min(facing / FACE_COSINE, 1.0);
+    const float hidden = 1.0 - seen * seen;
+    const float roundness = 0.25 * spacing * spacing;
+    const float scale = 1.0 / (distance * distance + roundness);
+    const float3 turning = (2.0 * seen / FACE_COSINE) * (face - facing * normal);
+    const float3 leaving = (2.0 * hidden * roundness * scale) * normal;
+    return float4(distance * scale * (turning - leaving), 1.0 - hidden * distance * distance * scale);
 }
 
 // Cigolle et al., A Survey of Efficient Representations for Independent Unit Vectors, 2014: oct32.
@@ -95,6 +113,13 @@ uint2 PackMotion(float3 velocity, float friction, uint flags)
     return uint2(PackHalves(velocity.x, velocity.y), (f32tof16(velocity.z) << 16u) | (thousandths << 6u) | flags);
 }
 
+// The first plane beyond an edge; 3 where there is none.
+uint EdgePlane(NearWall wall)
+{
+    const uint first = (wall.Flags & 1u) == 0u ? 0u : (wall.Flags & 2u) == 0u ? 1u : 2u;
+    return (wall.Flags & EDGE_FLAG) != 0u ? first : uint(WALL_PLANES);
+}
+
 // A bit for each plane that is a face's.
 uint FacesOf(PackedWall packed)
 {
@@ -117,6 +142,7 @@ NearWall UnpackWall(PackedWall packed, float3 position)
     wall.Velocity = float3(UnpackHalves(packed.VelocityXY), UnpackHalves(packed.VelocityZ).y);
     wall.Friction = friction == DOMAIN_FRICTION ? -1.0 : float(friction) / 1000.0;
     wall.Flags = packed.VelocityZ & 63u;
+    wall.Face = UnpackNormal(packed.Face);
     return wall;
 }
 

@@ -169,7 +169,8 @@ namespace SphFluid.Tests
             }
         }
 
-        // Beyond an edge a wall is less solid than a half-space: by the square of the cosine to the face's normal.
+        // Beyond an edge a wall is less solid than a half-space.
+        [TestCase(0.05f, 89f)]
         [TestCase(0.4f, 20f)]
         [TestCase(0.3f, 45f)]
         [TestCase(0.2f, 70f)]
@@ -182,9 +183,10 @@ namespace SphFluid.Tests
                 rig.Add(new[] { new Vector3(0f, 0f, -0.4f), new Vector3(-0.4f, 0f, 0f), new Vector3(0f, 0f, 0.4f) });
                 float distance = distanceOverSpacing * Spacing, angle = degrees * Mathf.Deg2Rad;
                 StoredWall wall = Gather(rig, new[] { distance * new Vector3(Mathf.Sin(angle), Mathf.Cos(angle), 0f) })[0];
-                double facing = Math.Abs(Math.Cos(angle)), weight = facing * facing;
-                Assert.That(wall.Value, Is.EqualTo(weight * StandardReference.Mirror(distance, settings.SupportRadius, Spacing)).Within(1e-5));
-                Assert.That(wall.Flags & 1u, Is.Zero, "not a face");
+                double above = Math.Abs(distance * Math.Cos(angle)), beyond = distance * Math.Sin(angle);
+                Assert.That(wall.Value, Is.EqualTo(StandardReference.Plate(above, beyond, settings.SupportRadius, Spacing)).Within(2e-5));
+                Assert.That(wall.Flags & 9u, Is.EqualTo(8u), "not a face but an edge");
+                Assert.That((wall.Face - (degrees < 90f ? Vector3.up : Vector3.down)).magnitude, Is.LessThan(1e-6f), "on the particle's side");
             }
         }
 

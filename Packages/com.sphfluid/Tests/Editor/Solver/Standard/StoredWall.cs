@@ -22,6 +22,7 @@ namespace SphFluid.Tests
             public float Offset2;
             public uint Plane2;
             public uint VelocityXY, VelocityZ;
+            public uint Face;
         }
 
         readonly Packed packed;
@@ -38,6 +39,7 @@ namespace SphFluid.Tests
         // Of the first plane; the distance in metres.
         public Vector3 Normal => Octahedral(packed.Normal0);
         public double Distance => Away(position, 0);
+        public Vector3 Face => Octahedral(packed.Face);
         public float Approach => Half(packed.Plane0 >> 16);
         public Vector3 Velocity => new Vector3(Half(packed.VelocityXY), Half(packed.VelocityXY >> 16), Half(packed.VelocityZ >> 16));
         public uint Flags => packed.VelocityZ & 63u;

@@ -10,13 +10,23 @@ namespace SphFluid.Tests
     internal static class WalledStateRig
     {
         /// <summary>A state with a small box as body, so that there are walls; no particle has any yet.</summary>
-        public static StandardStateRig Create(in FluidSolverSettings settings, int count, out CollisionBodies bodies)
+        public static StandardStateRig Create(in FluidSolverSettings settings, int count, out CollisionBodies bodies) =>
+            Create(settings, TestMeshes.Cube(), 0.1f, count, out bodies);
+
+        /// <summary>A state with triangles as body, three corners each.</summary>
+        public static StandardStateRig Create(in FluidSolverSettings settings, Vector3[] corners, int count, out CollisionBodies bodies)
+        {
+            var mesh = new Mesh { name = "Test Triangles", vertices = corners, triangles = Enumerable.Range(0, corners.Length).ToArray() };
+            return Create(settings, mesh, 1f, count, out bodies);
+        }
+
+        static StandardStateRig Create(in FluidSolverSettings settings, Mesh mesh, float scale, int count, out CollisionBodies bodies)
         {
             var rig = new StandardStateRig(settings, count);
             bodies = new CollisionBodies(settings);
             using (var colliders = new ColliderRig { DomainSize = settings.DomainSize, Spacing = settings.Spacing })
             {
-                colliders.AddMesh(TestMeshes.Cube()).transform.localScale = 0.1f * Vector3.one;
+                colliders.AddMesh(mesh).transform.localScale = scale * Vector3.one;
                 colliders.Gather();
                 bodies.Update(colliders.Scene.Solids);
             }
