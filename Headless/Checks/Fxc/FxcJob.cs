@@ -9,6 +9,9 @@ internal sealed record FxcJob(string Name, string Entry, string Profile, string 
     /// <summary>Path of the file that declares the entry point, below the package's folder as it was given.</summary>
     public string File { get; init; } = "";
 
+    /// <summary>The keywords that are on.</summary>
+    public IReadOnlyList<string> Keywords { get; init; } = [];
+
     public bool IsKernel => Profile.StartsWith("cs", StringComparison.Ordinal);
 
     public static IEnumerable<FxcJob> FromCompute(ComputeSource source)
@@ -16,7 +19,8 @@ internal sealed record FxcJob(string Name, string Entry, string Profile, string 
         foreach (var kernel in source.Kernels)
             foreach (var keywords in Variants(source.KeywordSets))
                 yield return new FxcJob(Label(source.Path, kernel.Name, keywords), kernel.Name, "cs_5_0",
-                    Build(source.Expanded, ShaderStage.Compute, 50, kernel.Defines, keywords));
+                    Build(source.Expanded, ShaderStage.Compute, 50, kernel.Defines, keywords))
+                { Keywords = keywords };
     }
 
     public static IEnumerable<FxcJob> FromShader(ShaderLabSource shader)
@@ -25,7 +29,8 @@ internal sealed record FxcJob(string Name, string Entry, string Profile, string 
             foreach (var keywords in Variants(pass.Program.KeywordSets))
                 foreach (var (stage, entry, profile) in Stages(pass.Program))
                     yield return new FxcJob(Label(shader.Path, $"{pass.Name} {entry}", keywords), entry, profile,
-                        Build(pass.Program.Expanded, stage, pass.Program.Target, pass.Defines, keywords));
+                        Build(pass.Program.Expanded, stage, pass.Program.Target, pass.Defines, keywords))
+                    { Keywords = keywords };
     }
 
     private static IEnumerable<(ShaderStage, string, string)> Stages(ShaderProgram program)

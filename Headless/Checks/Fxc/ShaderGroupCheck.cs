@@ -8,7 +8,7 @@ internal sealed partial class ShaderGroupCheck(string packageRoot)
 {
     private const string Source = "a shader group of Runtime";
 
-    private sealed record Needs(string Folder, int GroupThreads, int Buffers, int WritableBuffers, int GroupMemory, int VertexBuffers);
+    private sealed record Needs(string Folder, int GroupThreads, int Buffers, int WritableBuffers, int GroupMemory, int VertexBuffers, string Keyword);
 
     public void Check(IReadOnlyList<FxcResult> results, CheckReport report)
     {
@@ -18,11 +18,11 @@ internal sealed partial class ShaderGroupCheck(string packageRoot)
         if (!sources.Any(f => Path.GetFileName(f) == "ShaderGroup.cs")) return;
         var stated = sources.SelectMany(f => Stated().Matches(File.ReadAllText(f))).Select(Read).ToList();
         if (stated.Count == 0) { report.Findings.Add("Runtime has no shader group that this check can read"); return; }
-        var parts = results.GroupBy(r => FolderOf(r.Job.File, stated));
+        var parts = results.GroupBy(r => FolderOf(r.Job, stated));
         foreach (var part in parts.Where(p => p.Key is not null))
         {
-            var counted = Count(part.Key!, [.. part]);
             var claim = stated.Find(s => s.Folder == part.Key)!;
+            var counted = Count(claim, [.. part]);
             if (claim != counted) report.Findings.Add($"{Source} says of {part.Key}: {Show(claim)}; FXC's listings say: {Show(counted)}");
         }
         foreach (var needs in stated.Where(s => parts.All(p => p.Key != s.Folder)))
@@ -32,27 +32,34 @@ internal sealed partial class ShaderGroupCheck(string packageRoot)
     private static Needs Read(Match match)
     {
         int Number(string name) => int.Parse(match.Groups[name].Value, CultureInfo.InvariantCulture);
-        return new Needs(match.Groups["folder"].Value, Number("threads"), Number("buffers"), Number("writable"), Number("memory"), Number("vertex"));
+        return new Needs(match.Groups["folder"].Value, Number("threads"), Number("buffers"), Number("writable"), Number("memory"), Number("vertex"), match.Groups["keyword"].Value);
     }
 
-    private static Needs Count(string folder, List<FxcResult> results)
+    private static Needs Count(Needs claim, List<FxcResult> results)
     {
         int Most(bool kernels, Func<FxcResult, int> figure) =>
             results.Where(r => kernels ? r.Job.IsKernel : r.Job.Profile.StartsWith("vs", StringComparison.Ordinal)).Select(figure).DefaultIfEmpty(0).Max();
-        return new Needs(
-            folder, Most(true, r => r.Threads), Most(true, r => r.Buffers), Most(true, r => r.Uavs), Most(true, r => r.SharedBytes), Most(false, r => r.Buffers));
+        return claim with
+        {
+            GroupThreads = Most(true, r => r.Threads),
+            Buffers = Most(true, r => r.Buffers),
+            WritableBuffers = Most(true, r => r.Uavs),
+            GroupMemory = Most(true, r => r.SharedBytes),
+            VertexBuffers = Most(false, r => r.Buffers),
+        };
     }
 
-    // The innermost folder that is named.
-    private string? FolderOf(string file, List<Needs> stated)
+    // That of the keyword, wherever the kernel lies; else the innermost folder that is named.
+    private string? FolderOf(FxcJob job, List<Needs> stated)
     {
-        var path = Path.GetRelativePath(packageRoot, file).Replace('\\', '/');
+        if (stated.Find(s => s.Keyword.Length > 0 && job.Keywords.Contains(s.Keyword)) is { } optional) return optional.Folder;
+        var path = Path.GetRelativePath(packageRoot, job.File).Replace('\\', '/');
         return stated.Select(s => s.Folder).Where(f => path.StartsWith(f + "/", StringComparison.Ordinal)).MaxBy(f => f.Length);
     }
 
     private static string Show(Needs needs) =>
         $"{needs.GroupThreads} threads, {needs.Buffers} buffers, {needs.WritableBuffers} written, {needs.GroupMemory} bytes shared, {needs.VertexBuffers} buffers of a vertex shader";
 
-    [GeneratedRegex(@"new ShaderGroup\(""[^""]*"",\s*""(?<folder>[^""]*)"",\s*groupThreads: (?<threads>\d+), buffers: (?<buffers>\d+), writableBuffers: (?<writable>\d+), groupMemory: (?<memory>\d+), vertexBuffers: (?<vertex>\d+)\b")]
+    [GeneratedRegex(@"new ShaderGroup\(""[^""]*"",\s*""(?<folder>[^""]*)"",\s*groupThreads: (?<threads>\d+), buffers: (?<buffers>\d+), writableBuffers: (?<writable>\d+), groupMemory: (?<memory>\d+), vertexBuffers: (?<vertex>\d+)\b(?:[^;]*?\bKeyword = ""(?<keyword>\w+)"")?")]
     private static partial Regex Stated();
 }

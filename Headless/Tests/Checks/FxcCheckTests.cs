@@ -59,6 +59,18 @@ public sealed class FxcCheckTests
     }
 
     [Test]
+    public void VariantsOfOptionalPhysicsCountForTheirOwnGroup()
+    {
+        const string kernel = "#pragma multi_compile_local _ MORE\nRWStructuredBuffer<float> Out;\n#if defined(MORE)\nStructuredBuffer<float> In;\n#endif\n"
+            + "[numthreads(64,1,1)] void K(uint3 id : SV_DispatchThreadID) {\n#if defined(MORE)\nOut[id.x] = In[id.x];\n#else\nOut[id.x] = 1.0;\n#endif\n}";
+        string Optional(int buffers) => Needs(64, buffers, 1, 0).Replace("\"Shaders\"", "\"Shaders/Optional\"") + " { Keyword = \"MORE\" };";
+
+        Assert.That(Run(kernel, Needs(64, 1, 1, 0) + ";" + Optional(2)).Findings, Is.Empty);
+        Assert.That(Run(kernel, Needs(64, 2, 1, 0) + ";" + Optional(2)).Findings, Has.One.Contains("1 buffers"));
+        Assert.That(Run(kernel, Needs(64, 1, 1, 0) + ";" + Optional(1)).Findings, Has.One.Contains("Shaders/Optional: 64 threads, 1 buffers"));
+    }
+
+    [Test]
     public void AResultLineKeepsItsPlaces()
     {
         var job = new FxcJob("K", "K", "cs_5_0", "");

@@ -45,8 +45,9 @@ namespace SphFluid
 
         /// <summary>The sums of what the liquid gives to its walls.</summary>
         public static readonly ShaderGroup WallForces = new ShaderGroup("the force on walls", "Shaders/Solver/WallForces",
-            groupThreads: 64, buffers: 4, writableBuffers: 2, groupMemory: 0, vertexBuffers: 0,
-            "PlaceWallPatches");
+            groupThreads: 64, buffers: 17, writableBuffers: 7, groupMemory: 11520, vertexBuffers: 0,
+            "PlaceWallPatches")
+        { Keyword = "FLUID_WALL_FORCES" };
 
         /// <summary>Spray, foam and bubbles.</summary>
         public static readonly ShaderGroup Whitewater = new ShaderGroup("whitewater", "Shaders/Whitewater",
@@ -79,6 +80,9 @@ namespace SphFluid
 
         /// <summary>Folder of the kernels below the package; of nested ones the inner counts.</summary>
         public string Folder { get; }
+
+        /// <summary>Optional physics of other groups' kernels: variants with this keyword count here, not there. Null for none.</summary>
+        public string Keyword { get; private set; }
 
         /// <summary>Names: of compute shaders their files', of shaders what they declare.</summary>
         public IReadOnlyList<string> Shaders { get; }

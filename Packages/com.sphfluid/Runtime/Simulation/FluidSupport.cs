@@ -29,6 +29,9 @@ namespace SphFluid
         /// <summary>Whether the thesis's surface can be drawn; the other needs no geometry shader.</summary>
         public bool GeometrySurface => device.GeometryShaders && Runs(ShaderGroup.GeometrySurface);
 
+        /// <summary>Whether the force of a liquid on its walls can be summed, by Fluid Probes and <see cref="SphFluid.WallForces"/>.</summary>
+        public bool WallForces => Runs(ShaderGroup.WallForces);
+
         /// <summary>Whether a program on the CPU is the graphics device (llvmpipe, SwiftShader, WARP): liquids are small there.</summary>
         public static bool IsSoftwareDevice => SurfaceGridSizes.IsSoftwareDevice;
 
@@ -95,6 +98,7 @@ namespace SphFluid
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Drawing, OtherDevice);
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.GeometrySurface, "Draw the liquid with a Fluid Surface Renderer.");
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Diagnostics, "Leave out the Fluid Diagnostics.");
+                AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.WallForces, "Set Kind of Fluid Probes to Liquid Pressure, which is noisy.");
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Whitewater, "Leave out the Fluid Whitewater.");
             }
             if (!device.GeometryShaders)

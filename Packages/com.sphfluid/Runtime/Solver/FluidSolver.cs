@@ -185,6 +185,7 @@ namespace SphFluid
 
         /// <summary>The force of the liquid on rectangles of its walls; costs nothing while there is none.</summary>
         /// <exception cref="NotSupportedException">The method does not sum what walls do to the liquid: see <see cref="MeasuresWallForces"/>.</exception>
+        /// <exception cref="FluidDeviceException">The method does, and the device cannot: see <see cref="FluidSupport.WallForces"/>.</exception>
         public WallForces WallForces
         {
             get
@@ -192,7 +193,9 @@ namespace SphFluid
                 ThrowIfDisposed();
                 if (!MeasuresWallForces)
                     throw new NotSupportedException($"The method {Kind} does not sum the force on walls. Use the method {FluidMethodKind.Standard}.");
-                return state.WallForces ??= new WallForces(shaderSet);
+                if (state.WallForces != null) return state.WallForces;
+                foreach (string shortfall in ShaderGroup.WallForces.Shortfalls(DeviceCapabilities.Query())) throw new FluidDeviceException(shortfall);
+                return state.WallForces = new WallForces(shaderSet);
             }
         }
 

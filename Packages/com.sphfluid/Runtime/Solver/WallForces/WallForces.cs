@@ -26,8 +26,6 @@ namespace SphFluid
         /// <summary>Most parts that a batch of steps is sampled in; one of more steps has several steps a part.</summary>
         public const int MostParts = 64;
 
-        const string Keyword = "FLUID_WALL_FORCES";
-
         static readonly int PatchesId = Shader.PropertyToID("_WallPatches");
         static readonly int SumsId = Shader.PropertyToID("_WallSums");
         static readonly int UnitsId = Shader.PropertyToID("_PatchUnits");
@@ -144,7 +142,7 @@ namespace SphFluid
         {
             WallForces forces = state.WallForces;
             bool on = forces != null && forces.IsOn;
-            kernel.SetKeyword(cmd, Keyword, on);
+            kernel.SetKeyword(cmd, ShaderGroup.WallForces.Keyword, on);
             if (!on) return;
             kernel.SetBuffer(cmd, PatchesId, forces.placedBuffer);
             kernel.SetBuffer(cmd, SumsId, forces.sumBuffer);

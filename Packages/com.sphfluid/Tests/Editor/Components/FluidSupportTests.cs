@@ -54,6 +54,20 @@ namespace SphFluid.Tests
             Assert.That(support.ErrorsOf(FluidMethodKind.Standard).Single().ToString(), Does.Contain("binds 8 buffers").And.Contain("Method to Thesis"));
         }
 
+        [Test]
+        public void SixteenBuffersRunEveryMethodWithoutWallForces()
+        {
+            DeviceCapabilities device = Device();
+            device.ComputeBuffers = 16;
+            FluidSupport support = FluidSupport.From(device);
+            foreach (FluidMethodKind method in new[] { FluidMethodKind.Standard, FluidMethodKind.Robust, FluidMethodKind.Thesis })
+                Assert.That(support.ErrorsOf(method), Is.Empty, method.ToString());
+            Assert.That(support.Surface && !support.WallForces);
+            FluidMessage message = support.Messages.Single();
+            Assert.That(message.Severity, Is.EqualTo(FluidSeverity.Info));
+            Assert.That(message.ToString(), Does.Contain("the force on walls needs 17").And.Contain("Liquid Pressure"));
+        }
+
         [TestCase(128, 64, "groups of 128 threads")]
         [TestCase(1024, 4, "binds 4 buffers")]
         public void SmallLimitsStopTheSimulation(int threads, int buffers, string reason)
