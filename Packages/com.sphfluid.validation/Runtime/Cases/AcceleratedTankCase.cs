@@ -52,11 +52,12 @@ namespace SphFluid.Validation
             int width = WallCaseSetup.PeriodicCount(parameters);
             var domain = new Vector3((float)Length, (float)(Depth + 2.0 * Slope * Length + 4.0 * dx), (float)(width * dx));
             double period = 2.0 * Math.PI / new TankModes(Length, Depth, Gravity, double.PositiveInfinity).Frequency(1);
+            FluidSolverSettings settings = CaseSettings.For(parameters, domain, dx, Math.Sqrt(Gravity * Depth),
+                new Vector3((float)(Slope * Gravity), -(float)Gravity, 0f), null, new FluidBoundaries { Periodic = FluidAxes.Z });
             return new CaseSetup
             {
-                Settings = CaseSettings.For(parameters, domain, dx, Math.Sqrt(Gravity * Depth),
-                    new Vector3((float)(Slope * Gravity), -(float)Gravity, 0f), null, new FluidBoundaries { Periodic = FluidAxes.Z }),
-                Particles = Level(parameters, domain, width, dx),
+                Settings = settings,
+                Particles = Level(parameters, settings, width, dx),
                 Duration = Periods * period,
                 SampleInterval = period / SamplesPerPeriod,
             };
@@ -64,19 +65,15 @@ namespace SphFluid.Validation
 
         /// <inheritdoc/>
         public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) => new AcceleratedTankMetric(
-            new TankModes(Length, Depth, Gravity, setup.Settings.SoundSpeed), -0.5 * setup.Settings.DomainSize.x, Slope);
+            new TankModes(Length, Depth, Gravity, WallCaseSetup.EffectiveSoundSpeed(setup.Settings)), -0.5 * setup.Settings.DomainSize.x, Slope);
 
         // At rest under gravity alone, compressed by it.
-        static FluidParticle[] Level(in CaseParameters parameters, Vector3 domain, int width, double dx)
+        static FluidParticle[] Level(in CaseParameters parameters, in FluidSolverSettings settings, int width, double dx)
         {
-            double m = parameters.SoundSpeedRatio * parameters.SoundSpeedRatio;
+            Vector3 domain = settings.DomainSize;
             var counts = new Vector3Int((int)Math.Round(Length / dx), parameters.Resolution, width);
             List<Vector3> positions = CaseLattice.Box(counts, dx, new Vector3(-0.5f * domain.x, 0f, -0.5f * domain.z));
-            for (int i = 0; i < positions.Count; i++)
-            {
-                Vector3 p = positions[i];
-                positions[i] = new Vector3(p.x, (float)WallCaseSetup.Settled(p.y, Depth, m) - 0.5f * domain.y, p.z);
-            }
+            WallCaseSetup.Settle(positions, Depth, WallCaseSetup.Stiffness(parameters, settings), domain);
             return WallCaseSetup.AtRest(positions, parameters, dx, domain);
         }
     }

@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace SphFluid.Validation
@@ -14,10 +15,10 @@ namespace SphFluid.Validation
         /// <param name="spacing">dx [m].</param>
         /// <param name="speed">The case's own speed U [m/s]: c = ratio · U exactly.</param>
         /// <param name="gravity">Gravity [m/s²].</param>
-        /// <param name="viscosity">ν [m²/s] exactly; null: water's, or the least that the method needs.</param>
+        /// <param name="viscosity">ν [m²/s] exactly, in steps as short as that takes; null: water's, or the least that the method needs.</param>
         /// <param name="boundaries">Periodic axes and walls.</param>
         /// <param name="tension">Surface tension σ [N/m], for methods that have it.</param>
-        /// <exception cref="System.ArgumentException">They cannot be computed with, for instance a periodic axis too short for κ.</exception>
+        /// <exception cref="ArgumentException">They cannot be computed with, for instance a periodic axis too short for κ.</exception>
         public static FluidSolverSettings For(in CaseParameters parameters, Vector3 domainSize, double spacing, double speed,
             Vector3 gravity, double? viscosity = null, in FluidBoundaries boundaries = default, double tension = 0.0)
         {
@@ -43,6 +44,8 @@ namespace SphFluid.Validation
             if (parameters.Method.Kind == FluidMethodKind.Robust)
                 input = WithSubsteps(input, speed);
             FluidSolverSettings settings = FluidRules.Derive(input);
+            if (viscosity > 0.0)
+                settings.TimeStep = (float)(settings.TimeStep * Math.Min(1.0, FluidRules.ActingViscosity(settings, settings.TimeStep) / viscosity.Value));
             settings.OctantSearch = false; // the same pairs, faster
             if (parameters.Method.Kind == FluidMethodKind.ThesisPrinted)
                 settings = settings.With(ThesisSwitches.Printed);

@@ -53,11 +53,12 @@ namespace SphFluid.Validation
         public override CaseSetup Build(in CaseParameters parameters)
         {
             WallCaseSetup.Require(parameters, Name, 8);
-            var sizes = new Sizes(parameters);
+            var cells = new Sizes(parameters);
             int width = WallCaseSetup.PeriodicCount(parameters);
-            var domain = new Vector3((float)(2 * sizes.HalfLength * sizes.Spacing), (float)(Depth + Freeboard), (float)(width * sizes.Spacing));
-            FluidSolverSettings settings = CaseSettings.For(parameters, domain, sizes.Spacing, Math.Sqrt(Gravity * Depth),
+            var domain = new Vector3((float)(2 * cells.HalfLength * cells.Spacing), (float)(Depth + Freeboard), (float)(width * cells.Spacing));
+            FluidSolverSettings settings = CaseSettings.For(parameters, domain, cells.Spacing, Math.Sqrt(Gravity * Depth),
                 new Vector3(0f, -(float)Gravity, 0f), null, new FluidBoundaries { Periodic = FluidAxes.Z });
+            Sizes sizes = cells.Compressed(WallCaseSetup.Stiffness(parameters, settings));
             CaseBody box = Box(sizes, settings);
             RequireFloating(settings, box);
             return new CaseSetup
@@ -73,7 +74,7 @@ namespace SphFluid.Validation
         /// <inheritdoc/>
         public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup)
         {
-            var sizes = new Sizes(parameters);
+            Sizes sizes = new Sizes(parameters).Compressed(WallCaseSetup.Stiffness(parameters, setup.Settings));
             double height = sizes.LiftedBottom - sizes.RestingBottom, rest = setup.Bodies[0].Centre.y - height;
             return new HeaveMetric(Reference(sizes).Release(height, Lasts, 1.0 / Samples), 1.0 / Samples, rest, sizes.Draught * sizes.Spacing);
         }
@@ -125,13 +126,20 @@ namespace SphFluid.Validation
 
             readonly double ratio; // c²/(gH)
 
-            public Sizes(in CaseParameters parameters)
+            public Sizes(in CaseParameters parameters) : this(parameters.Resolution, double.PositiveInfinity)
             {
-                Resolution = parameters.Resolution;
+            }
+
+            Sizes(int resolution, double ratio)
+            {
+                Resolution = resolution;
                 Draught = (int)Math.Round(0.4 * Resolution);
                 Lift = Math.Max(1, (int)Math.Round(0.1 * Resolution));
-                ratio = parameters.SoundSpeedRatio * parameters.SoundSpeedRatio;
+                this.ratio = ratio;
             }
+
+            /// <summary>The same in liquid of c² = ratio g H.</summary>
+            public Sizes Compressed(double ofRatio) => new Sizes(Resolution, ofRatio);
 
             public int Resolution { get; }
 

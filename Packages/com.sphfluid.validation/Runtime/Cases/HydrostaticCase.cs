@@ -63,7 +63,7 @@ namespace SphFluid.Validation
             return new CaseSetup
             {
                 Settings = settings,
-                Particles = Column(parameters, domain, width, dx),
+                Particles = Column(parameters, settings, width, dx),
                 Duration = Lasts * time,
                 SampleInterval = time / SamplesPerTime,
             };
@@ -79,16 +79,12 @@ namespace SphFluid.Validation
         int Width(in CaseParameters parameters) => Walls ? 12 : Math.Max(8, WallCaseSetup.PeriodicCount(parameters));
 
         // Compressed as the equation of state has it at rest, so that there is little to settle.
-        static FluidParticle[] Column(in CaseParameters parameters, Vector3 domain, int width, double dx)
+        static FluidParticle[] Column(in CaseParameters parameters, in FluidSolverSettings settings, int width, double dx)
         {
-            double m = parameters.SoundSpeedRatio * parameters.SoundSpeedRatio;
+            Vector3 domain = settings.DomainSize;
             List<Vector3> positions = CaseLattice.Box(new Vector3Int(width, parameters.Resolution, width), dx,
                 new Vector3(-0.5f * domain.x, 0f, -0.5f * domain.z));
-            for (int i = 0; i < positions.Count; i++)
-            {
-                Vector3 p = positions[i];
-                positions[i] = new Vector3(p.x, (float)WallCaseSetup.Settled(p.y, Depth, m) - 0.5f * domain.y, p.z);
-            }
+            WallCaseSetup.Settle(positions, Depth, WallCaseSetup.Stiffness(parameters, settings), domain);
             return WallCaseSetup.AtRest(positions, parameters, dx, domain);
         }
     }

@@ -54,11 +54,12 @@ namespace SphFluid.Validation
             double dx = Depth / parameters.Resolution;
             int width = WallCaseSetup.PeriodicCount(parameters);
             var domain = new Vector3((float)(Length + RoomBehind * dx), (float)(Depth + 4.0 * Stroke + 4.0 * dx), (float)(width * dx));
+            FluidSolverSettings settings = CaseSettings.For(parameters, domain, dx, Math.Sqrt(Gravity * Depth), new Vector3(0f, -(float)Gravity, 0f),
+                null, new FluidBoundaries { Periodic = FluidAxes.Z });
             return new CaseSetup
             {
-                Settings = CaseSettings.For(parameters, domain, dx, Math.Sqrt(Gravity * Depth), new Vector3(0f, -(float)Gravity, 0f),
-                    null, new FluidBoundaries { Periodic = FluidAxes.Z }),
-                Particles = Water(parameters, domain, width, dx),
+                Settings = settings,
+                Particles = Water(parameters, settings, width, dx),
                 Bodies = new[] { Plate(domain, dx) },
                 Duration = Periods * Period,
                 SampleInterval = Period / SamplesPerPeriod,
@@ -67,7 +68,7 @@ namespace SphFluid.Validation
 
         /// <inheritdoc/>
         public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) => new PaddleMetric(
-            new TankModes(Length, Depth, Gravity, setup.Settings.SoundSpeed), 0.5 * setup.Settings.DomainSize.x - Length, Stroke, WaveNumber);
+            new TankModes(Length, Depth, Gravity, WallCaseSetup.EffectiveSoundSpeed(setup.Settings)), 0.5 * setup.Settings.DomainSize.x - Length, Stroke, WaveNumber);
 
         /// <summary>ω of the waves [1/s].</summary>
         internal static double Frequency => Math.Sqrt(Gravity * WaveNumber * Math.Tanh(WaveNumber * Depth));
@@ -87,17 +88,13 @@ namespace SphFluid.Validation
             };
         }
 
-        static FluidParticle[] Water(in CaseParameters parameters, Vector3 domain, int width, double dx)
+        static FluidParticle[] Water(in CaseParameters parameters, in FluidSolverSettings settings, int width, double dx)
         {
-            double m = parameters.SoundSpeedRatio * parameters.SoundSpeedRatio;
+            Vector3 domain = settings.DomainSize;
             int along = (int)Math.Round(Length / dx);
             List<Vector3> positions = CaseLattice.Box(new Vector3Int(along, parameters.Resolution, width), dx,
                 new Vector3((float)(0.5 * domain.x - Length), 0f, -0.5f * domain.z));
-            for (int i = 0; i < positions.Count; i++)
-            {
-                Vector3 p = positions[i];
-                positions[i] = new Vector3(p.x, (float)WallCaseSetup.Settled(p.y, Depth, m) - 0.5f * domain.y, p.z);
-            }
+            WallCaseSetup.Settle(positions, Depth, WallCaseSetup.Stiffness(parameters, settings), domain);
             return WallCaseSetup.AtRest(positions, parameters, dx, domain);
         }
     }

@@ -63,7 +63,7 @@ namespace SphFluid.Validation
             return new CaseSetup
             {
                 Settings = settings,
-                Particles = Wave(parameters, domain, width, dx),
+                Particles = Wave(parameters, settings, width, dx),
                 Duration = Lasts * Period,
                 SampleInterval = Period / SamplesPerPeriod,
             };
@@ -79,9 +79,10 @@ namespace SphFluid.Validation
         static double Period => 2.0 * Math.PI / Frequency;
 
         // A lattice at rest, moved as the linear wave moves it at its crest: −a sin kx cosh ky/sinh kH, a cos kx sinh ky/sinh kH.
-        static FluidParticle[] Wave(in CaseParameters parameters, Vector3 domain, int width, double dx)
+        static FluidParticle[] Wave(in CaseParameters parameters, in FluidSolverSettings settings, int width, double dx)
         {
-            double m = parameters.SoundSpeedRatio * parameters.SoundSpeedRatio;
+            Vector3 domain = settings.DomainSize;
+            double m = WallCaseSetup.Stiffness(parameters, settings);
             double scale = Amplitude / Math.Sinh(WaveNumber * Depth);
             var counts = new Vector3Int((int)Math.Round(Length / dx), parameters.Resolution, width);
             List<Vector3> positions = CaseLattice.Box(counts, dx, new Vector3(-0.5f * domain.x, 0f, -0.5f * domain.z));

@@ -36,6 +36,26 @@ namespace SphFluid.Validation
         public static double Settled(double y, double depth, double m) =>
             m * depth * (Math.Log(1.0 + 1.0 / m) - Math.Log(1.0 + (depth - y) / (m * depth)));
 
+        /// <summary>Compresses a column that stands at y = 0 as at rest, and puts it on the floor of a domain.</summary>
+        public static void Settle(List<Vector3> positions, double depth, double m, Vector3 domainSize)
+        {
+            for (int i = 0; i < positions.Count; i++)
+            {
+                Vector3 p = positions[i];
+                positions[i] = new Vector3(p.x, (float)Settled(p.y, depth, m) - 0.5f * domainSize.y, p.z);
+            }
+        }
+
+        /// <summary>m of <see cref="Settled"/>, c² = m U², with the speed of sound that the liquid has in its steps: U² is g H.</summary>
+        public static double Stiffness(in CaseParameters parameters, in FluidSolverSettings settings)
+        {
+            double softening = EffectiveSoundSpeed(settings) / settings.SoundSpeed;
+            return parameters.SoundSpeedRatio * parameters.SoundSpeedRatio * softening * softening;
+        }
+
+        /// <summary>Speed of sound that the liquid has in its steps [m/s].</summary>
+        public static double EffectiveSoundSpeed(in FluidSolverSettings settings) => FluidRules.EffectiveSoundSpeed(settings, settings.TimeStep, settings.MaxSpeed);
+
         /// <summary>A particle at rest on a place of the start, jittered, and inside the domain: wrapped along periodic axes, kept from walls.</summary>
         public static FluidParticle Particle(Vector3 place, uint id, double deviation, System.Random random, in FluidSolverSettings settings)
         {

@@ -90,11 +90,7 @@ namespace SphFluid.Validation
             double sound = parameters.SoundSpeedRatio * speed, height = BuchnerPressure.WaterHeight, m = sound * sound / (Gravity * height);
             List<Vector3> positions = CaseLattice.Box(new Vector3Int(2 * parameters.Resolution, parameters.Resolution, rows), dx,
                 new Vector3(-0.5f * domain.x, 0f, -0.5f * domain.z));
-            for (int i = 0; i < positions.Count; i++)
-            {
-                Vector3 p = positions[i];
-                positions[i] = new Vector3(p.x, (float)WallCaseSetup.Settled(p.y, height, m) - 0.5f * domain.y, p.z);
-            }
+            WallCaseSetup.Settle(positions, height, m, domain);
             return WallCaseSetup.AtRest(positions, parameters, dx, domain);
         }
     }

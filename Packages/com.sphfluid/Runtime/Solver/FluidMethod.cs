@@ -42,6 +42,11 @@ namespace SphFluid
         /// <param name="speed">Speed of the fastest particle [m/s].</param>
         public virtual double EffectiveSoundSpeed(in FluidSolverSettings settings, double timeStep, double speed) => settings.SoundSpeed;
 
+        /// <summary>Kinematic viscosity that acts, which long steps may make less than that of the settings [m²/s].</summary>
+        /// <param name="settings">The liquid's constants.</param>
+        /// <param name="timeStep">Length of a step [s].</param>
+        public virtual double ActingViscosity(in FluidSolverSettings settings, double timeStep) => settings.Viscosity / (double)settings.RestDensity;
+
         /// <summary>What users are told of a liquid by this method, besides what holds for all methods: labels and values.</summary>
         /// <param name="settings">The liquid's constants.</param>
         /// <param name="timeStep">Length of a step [s].</param>

@@ -33,5 +33,12 @@ namespace SphFluid
         /// <returns>Speed of sound c [m/s]; the liquid's weight compresses it by g D/c² at a depth D.</returns>
         public static double EffectiveSoundSpeed(in FluidSolverSettings settings, double timeStep, double maxSpeed) =>
             FluidMethods.Of(settings.Method).EffectiveSoundSpeed(settings, timeStep, maxSpeed);
+
+        /// <summary>The viscosity that acts in steps of a length: with the method Robust, which has no limit of its steps, no more than they hold.</summary>
+        /// <param name="settings">Its constants.</param>
+        /// <param name="timeStep">Length of a step [s].</param>
+        /// <returns>Kinematic viscosity ν [m²/s].</returns>
+        public static double ActingViscosity(in FluidSolverSettings settings, double timeStep) =>
+            FluidMethods.Of(settings.Method).ActingViscosity(settings, timeStep);
     }
 }

@@ -46,6 +46,9 @@ namespace SphFluid
         public override double EffectiveSoundSpeed(in FluidSolverSettings settings, double timeStep, double speed) =>
             RobustRules.EffectiveSoundSpeed(settings, timeStep, RobustRules.IterationsFor(settings, timeStep, speed));
 
+        public override double ActingViscosity(in FluidSolverSettings settings, double timeStep) =>
+            RobustRules.ActingViscosity(settings, timeStep) / settings.RestDensity;
+
         public override IReadOnlyList<(string Label, string Value)> Remarks(in FluidSolverSettings settings, double timeStep, double speed)
         {
             RobustSettings own = settings.Own<RobustSettings>();
