@@ -18,6 +18,7 @@ namespace SphFluid.Validation
             .Text("cost_source", r => r.CostSource)
             .Number("predicted_ms", r => r.Predicted)
             .Number("ms_a_frame", r => r.Milliseconds)
+            .Number("ms_of_equal_runs", r => r.Cost)
             .Number("steps_a_frame", r => r.StepsAFrame)
             .Number("real_time_factor", r => r.RealTimeFactor)
             .Number("error_dx", r => r.Error)
@@ -47,6 +48,9 @@ namespace SphFluid.Validation
 
         /// <summary>Time of a frame's steps on the graphics device, mean of the last frames with steps [ms].</summary>
         public double Milliseconds;
+
+        /// <summary>Time of a frame's steps of all runs with this method and these settings, their median [ms]: what a moment of a busy device does not move.</summary>
+        public double Cost;
 
         /// <summary>Mean steps of a frame.</summary>
         public double StepsAFrame;

@@ -14,7 +14,7 @@ namespace SphFluid.Validation
         // Standard deviations of the difference of two means.
         const double Certain = 2.0;
 
-        /// <summary>Sets the errors and the better ways of rows of one number of particles.</summary>
+        /// <summary>Sets the errors, the costs and the better ways of rows of one number of particles. Runs of one liquid, given or picked, share their cost: the median of all.</summary>
         public static void Judge(IReadOnlyList<BudgetRow> rows)
         {
             BudgetRow[] reference = rows.Where(r => r.Way == BudgetWay.Reference).ToArray();
@@ -23,6 +23,12 @@ namespace SphFluid.Validation
             Vector3[] mean = Enumerable.Range(0, reference[0].Path.Length).Select(i => Mean(reference.Select(r => r.Path[i]))).ToArray();
             foreach (BudgetRow row in rows)
                 row.Error = ErrorOf(row.Path, mean) / row.Spacing;
+            foreach (IGrouping<(string, double, int), BudgetRow> equal in rows.GroupBy(r => (r.Method, r.MaxCompression, r.Substeps)))
+            {
+                double cost = Median(equal.Select(r => r.Milliseconds));
+                foreach (BudgetRow row in equal)
+                    row.Cost = cost;
+            }
             ILookup<BudgetWay, BudgetRow> byWay = rows.ToLookup(r => r.Way);
             foreach (IGrouping<BudgetWay, BudgetRow> chosen in byWay.Where(w => !double.IsNaN(w.Key.Budget)))
             {
@@ -36,7 +42,7 @@ namespace SphFluid.Validation
         /// <summary>Whether runs took no longer than others and their mean error is less by more than the scatter of both.</summary>
         public static bool IsBetter(IReadOnlyList<BudgetRow> given, IReadOnlyList<BudgetRow> chosen)
         {
-            if (Median(given.Select(r => r.Milliseconds)) > SameCost * Median(chosen.Select(r => r.Milliseconds)))
+            if (Median(given.Select(r => r.Cost)) > SameCost * Median(chosen.Select(r => r.Cost)))
                 return false;
             double scatter = Math.Sqrt(Variance(given) / given.Count + Variance(chosen) / chosen.Count);
             return given.Average(r => r.Error) + Certain * scatter < chosen.Average(r => r.Error);

@@ -44,8 +44,8 @@ namespace SphFluid.Validation
         /// <summary>The labelled values: 1, 2, 3, 5, 10, ... on a short axis, without the 3 on a longer one, powers of ten on a long one.</summary>
         public IReadOnlyList<double> Tics() => Multiples(High / Low <= LongestWithThrees ? "1235" : High / Low <= LongestWithHalves ? "125" : "1");
 
-        /// <summary>The value as a part of a hundred: 0.02 is "2 %".</summary>
-        public static string Percent(double value) => (100.0 * value).ToString("G3", CultureInfo.InvariantCulture) + " %";
+        /// <summary>The value as a part of a hundred: 0.02 is "2 %", 10 is "1k %".</summary>
+        public static string Percent(double value) => Short(100.0 * value) + " %";
 
         /// <summary>The value with a letter for thousands and millions: 20000 is "20k".</summary>
         public static string Short(double value)

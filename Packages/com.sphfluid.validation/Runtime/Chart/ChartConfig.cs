@@ -13,7 +13,7 @@ namespace SphFluid.Validation
         bool built;
         double spacing = double.NaN;
         int particles;
-        double steps, timeStep, speed;
+        double steps, timeStep, speed, softening = 1.0;
         bool hasGravity;
         string problem;
 
@@ -62,6 +62,9 @@ namespace SphFluid.Validation
         /// <summary>The case's own speed [m/s].</summary>
         public double Speed => Built().speed;
 
+        /// <summary>Speed of sound that the liquid has in its steps over the case's own speed: less than asked for with the method Robust.</summary>
+        public double EffectiveSoundSpeedRatio => SoundSpeedRatio * Built().softening;
+
         /// <summary>Whether gravity moves the liquid, so that its speed follows from its size.</summary>
         public bool HasGravity => Built().hasGravity;
 
@@ -102,6 +105,7 @@ namespace SphFluid.Validation
                 particles = setup.Particles.Length;
                 timeStep = setup.Settings.TimeStep;
                 speed = setup.Settings.MaxSpeed;
+                softening = WallCaseSetup.EffectiveSoundSpeed(setup.Settings) / setup.Settings.SoundSpeed;
                 hasGravity = setup.Settings.Gravity != UnityEngine.Vector3.zero;
                 steps = Math.Ceiling(setup.Duration / setup.Settings.TimeStep);
             }

@@ -14,13 +14,15 @@ namespace SphFluid.Validation
         readonly StepCostModel cost;
         CurveSpread timeSpread = ExpectedTime;
 
-        ChoiceCurve(IReadOnlyList<ChoicePoint> points, StepCostModel cost, double floor)
+        ChoiceCurve(ValidationCase validationCase, IReadOnlyList<ChoicePoint> points, StepCostModel cost)
         {
             this.cost = cost;
             Points = points;
             First = points[0].First;
+            double ratio = points[0].ConfigOf(validationCase).EffectiveSoundSpeedRatio;
+            Compression = 1.0 / (ratio * ratio);
             List<ChoicePoint> whole = points.Where(p => !p.Failed && p.Errors.Count > 0).ToList();
-            Error = new ErrorCurve(whole.Select(p => ((double)p.Resolution, p.Errors)).ToList(), points.Where(p => p.Failed).Select(p => (double)p.Resolution).ToList(), floor);
+            Error = new ErrorCurve(whole.Select(p => ((double)p.Resolution, p.Errors)).ToList(), points.Where(p => p.Failed).Select(p => (double)p.Resolution).ToList(), validationCase.Floor);
             particles = LogCurve.Of(whole.Select(p => ((double)p.Resolution, One(p.First.Particles))));
             steps = LogCurve.Of(whole.Where(p => p.TimeStep > 0.0).Select(p => ((double)p.Resolution, One(1.0 / p.TimeStep))));
             TimeRatio = LogCurve.Of(whole.Where(p => p.StepMilliseconds.Count > 0).Select(p => ((double)p.First.Particles,
@@ -29,6 +31,9 @@ namespace SphFluid.Validation
 
         /// <summary>A run of it: case, method and constants.</summary>
         public ChartRow First { get; }
+
+        /// <summary>Compression by motion, (v/c)², with the speed of sound that the liquid has in its steps.</summary>
+        public double Compression { get; }
 
         /// <summary>What was measured, the coarsest first.</summary>
         public IReadOnlyList<ChoicePoint> Points { get; }
@@ -52,7 +57,7 @@ namespace SphFluid.Validation
                 CaseMethod method = CaseMethod.Find(group.Key.Method);
                 if (!group.Key.TimeStepFraction.Equals(validationCase.Base(method).TimeStepFraction) || !(chart.CostOf(method) is StepCostModel cost))
                     continue;
-                var curve = new ChoiceCurve(group.OrderBy(p => p.Resolution).ToList(), cost, validationCase.Floor);
+                var curve = new ChoiceCurve(validationCase, group.OrderBy(p => p.Resolution).ToList(), cost);
                 if (curve.IsKnown)
                     curves.Add(curve);
             }

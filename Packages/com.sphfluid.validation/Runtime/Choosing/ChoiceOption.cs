@@ -29,8 +29,8 @@ namespace SphFluid.Validation
         /// <summary>Speed of sound over the fastest speed.</summary>
         public double SoundSpeedRatio => Curve.First.SoundSpeedRatio;
 
-        /// <summary>Compression by motion, (v/c)².</summary>
-        public double Compression => 1.0 / (SoundSpeedRatio * SoundSpeedRatio);
+        /// <summary>Compression by motion, (v/c)², with the speed of sound that the liquid has in its steps.</summary>
+        public double Compression => Curve.Compression;
 
         /// <summary>Particles along the liquid's length.</summary>
         public int Resolution { get; }

@@ -35,6 +35,9 @@ namespace SphFluid.Validation
         /// <summary>GPU time of a step of each seed [ms].</summary>
         public IReadOnlyList<double> StepMilliseconds { get; }
 
+        /// <summary>The case with these constants.</summary>
+        public ChartConfig ConfigOf(ValidationCase validationCase) => ConfigOf(validationCase, First, Resolution);
+
         /// <summary>The points of a case's main error.</summary>
         /// <param name="rows">Lines of accuracy.csv.</param>
         /// <param name="validationCase">The case.</param>
@@ -64,11 +67,16 @@ namespace SphFluid.Validation
         // Tables from before the step was written; not a number where the case cannot be set up any more.
         static double TimeStepOf(ValidationCase validationCase, ChartRow row, int resolution)
         {
+            ChartConfig config = ConfigOf(validationCase, row, resolution);
+            return config.Problem == null ? config.TimeStep : double.NaN;
+        }
+
+        static ChartConfig ConfigOf(ValidationCase validationCase, ChartRow row, int resolution)
+        {
             CaseParameters parameters = validationCase.Base(CaseMethod.Find(row.Method));
             (parameters.Resolution, parameters.SupportRatio) = (resolution, row.SupportRatio);
             (parameters.TimeStepFraction, parameters.SoundSpeedRatio) = (row.TimeStepFraction, row.SoundSpeedRatio);
-            var config = new ChartConfig(validationCase, parameters, ChartFactor.Several);
-            return config.Problem == null ? config.TimeStep : double.NaN;
+            return new ChartConfig(validationCase, parameters, ChartFactor.Several);
         }
     }
 }

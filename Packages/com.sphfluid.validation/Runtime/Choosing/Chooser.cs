@@ -44,7 +44,7 @@ namespace SphFluid.Validation
             if (options.Count == 0)
             {
                 throw new CommandLineException(string.Format(CultureInfo.InvariantCulture, "--compression: the chart in '{0}' has no run of {1} with {2:G3} % or less; its stiffest " +
-                    "has {3:G2} %.", chart.Folder, question.Case.Name, 100.0 * question.Compression, 100.0 / Stiffest(model) / Stiffest(model)));
+                    "has {3:G2} %.", chart.Folder, question.Case.Name, 100.0 * question.Compression, 100.0 * Stiffest(model)));
             }
             return new ChoiceAnswer(question, chart, options);
         }
@@ -57,7 +57,7 @@ namespace SphFluid.Validation
             return curve != null && curve.Error.Covers(resolution) ? new ChoiceOption(curve, resolution, ChoiceScale.Of(question)) : null;
         }
 
-        static double Stiffest(ErrorModel model) => model.Curves.Max(c => c.First.SoundSpeedRatio);
+        static double Stiffest(ErrorModel model) => model.Curves.Min(c => c.Compression);
 
         // The text as printed is not for use.
         static IEnumerable<ChoiceOption> Options(ErrorModel model, ChoiceQuestion question)
@@ -65,8 +65,7 @@ namespace SphFluid.Validation
             ChoiceScale scale = ChoiceScale.Of(question);
             foreach (ChoiceCurve curve in model.Curves.Where(c => c.First.Method != "thesis-printed"))
             {
-                double ratio = curve.First.SoundSpeedRatio;
-                if (1.0 / (ratio * ratio) > question.Compression * 1.001)
+                if (curve.Compression > question.Compression * 1.001)
                     continue;
                 int last = curve.Points[curve.Points.Count - 1].Resolution;
                 for (int resolution = curve.Points[0].Resolution; resolution <= last; resolution++)

@@ -1,26 +1,16 @@
 // How much of the main light reaches a point, all of it in HDRP. No pipeline hands its shadows to transparent things, so the liquid reads the shadow map itself.
-// Built-in: the map that MainLightShadows.cs keeps, placed by what ShadowConstants.hlsl copied. URP 14 to 17: the variables of its
-// ShaderLibrary/Shadows.hlsl, as Runtime/Passes/MainLightShadowCasterPass.cs sets them for each camera that has a map.
+// Built-in: the map that MainLightShadows.cs keeps, placed by what ShadowConstants.hlsl copied. URP: its own map.
 #ifndef SPHFLUID_RECEIVED_SHADOW_INCLUDED
 #define SPHFLUID_RECEIVED_SHADOW_INCLUDED
 
 #include "FluidShading.hlsl"
+#include "UniversalShadows.hlsl"
 
 float4 _FluidReceived;     // x: 1 if the drawing receives shadows; y: particle spacing [m]; z: strength of the shadow of the water around it
 float4 _FluidShadowSource; // x: where shadows come from, SHADOW_*
 
 Texture2D<float> _FluidShadowMap;
 Texture2D<float4> _FluidShadowConstants; // 24 pixels: rows of the four matrices, split spheres (w: radius squared), splits, strength, fade
-
-float4x4 _MainLightWorldToShadow[5]; // behind the last cascade matrices of no meaning
-float4 _CascadeShadowSplitSpheres0;
-float4 _CascadeShadowSplitSpheres1;
-float4 _CascadeShadowSplitSpheres2;
-float4 _CascadeShadowSplitSpheres3;
-float4 _CascadeShadowSplitSphereRadii; // squared
-float4 _MainLightShadowParams;         // x: strength, 0 where this camera has no map; z, w: fade over the squared distance from the camera
-Texture2D<float> _MainLightShadowmapTexture;
-SamplerComparisonState sampler_LinearClampCompare;
 
 #define SHADOW_NONE 0.0 // MainLightShadows.cs
 #define SHADOW_WHOLE 1.0
@@ -73,14 +63,8 @@ ShadowCascade UniversalCascade(float3 world)
     bool isThere = true;
     if (any(_MainLightWorldToShadow[1][0].xyz != 0.0))
     {
-        float3 away0 = world - _CascadeShadowSplitSpheres0.xyz;
-        float3 away1 = world - _CascadeShadowSplitSpheres1.xyz;
-        float3 away2 = world - _CascadeShadowSplitSpheres2.xyz;
-        float3 away3 = world - _CascadeShadowSplitSpheres3.xyz;
-        float4 squared = float4(dot(away0, away0), dot(away1, away1), dot(away2, away2), dot(away3, away3));
-        bool4 isInside = squared < _CascadeShadowSplitSphereRadii;
-        cascade = isInside.x ? 0 : isInside.y ? 1 : isInside.z ? 2 : 3;
-        isThere = any(isInside);
+        cascade = MainLightCascade(world);
+        isThere = cascade < MAIN_LIGHT_CASCADES;
     }
     ShadowCascade found;
     found.rows[0] = _MainLightWorldToShadow[cascade][0];
@@ -134,8 +118,7 @@ float2 ShadowStrength(float3 world, float eyeDepth)
 {
     if (_FluidShadowSource.x == SHADOW_UNIVERSAL)
     {
-        float3 away = world - _WorldSpaceCameraPos;
-        return float2(_MainLightShadowParams.x, saturate(dot(away, away) * _MainLightShadowParams.z + _MainLightShadowParams.w));
+        return float2(_MainLightShadowParams.x, MainLightShadowFade(world));
     }
     float4 data = _FluidShadowConstants.Load(int3(22, 0, 0));
     float4 fade = _FluidShadowConstants.Load(int3(23, 0, 0));

@@ -31,11 +31,25 @@ namespace SphFluid.Tests
             {
                 Row(BudgetWay.Reference, 0f), Row(BudgetWay.Reference, 0f),
                 Row(BudgetWay.Given[0], 0.010f, givenCost), Row(BudgetWay.Given[0], 0.011f, givenCost),
-                Row(Automatic, chosen), Row(Automatic, chosen + 0.001f),
+                Row(Automatic, chosen, 1.0, "robust"), Row(Automatic, chosen + 0.001f, 1.0, "robust"),
             };
             BudgetVerdict.Judge(rows);
             Assert.That(rows.Where(r => r.Way == Automatic).Select(r => r.BetterWay), Is.All.EqualTo(expected));
             Assert.That(rows.Where(r => r.Way != Automatic).Select(r => r.BetterWay), Is.All.Empty);
+        }
+
+        [Test]
+        public void RunsOfEqualLiquidsShareTheirCost()
+        {
+            // A pick of the first given way, timed in a bad moment, is not cheaper or dearer than that way; another way that took half is.
+            var rows = new List<BudgetRow>
+            {
+                Row(BudgetWay.Reference, 0f), Row(BudgetWay.Given[0], 0.05f, 1.0), Row(BudgetWay.Given[0], 0.051f, 1.0),
+                Row(BudgetWay.Given[2], 0.01f, 2.0, "robust"), Row(BudgetWay.Given[2], 0.011f, 2.0, "robust"), Row(Automatic, 0.05f, 5.0), Row(Automatic, 0.051f, 0.2),
+            };
+            BudgetVerdict.Judge(rows);
+            Assert.That(rows.Where(r => r.Method == "standard").Select(r => r.Cost), Is.All.EqualTo(1.0));
+            Assert.That(rows.Select(r => r.BetterWay), Is.All.Empty, "what takes twice as long is not at the same cost");
         }
 
         [Test]
@@ -68,9 +82,11 @@ namespace SphFluid.Tests
             Assert.That(BudgetWay.Given.Select(w => w.Name).Distinct().Count(), Is.EqualTo(BudgetWay.Given.Count));
         }
 
-        static BudgetRow Row(BudgetWay way, float offset, double milliseconds = 1.0) => new BudgetRow
+        static BudgetRow Row(BudgetWay way, float offset, double milliseconds = 1.0, string method = "standard") => new BudgetRow
         {
             Way = way,
+            Method = method,
+            MaxCompression = way.MaxCompression,
             Spacing = 0.02,
             Milliseconds = milliseconds,
             Path = new[] { new Vector3(offset, 0f, 0f), new Vector3(offset, 0f, 0f) },

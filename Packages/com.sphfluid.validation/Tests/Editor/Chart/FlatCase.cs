@@ -67,7 +67,7 @@ namespace SphFluid.Tests
             settings.TimeStep = (float)(parameters.TimeStepFraction * spacing / parameters.SoundSpeedRatio);
             return new CaseSetup
             {
-                Settings = settings,
+                Settings = settings.WithOwn(new StandardSettings { SoundSpeed = (float)parameters.SoundSpeedRatio }),
                 Particles = new FluidParticle[parameters.Resolution * parameters.Resolution * parameters.Resolution],
                 Duration = 1.0,
                 SampleInterval = 0.1,

@@ -46,8 +46,18 @@ namespace SphFluid.Tests
         /// <summary>Their velocities at the end [m/s].</summary>
         public IReadOnlyList<Double3> Velocities => velocities;
 
-        /// <summary>Their pressures [Pa].</summary>
-        public double Pressure(int i) => -rest * multipliers[i] / (dt * dt);
+        /// <summary>The pressure that pushes a particle, where it ends [Pa].</summary>
+        public double Pressure(int i)
+        {
+            double sum = rest * StandardReference.Walls(places[i], settings) + settings.ParticleMass * StandardReference.Kernel(0.0, radius);
+            for (int j = 0; j < places.Length; j++)
+            {
+                double distance = Apart(i, j, places).Length;
+                if (j != i && distance < radius) sum += settings.ParticleMass * StandardReference.Kernel(distance, radius);
+            }
+            double density = rest + (sum - rest) / response;
+            return -multipliers[i] / (rest * dt * dt) * density * density;
+        }
 
         /// <summary>Takes the step.</summary>
         /// <param name="iterations">Iterations.</param>

@@ -92,7 +92,7 @@ namespace SphFluid.Tests
                 for (int i = 0; i < count; i++)
                 {
                     Assert.That(terms[i].x, Is.EqualTo(StandardReference.Density(particles, i, settings)).Within(2e-3).Percent);
-                    Assert.That(terms[i].y * terms[i].x * terms[i].x, Is.EqualTo(hasPressures ? 10f * i : 0f).Within(1e-3).Percent);
+                    Assert.That(terms[i].y * settings.RestDensity * settings.RestDensity, Is.EqualTo(hasPressures ? 10f * i : 0f).Within(1e-3).Percent, "at rest density");
                 }
             }
         }

@@ -1,0 +1,66 @@
+using NUnit.Framework;
+using SphFluid.Validation;
+
+namespace SphFluid.Tests
+{
+    /// <summary>What the Robust method is good for, case by case and coarse. It is soft and damps, which its limits show; gates are those of all methods.</summary>
+    public sealed class RobustCaseRunTests
+    {
+        static readonly CaseMethod Robust = CaseMethod.Find("robust");
+
+        [Test]
+        public void GatesHold()
+        {
+            foreach (ValidationCase gate in new ValidationCase[] { new FreeFallCase(), new MomentumCase(), new EnergyCase() })
+                Assert.That(Run(gate, Coarse(gate, 8), out _), Is.LessThan(gate.Limit), gate.Name);
+        }
+
+        [Test]
+        public void PressureCarriesTheColumn()
+        {
+            var column = new HydrostaticCase();
+            Assert.That(Run(column, Coarse(column, 13), out CaseMetric metric), Is.LessThan(0.05), "slope of the pressure that pushes");
+            Assert.That(WallCaseStates.Named(metric, HydrostaticMetric.FaceName), Is.EqualTo(1).Within(0.1));
+            Assert.That(WallCaseStates.Named(metric, "height lost beyond the equation of state's"), Is.Zero.Within(0.03));
+            Assert.That(WallCaseStates.Named(metric, "mean |ρ/ρ0 − 1|"), Is.LessThan(0.15), "as soft as its steps are long");
+        }
+
+        [Test]
+        public void ChannelsStartUpWithTheViscosityThatIsSet()
+        {
+            foreach (ChannelCase channel in new ChannelCase[] { new PoiseuilleCase(), new CouetteCase() })
+                Assert.That(Run(channel, Coarse(channel, 8), out _), Is.LessThan(0.03), channel.Name);
+        }
+
+        [Test]
+        public void TheEllipsoidSwings()
+        {
+            var ellipsoid = new EllipsoidCase();
+            Assert.That(Run(ellipsoid, Coarse(ellipsoid, 6), out _), Is.LessThan(0.12));
+        }
+
+        [Test]
+        public void DropsThatCollideKeepTheirMomentum()
+        {
+            var drops = new DropsCase();
+            Assert.That(Run(drops, Coarse(drops, 6), out CaseMetric metric), Is.LessThan(0.08));
+            Assert.That(WallCaseStates.Named(metric, DropsMetric.GrowthName), Is.LessThan(0.01));
+            Assert.That(WallCaseStates.Named(metric, MomentumMetric.ErrorName), Is.LessThan(1e-5));
+        }
+
+        static CaseParameters Coarse(ValidationCase validationCase, int resolution)
+        {
+            CaseParameters parameters = validationCase.Base(Robust);
+            parameters.Resolution = resolution;
+            return parameters;
+        }
+
+        // The main error.
+        static double Run(ValidationCase validationCase, CaseParameters parameters, out CaseMetric metric)
+        {
+            CaseResult result = WallCaseRig.Run(validationCase, parameters, SurfaceTestScene.LoadShaders(), out metric);
+            Assert.That(result.Failure, Is.Null);
+            return result.Errors[0].Value;
+        }
+    }
+}
