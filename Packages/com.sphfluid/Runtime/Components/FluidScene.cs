@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>The liquid volumes that belong to a simulation.</summary>
+    /// <summary>The components of a scene that belong to a simulation or act on it.</summary>
     internal static class FluidScene
     {
         /// <summary>Enabled volumes that belong to the simulation, in hierarchy order.</summary>
@@ -45,7 +45,18 @@ namespace SphFluid
             return count == 1 ? only : holder;
         }
 
-        /// <summary>The emitters or drains that belong to a simulation, in hierarchy order where the scene plays.</summary>
+        /// <summary>Looks for all that comes into a liquid, leaves it or acts on it, but not for its volumes.</summary>
+        /// <param name="simulation">The simulation.</param>
+        /// <param name="parts">Receives it.</param>
+        public static void Gather(FluidSimulation simulation, SceneParts parts)
+        {
+            Own(simulation, parts.Emitters);
+            Own(simulation, parts.Drains);
+            Shared(simulation, parts.Zones);
+            Shared(simulation, parts.Walls);
+        }
+
+        /// <summary>The emitters, drains or volumes that belong to a simulation, in hierarchy order where the scene plays.</summary>
         /// <param name="simulation">The simulation.</param>
         /// <param name="specs">Receives them.</param>
         public static void Own<TSpec>(FluidSimulation simulation, List<TSpec> specs)
@@ -61,7 +72,7 @@ namespace SphFluid
         /// <summary>The force zones that act on a simulation, which may share them, in hierarchy order where the scene plays.</summary>
         /// <param name="simulation">The simulation.</param>
         /// <param name="specs">Receives them.</param>
-        public static void Shared<TSpec>(FluidSimulation simulation, List<TSpec> specs)
+        static void Shared<TSpec>(FluidSimulation simulation, List<TSpec> specs)
         {
             specs.Clear();
             IReadOnlyList<IFluidPart<TSpec>> parts = Parts<TSpec>(simulation);

@@ -13,110 +13,20 @@ namespace SphFluid
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(50)]
     [ManualPage("getting-started", "choose-the-size")]
-    public sealed class FluidSimulation : MonoBehaviour
+    public sealed class FluidSimulation : FluidSimulationSettings
     {
         static readonly List<FluidSimulation> ActiveList = new List<FluidSimulation>();
 
-        [SerializeField, Tooltip("What the liquid is: constants and shaders.")]
-        FluidProfile profile;
-
-        [Header("Domain")]
-        [SerializeField, Tooltip("Edge lengths of the box that holds the liquid, in metres. A change starts the liquid again.")]
-        Vector3 domainSize = new Vector3(1f, 1f, 1f);
-
-        [SerializeField, Min(0f), Tooltip("Distance of neighbouring particles at rest in metres. Half of it means 8 times as many particles " +
-            "and twice as many steps. A change starts the liquid again.")]
-        float particleSpacing = 0.025f;
-
-        [SerializeField, Tooltip("How the motion is computed: Standard; Robust, softer, by a fixed number of steps a frame; the thesis's method to compare with; or Automatic, " +
-            "which picks one at the start that fits the Frame Budget on this device. A change starts the liquid again.")]
-        FluidMethodKind method = FluidMethodKind.Standard;
-
-        [SerializeField, Min(0f), Tooltip("Time that this liquid's steps may take of a frame on the graphics device in milliseconds, with the method Automatic. In play a change " +
-            "chooses again, and another method starts the liquid again.")]
-        float frameBudget = 4f;
-
-        [SerializeField, Min(0f), Tooltip("Frames a second that the Frame Budget is for. 0: the application's target frame rate, or 60 where it sets none.")]
-        float budgetFrameRate;
-
-        [SerializeField, Tooltip("Layers whose colliders the liquid collides with.")]
-        LayerMask colliderLayers = ~0;
-
-        [Header("Time")]
-        [SerializeField, Tooltip("Automatic: the time step follows from spacing, stiffness and viscosity. Fixed: as given. " +
-            "Adaptive: equal parts of each frame, shorter when the liquid is faster than expected.")]
-        FluidTimeStepMode timeStepMode = FluidTimeStepMode.Automatic;
-
-        [SerializeField, Min(0f), Tooltip("Time step in seconds when Time Step Mode is Fixed.")]
-        float fixedTimeStep = 0.0005f;
-
-        [SerializeField, Tooltip("Liquid that rests takes no steps until something touches it: a collider that moves, a changed setting, a script.")]
-        bool sleepsAtRest = true;
-
-        [SerializeField, Tooltip("The liquid stands still and is drawn on. Colliders that move meanwhile go through their motion with the first step after it.")]
-        bool paused;
-
-        [SerializeField, Min(0f), Tooltip("Time of this liquid over the scene's time: 1 as fast as the scene, 0.5 half as fast, 0 stands still. Time.timeScale acts besides.")]
-        float timeScale = 1f;
-
-        [SerializeField, Range(1, 1000), Tooltip("Most steps a frame. Where more are needed the liquid moves slower than time, and the console says so.")]
-        int maxSubstepsPerFrame = 64;
-
-        [SerializeField, Min(0f), Tooltip("Fastest speed to be ready for in m/s, when moving colliders or forces make the liquid faster than " +
-            "its fall. 0: the fall decides.")]
-        float expectedSpeed;
-
-        [Header("Gravity")]
-        [SerializeField, Tooltip("Take gravity from Physics.gravity.")]
-        bool useSceneGravity = true;
-
-        [SerializeField, Tooltip("Gravity in m/s² in world space when Use Scene Gravity is off.")]
-        Vector3 gravity = new Vector3(0f, -9.81f, 0f);
-
-        [SerializeField, Tooltip("A force by position besides gravity, along the axes of the domain box.")]
-        FluidBodyForce bodyForce;
-
-        [Header("Faces")]
-        [SerializeField, Tooltip("What the faces of the domain box do: walls at rest, moving walls that drag, openings into the opposite face, or openings through which liquid leaves.")]
-        FluidBoundaries boundaries;
-
-        [Header("Start")]
-        [SerializeField, Tooltip("Start with the scene or when the component is enabled.")]
-        bool playOnEnable = true;
-
-        [SerializeField, Tooltip("Seed of the random offsets at the start. The same seed gives the same start. A change starts the liquid again.")]
-        int seed = 1;
-
-        [SerializeField, Range(0f, FluidSpawner.MaxJitter), Tooltip("Largest random offset of a particle at the start as a fraction of the spacing. A change starts the liquid again.")]
-        float startJitter = 0.02f;
-
-        [SerializeField, Tooltip("How the liquid is brought to rest before the first frame. Packed: without gravity, particles part that lie too near to " +
-            "each other or to walls. Hydrostatic: under gravity. Takes hundreds to thousands of steps at the start, without Start Jitter; method Standard only. A change starts the liquid again.")]
-        FluidStartRelaxation startRelaxation;
-
-        [Header("Particles that come and go")]
-        [SerializeField, Tooltip("What happens when emitters give more particles than there are slots for. Grow: twice as many slots, up to Max Particles of " +
-            "the profile. Fixed: as many as Capacity from the start, and no more come in. Recycle Oldest: the oldest leave.")]
-        FluidCapacityPolicy capacityPolicy;
-
-        [SerializeField, Min(0), Tooltip("Particles that Fixed and Recycle Oldest hold. 0: Max Particles of the profile.")]
-        int capacity;
-
-        readonly List<EmitterSpec> emitters = new List<EmitterSpec>();
-        readonly List<DrainSpec> drains = new List<DrainSpec>();
-        readonly List<ZoneSpec> zones = new List<ZoneSpec>();
-        readonly List<WallSpec> walls = new List<WallSpec>();
-        readonly List<VolumeSpec> volumes = new List<VolumeSpec>();
+        readonly SceneParts parts = new SceneParts();
         readonly VolumeWatch volumeWatch = new VolumeWatch();
         readonly AutomaticMethod automatic = new AutomaticMethod();
-        readonly StepCostWatch costs = new StepCostWatch();
+        readonly StepTiming timing = new StepTiming();
+        readonly FrameFeed frames = new FrameFeed();
+        readonly FailedStart failed = new FailedStart();
+        readonly FluidMessageLog messages = new FluidMessageLog();
         FluidRun run;
         FluidQueries queries;
-        IFluidFrames frames;
         bool requested;
-        int singleSteps, failedSources, timings;
-        (FluidStartKey, FluidLiveKey)? failed;
-        readonly List<FluidMessage> messages = new List<FluidMessage>();
 
         /// <summary>Raised after a start or a new start.</summary>
         public event Action<FluidSimulation> Started;
@@ -139,99 +49,14 @@ namespace SphFluid
         /// <summary>Enabled simulations of all loaded scenes, running or not.</summary>
         public static IReadOnlyList<FluidSimulation> Active => ActiveList;
 
-        /// <summary>What the liquid is.</summary>
-        public FluidProfile Profile { get => profile; set => profile = value; }
-
-        /// <summary>Edge lengths of the box in this transform's space [m].</summary>
-        public Vector3 DomainSize { get => domainSize; set => domainSize = value; }
-
-        /// <summary>Particle spacing dx [m].</summary>
-        public float Spacing { get => particleSpacing; set => particleSpacing = value; }
-
-        /// <summary>How the motion is computed.</summary>
-        public FluidMethodKind Method { get => method; set => method = value; }
-
         /// <summary>
-        /// The method in use: <see cref="Method"/>, or what Automatic has picked. Before the first start with Automatic it is the first method that runs on this
-        /// device.
+        /// The method in use: <see cref="FluidSimulationSettings.Method"/>, or what Automatic has picked. Before the first start with Automatic it is the first
+        /// method that runs on this device.
         /// </summary>
         public FluidMethodKind ActiveMethod => OwnSpec.Method;
 
         /// <summary>What Automatic has picked, why, and what else it considered; null with another method, and before the first start.</summary>
-        public FluidMethodChoice MethodChoice => FluidMethods.IsChosen(method) ? automatic.Choice : null;
-
-        /// <summary>Time that this liquid's steps may take of a frame on the graphics device [ms], greater than 0; with the method Automatic.</summary>
-        public float FrameBudget { get => frameBudget; set => frameBudget = value; }
-
-        /// <summary>Frames a second that <see cref="FrameBudget"/> is for; 0: those of Application.targetFrameRate or Time.captureDeltaTime, or 60 where neither is set.</summary>
-        public float BudgetFrameRate { get => budgetFrameRate; set => budgetFrameRate = value; }
-
-        /// <summary>Layers whose colliders count.</summary>
-        public LayerMask ColliderLayers { get => colliderLayers; set => colliderLayers = value; }
-
-        /// <summary>Where the time step comes from.</summary>
-        public FluidTimeStepMode TimeStepMode { get => timeStepMode; set => timeStepMode = value; }
-
-        /// <summary>Time step in fixed mode [s].</summary>
-        public float FixedTimeStep { get => fixedTimeStep; set => fixedTimeStep = value; }
-
-        /// <summary>
-        /// Whether the liquid stands still: it keeps its state, is drawn on and takes no steps but those of <see cref="StepOnce"/>. No time is made up
-        /// for afterwards. Changed settings act with the next step. The motion of colliders during the pause joins into one that the next frame with
-        /// steps goes through; one too long to follow is a jump, reported as <see cref="FluidIssue.ColliderJumped"/>.
-        /// </summary>
-        public bool Paused { get => paused; set => paused = value; }
-
-        /// <summary>
-        /// Time of this liquid over Unity's scaled time, 0 or more; 1 by default. Time.timeScale acts besides. Faster than the liquid can be computed
-        /// it moves as fast as <see cref="MaxSubstepsPerFrame"/> allows. Below 0 or not finite it is reported, and the liquid stands still.
-        /// </summary>
-        public float TimeScale { get => timeScale; set => timeScale = value; }
-
-        /// <summary>Most steps a frame, at least 1.</summary>
-        public int MaxSubstepsPerFrame { get => Mathf.Max(1, maxSubstepsPerFrame); set => maxSubstepsPerFrame = value; }
-
-        /// <summary>Whether liquid that rests takes no steps until something touches it; see <see cref="IsAsleep"/>.</summary>
-        public bool SleepsAtRest { get => sleepsAtRest; set => sleepsAtRest = value; }
-
-        /// <summary>Fastest speed to be ready for beyond the fall's [m/s]; 0: the fall decides.</summary>
-        public float ExpectedSpeed { get => expectedSpeed; set => expectedSpeed = value; }
-
-        /// <summary>Whether Physics.gravity acts instead of <see cref="Gravity"/>.</summary>
-        public bool UseSceneGravity { get => useSceneGravity; set => useSceneGravity = value; }
-
-        /// <summary>Own gravity in world space [m/s²].</summary>
-        public Vector3 Gravity { get => gravity; set => gravity = value; }
-
-        /// <summary>Force by position besides gravity, along the axes of the domain box.</summary>
-        public FluidBodyForce BodyForce { get => bodyForce; set => bodyForce = value; }
-
-        /// <summary>What the faces of the domain box do. Other periodic axes start the liquid again; all else acts at once.</summary>
-        public FluidBoundaries Boundaries { get => boundaries; set => boundaries = value; }
-
-        /// <summary>
-        /// Velocity [m/s] by position [m] that each particle starts with besides its volume's, both in simulation space; null: none.
-        /// From code only. Another function starts the liquid again.
-        /// </summary>
-        public Func<Vector3, Vector3> VelocityField { get; set; }
-
-        /// <summary>Whether the simulation starts when it is enabled.</summary>
-        public bool PlayOnEnable { get => playOnEnable; set => playOnEnable = value; }
-
-        /// <summary>Seed of the random offsets at the start.</summary>
-        public int Seed { get => seed; set => seed = value; }
-
-        /// <summary>Largest random offset at the start over the spacing, 0 to 0.2.</summary>
-        public float StartJitter { get => startJitter; set => startJitter = value; }
-
-        /// <summary>How the liquid is brought to rest before the first frame. Standard method only; its step count is among the messages.</summary>
-        public FluidStartRelaxation StartRelaxation { get => startRelaxation; set => startRelaxation = value; }
-
-        /// <summary>What happens when emitters give more particles than there are slots for.</summary>
-        public FluidCapacityPolicy CapacityPolicy { get => capacityPolicy; set => capacityPolicy = value; }
-
-        /// <summary>Particles that the policies Fixed and RecycleOldest hold; 0: as many as the profile allows.</summary>
-        public int Capacity { get => capacity; set => capacity = value; }
+        public FluidMethodChoice MethodChoice => FluidMethods.IsChosen(Method) ? automatic.Choice : null;
 
         /// <summary>The solver; null when stopped. A new start makes a new one.</summary>
         public FluidSolver Solver => run?.Solver;
@@ -270,74 +95,13 @@ namespace SphFluid
         public long GpuBytes => (run?.GpuBytes ?? 0) + (queries?.GpuBytes ?? 0);
 
         /// <summary>Messages since the last start.</summary>
-        public IReadOnlyList<FluidMessage> Messages => messages;
+        public IReadOnlyList<FluidMessage> Messages => messages.All;
 
         /// <summary>The worst of the messages since the last start; empty when there is none.</summary>
-        public string StatusMessage => FluidReports.Worst(messages);
+        public string StatusMessage => FluidReports.Worst(messages.All);
 
         /// <summary>Simulation space to world space: this transform's position and rotation.</summary>
         public Matrix4x4 LocalToWorld => DomainSpace.ToWorld(transform.position, transform.rotation);
-
-        /// <summary>Gravity that acts, in world space [m/s²].</summary>
-        public Vector3 EffectiveGravity => useSceneGravity ? Physics.gravity : gravity;
-
-        /// <summary>All that the simulation is to be, as of now.</summary>
-        internal FluidSpec Spec
-        {
-            get
-            {
-                FluidScene.Own(this, emitters);
-                FluidScene.Own(this, drains);
-                FluidScene.Shared(this, zones);
-                FluidScene.Shared(this, walls);
-                return OwnSpec;
-            }
-        }
-
-        FluidSpec OwnSpec
-        {
-            get
-            {
-                FluidSpec spec = SpecAsSet;
-                if (FluidMethods.IsChosen(method)) spec.Automatic = new AutomaticSpec(frameBudget, FrameRate, spec.Profile.Rules, spec.MaxSubstepsPerFrame);
-                return automatic.Resolve(spec);
-            }
-        }
-
-        // What is typed, or the frames that the program makes.
-        double FrameRate => budgetFrameRate != 0f ? budgetFrameRate : Time.captureDeltaTime > 0f ? Math.Round(1.0 / Time.captureDeltaTime, 3)
-            : Application.targetFrameRate > 0 ? Application.targetFrameRate : AutomaticSpec.UsualFrameRate;
-
-        FluidSpec SpecAsSet => new FluidSpec
-        {
-            CapacityPolicy = capacityPolicy,
-            Capacity = capacity,
-            Emitters = emitters,
-            Drains = drains,
-            Zones = zones,
-            Walls = walls,
-            Owner = this,
-            Position = transform.position,
-            Rotation = transform.rotation,
-            Scale = transform.lossyScale,
-            Profile = profile != null ? profile.Spec : default,
-            DomainSize = domainSize,
-            Spacing = particleSpacing,
-            Method = method,
-            ColliderLayers = colliderLayers,
-            TimeStepMode = timeStepMode,
-            FixedTimeStep = fixedTimeStep,
-            MaxSubstepsPerFrame = MaxSubstepsPerFrame,
-            ExpectedSpeed = expectedSpeed,
-            SleepsAtRest = sleepsAtRest,
-            Gravity = EffectiveGravity,
-            BodyForce = bodyForce,
-            Boundaries = boundaries,
-            VelocityField = VelocityField,
-            Seed = seed,
-            StartJitter = startJitter,
-            StartRelaxation = startRelaxation,
-        };
 
         /// <summary>What the liquid collides with now, as triangles in simulation space; empty when stopped.</summary>
         public IReadOnlyList<FluidObstacle> Obstacles => run?.Collision.Solids ?? Array.Empty<FluidObstacle>();
@@ -348,46 +112,41 @@ namespace SphFluid
         /// <summary>Questions to the liquid that are answered without waiting for the GPU.</summary>
         public FluidQueries Queries => queries ??= new FluidQueries(this, Report);
 
-        /// <summary>Lets a recording or a replay see what the liquid is given in each frame.</summary>
-        /// <exception cref="InvalidOperationException">Another does already.</exception>
-        internal void Attach(IFluidFrames watcher)
-        {
-            if (frames != null) throw new InvalidOperationException($"'{name}' is recorded or replayed already. Dispose of that one first.");
-            frames = watcher;
-        }
-
-        /// <summary>Ends that.</summary>
-        internal void Detach(IFluidFrames watcher)
-        {
-            if (frames == watcher) frames = null;
-        }
-
-        internal CollisionScene Collision => run?.Collision;
-
-        /// <summary>GPU time of the steps, between <see cref="BeginTiming"/> and <see cref="EndTiming"/>; else null.</summary>
-        internal StepTimer Timer { get; private set; }
-
         /// <summary>
         /// Time that the graphics device takes for the steps of a frame [ms]: the mean over the last 60 frames with steps, between <see cref="BeginTiming"/> and
         /// <see cref="EndTiming"/>. 0 before there is one, and where the device reports no times.
         /// </summary>
         public double StepMilliseconds => Timer?.MillisecondsAFrame ?? 0.0;
 
-        /// <summary>Begins to time the steps on the graphics device, for two timestamps a frame. Each call needs an <see cref="EndTiming"/>.</summary>
-        public void BeginTiming()
+        /// <summary>GPU time of the steps, between <see cref="BeginTiming"/> and <see cref="EndTiming"/>; else null.</summary>
+        internal StepTimer Timer => timing.Timer;
+
+        internal CollisionScene Collision => run?.Collision;
+
+        /// <summary>Watches a start, and may end it.</summary>
+        internal StartWatch Watch => StartWatcher is IFluidStartWatcher watcher
+            ? new StartWatch(progress => watcher.Continue(this, progress), () => watcher.Ended(this)) : default;
+
+        /// <summary>All that the simulation is to be, as of now.</summary>
+        internal FluidSpec Spec
         {
-            if (timings++ == 0) Timer = new StepTimer();
+            get
+            {
+                FluidScene.Gather(this, parts);
+                return OwnSpec;
+            }
         }
+
+        FluidSpec OwnSpec => automatic.Resolve(parts.AddedTo(SettingsSpec));
+
+        /// <summary>Begins to time the steps on the graphics device, for two timestamps a frame. Each call needs an <see cref="EndTiming"/>.</summary>
+        public void BeginTiming() => timing.Begin();
 
         /// <summary>Ends what <see cref="BeginTiming"/> began.</summary>
         /// <exception cref="InvalidOperationException">There were fewer calls of it.</exception>
         public void EndTiming()
         {
-            if (timings == 0) throw new InvalidOperationException($"'{name}' is not timed: each EndTiming ends one BeginTiming.");
-            if (--timings > 0) return;
-            if (run != null) run.Timer = null;
-            Timer?.Dispose();
-            Timer = null;
+            if (!timing.TryEnd(run)) throw new InvalidOperationException($"'{name}' is not timed: each EndTiming ends one BeginTiming.");
         }
 
         /// <summary>Starts the liquid from its volumes, again if it runs already.</summary>
@@ -398,37 +157,7 @@ namespace SphFluid
             Release();
             messages.Clear();
             automatic.Forget();
-            if (FluidReports.NotPlaying(this) is FluidMessage obstacle) Report(obstacle);
-            else run = FluidStarter.TryStart(Spec, FluidScene.Volumes(this), Watch, Report);
-            if (run != null) TakeChoice();
-            volumeWatch.Begin(OwnSpec, FluidScene.Volumes(this));
-            failed = null;
-            if (run == null) Fail();
-            if (run != null) Started?.Invoke(this);
-            return run != null;
-        }
-
-        // What its steps cost in play is better known than what they cost at the start.
-        void TakeChoice()
-        {
-            automatic.Take(run.Start.Choice, Spec);
-            if (run.Start.Choice == null || !StepTimer.IsSupported) return;
-            BeginTiming();
-            costs.Begin();
-        }
-
-        void EndCosts()
-        {
-            if (!costs.IsUnderWay) return;
-            costs.End();
-            EndTiming();
-        }
-
-        void LookAtCosts()
-        {
-            if (!costs.IsUnderWay) return;
-            if (costs.Look(Timer, run, automatic.Choice, this) is FluidMessage message) Report(message);
-            if (!costs.IsUnderWay) EndTiming();
+            return Begin(FluidReports.MayStart(this, Report) ? FluidStarter.TryStart(Spec, FluidScene.Volumes(this), Watch, Report) : null);
         }
 
         /// <summary>Stops the liquid and frees its GPU memory.</summary>
@@ -465,24 +194,16 @@ namespace SphFluid
         public bool Restore(Stream stream)
         {
             if (stream == null) throw new ArgumentNullException(nameof(stream));
-            List<FluidMessage> before = messages.GetRange(0, messages.Count);
-            messages.Clear();
-            FluidRun restored = null;
-            if (FluidReports.NotPlaying(this) is FluidMessage obstacle) Report(obstacle);
-            else restored = FluidRestore.TryMake(Spec, stream, Report);
+            List<FluidMessage> before = messages.Clear();
+            FluidRun restored = FluidReports.MayStart(this, Report) ? FluidRestore.TryMake(Spec, stream, Report) : null;
             if (restored == null)
             {
-                messages.InsertRange(0, before.FindAll(m => !messages.Contains(m)));
+                messages.PutBack(before);
                 return false;
             }
             Release();
-            run = restored;
-            TakeChoice();
-            volumeWatch.Begin(OwnSpec, FluidScene.Volumes(this));
             requested = true;
-            failed = null;
-            Started?.Invoke(this);
-            return true;
+            return Begin(restored);
         }
 
         /// <summary>
@@ -504,7 +225,7 @@ namespace SphFluid
         /// <exception cref="InvalidOperationException">The method is not Automatic.</exception>
         public bool ChooseMethodAgain()
         {
-            if (!FluidMethods.IsChosen(method)) throw new InvalidOperationException($"The method of '{name}' is {method}: there is nothing to choose. Set Method to Automatic.");
+            if (!FluidMethods.IsChosen(Method)) throw new InvalidOperationException($"The method of '{name}' is {Method}: there is nothing to choose. Set Method to Automatic.");
             if (run == null) return StartSimulation();
             automatic.ChooseAgain(Spec, run, true, Report);
             return run.Key.Equals(FluidStartKey.Of(Spec)) || StartSimulation();
@@ -517,13 +238,8 @@ namespace SphFluid
         /// <param name="velocity">World velocity [m/s].</param>
         /// <returns>Number of particles that are tried with the next steps; <see cref="FluidCounters.Blocked"/> counts those that find no place.</returns>
         /// <exception cref="InvalidOperationException">The liquid does not run, or its method has a fixed number of particles.</exception>
-        public int AddLiquid(Vector3 centre, Vector3 size, Quaternion rotation, Vector3 velocity = default)
-        {
-            FluidRun running = ExchangingRun();
-            FluidSpec spec = Spec;
-            Matrix4x4 toLocal = spec.WorldToLocal;
-            return running.AddLiquid(spec, new LiquidBox("Added liquid", toLocal * Matrix4x4.TRS(centre, rotation, size), toLocal.MultiplyVector(velocity)));
-        }
+        public int AddLiquid(Vector3 centre, Vector3 size, Quaternion rotation, Vector3 velocity = default) =>
+            ExchangingRun().AddLiquid(Spec, Matrix4x4.TRS(centre, rotation, size), velocity);
 
         /// <summary>Adds the liquid of a volume to the running liquid, where there is a place for it: not in colliders, and not where liquid is.</summary>
         /// <param name="volume">A volume, enabled or not. One that is enabled while the liquid runs adds its liquid by itself, unless this did before.</param>
@@ -533,13 +249,7 @@ namespace SphFluid
         public int AddLiquid(FluidVolume volume)
         {
             if (volume == null) throw new ArgumentNullException(nameof(volume));
-            FluidRun running = ExchangingRun();
-            var found = new List<FluidMessage>();
-            FluidSpec spec = Spec;
-            LiquidShape shape = VolumeChecks.Check(volume.Spec, spec, running.Collision, found);
-            if (shape == null) throw new InvalidOperationException(FluidReports.Worst(found));
-            volumeWatch.Note(spec, volume.Spec);
-            return running.AddLiquid(spec, shape);
+            return volumeWatch.Add(Spec, ExchangingRun(), volume.Spec);
         }
 
         /// <summary>What a volume is besides what it has filled; null where that is the same, or the liquid does not run.</summary>
@@ -580,25 +290,15 @@ namespace SphFluid
         /// <exception cref="InvalidOperationException">The liquid does not run, or its method has no force zones.</exception>
         public void AddExplosion(Vector3 centre, float radius, float speed) => PushedRun().Zones.Push(new ZonePush(centre, radius, speed), name);
 
-        FluidRun PushedRun() => Running(FluidMethods.Has(ActiveMethod, FluidMethodFeatures.ForceZones), "it cannot be pushed", "no force zones or impulses");
-
-        FluidRun ExchangingRun() => Running(run != null && run.Solver.Exchanges, "no liquid can be added or removed", "a fixed number of particles");
-
-        FluidRun Running(bool serves, string consequence, string has)
-        {
-            if (run == null) throw new InvalidOperationException($"'{name}' does not run, so {consequence}.");
-            if (!serves) throw new InvalidOperationException($"The method {ActiveMethod} of '{name}' has {has}. Set Method to Standard.");
-            return run;
-        }
-
         /// <summary>
-        /// Pauses the liquid and takes one step of <see cref="TimeStep"/> in the next LateUpdate, whatever Time.timeScale and <see cref="TimeScale"/> are; two
-        /// calls take two. Liquid that is asleep wakes. Stopped, or when <see cref="Paused"/> is set to false before, no step is taken.
+        /// Pauses the liquid and takes one step of <see cref="TimeStep"/> in the next LateUpdate, whatever Time.timeScale and
+        /// <see cref="FluidSimulationSettings.TimeScale"/> are; two calls take two. Liquid that is asleep wakes. Stopped, or when
+        /// <see cref="FluidSimulationSettings.Paused"/> is set to false before, no step is taken.
         /// </summary>
         public void StepOnce()
         {
-            paused = true;
-            if (run != null) singleSteps++;
+            Paused = true;
+            if (run != null) frames.AddStep();
         }
 
         /// <summary>Reads all collision meshes again, after an edit that left a mesh's counts and bounds as they were.</summary>
@@ -624,23 +324,27 @@ namespace SphFluid
 
         /// <summary>Spacing at which the liquid volumes hold as near to a number of particles as the lattice allows [m].</summary>
         /// <param name="count">Requested number of particles, 1 or more.</param>
-        /// <returns>The spacing; <see cref="Spacing"/> is not changed.</returns>
+        /// <returns>The spacing; <see cref="FluidSimulationSettings.Spacing"/> is not changed.</returns>
         /// <exception cref="InvalidOperationException">There is no liquid to measure, or this is a prefab asset, which has none around it.</exception>
         public float SpacingForParticleCount(int count) => ParticleCountFit.Spacing(Spec, FluidScene.Volumes(this), count);
 
+        /// <summary>Lets a recording or a replay see what the liquid is given in each frame.</summary>
+        /// <exception cref="InvalidOperationException">Another does already.</exception>
+        internal void Attach(IFluidFrames watcher) => frames.Attach(watcher, name);
+
+        /// <summary>Ends that.</summary>
+        internal void Detach(IFluidFrames watcher) => frames.Detach(watcher);
+
         internal void Report(FluidMessage message)
         {
-            if (messages.Contains(message)) return;
-            messages.Add(message);
-            message.Log();
-            Reported?.Invoke(message);
+            if (messages.TryAdd(message)) Reported?.Invoke(message);
         }
 
         void OnEnable()
         {
             ActiveList.Add(this);
-            requested = playOnEnable;
-            failed = null;
+            requested = PlayOnEnable;
+            failed.Forget();
         }
 
         void OnDisable()
@@ -652,8 +356,7 @@ namespace SphFluid
         void OnDestroy()
         {
             queries?.Dispose();
-            Timer?.Dispose();
-            Timer = null;
+            timing.Dispose();
         }
 
         void FixedUpdate()
@@ -664,84 +367,73 @@ namespace SphFluid
         void LateUpdate()
         {
             if (!requested) return;
-            if (run != null && profile != null) automatic.Follow(Spec, run, Report);
+            if (run != null && Profile != null) automatic.Follow(Spec, run, Report);
             FluidSpec spec = Spec;
             if (run == null || !run.Key.Equals(FluidStartKey.Of(spec)))
             {
-                if (failed == null || !failed.Value.Equals(KeysOf(spec)) || failedSources != CountSources()) StartSimulation();
+                if (!failed.IsUnchanged(spec, CountSources())) StartSimulation();
                 return;
             }
             run.Timer = Timer;
-            FluidScene.Own(this, volumes);
-            volumeWatch.Follow(spec, run, volumes, Report);
+            FluidScene.Own(this, parts.Volumes);
+            volumeWatch.Follow(spec, run, parts.Volumes, Report);
+            Advance(spec);
+        }
+
+        void Advance(in FluidSpec spec)
+        {
             long steps = StepCount, capped = CapHits;
-            if (TryAdvance(spec, out FluidMessage failure))
+            if (frames.TryAdvance(run, spec, Paused, TimeScale, Report, out FluidMessage failure))
             {
                 FluidProfiler.AddLiquid(run.Solver.LiveCount, StepCount - steps, CapHits - capped, GpuBytes);
-                LookAtCosts();
+                timing.LookAtCosts(run, automatic.Choice, this, Report);
                 queries?.Ask(run.Solver, spec.Profile.Shaders, run.SimulatedTime, spec.Position, spec.Rotation);
                 Updated?.Invoke(this);
                 return;
             }
             foreach (FluidMessage message in FluidReports.ErrorsOf(Validate(), failure)) Report(message);
             Release();
-            Fail();
-        }
-
-        // The next try comes with the next change.
-        void Fail()
-        {
-            failed = KeysOf(Spec);
-            failedSources = CountSources();
+            failed.Note(Spec, CountSources());
         }
 
         int CountSources()
         {
-            FluidScene.Own(this, volumes);
-            return volumes.Count + emitters.Count;
+            FluidScene.Own(this, parts.Volumes);
+            return parts.SourceCount;
         }
 
-        bool TryAdvance(in FluidSpec spec, out FluidMessage failure)
+        // Null: it did not start.
+        bool Begin(FluidRun started)
         {
-            var frame = new FluidFrame { SingleSteps = paused ? singleSteps : 0 };
-            if (frame.SingleSteps == 0 && !paused) frame.Time = Time.deltaTime * UsableTimeScale();
-            singleSteps = 0;
-            if (frames != null) frame = frames.Take(frame);
-            if (frame.SingleSteps == 0) return run.TryAdvance(spec, (float)frame.Time, out failure);
-            failure = default;
-            for (int left = frame.SingleSteps; left > 0; left--)
-                if (!run.TryAdvance(spec, null, out failure)) return false;
-            return true;
+            run = started;
+            if (run != null) automatic.Take(run.Start.Choice, Spec);
+            if (run?.Start.Choice != null) timing.BeginCosts();
+            volumeWatch.Begin(OwnSpec, FluidScene.Volumes(this));
+            if (run == null) failed.Note(Spec, CountSources());
+            else failed.Forget();
+            if (run != null) Started?.Invoke(this);
+            return run != null;
         }
 
-        float UsableTimeScale()
-        {
-            if (timeScale >= 0f && !float.IsInfinity(timeScale)) return timeScale;
-            Report(new FluidMessage(FluidSeverity.Error, FluidIssue.TimeScaleInvalid, this,
-                FormattableString.Invariant($"Time Scale is {timeScale}, so the liquid stands still."), "Set Time Scale to 0 or more; 1 is as fast as the scene."));
-            return 0f;
-        }
+        FluidRun PushedRun() => Running(FluidMethods.Has(ActiveMethod, FluidMethodFeatures.ForceZones), "it cannot be pushed", "no force zones or impulses");
 
-        static (FluidStartKey, FluidLiveKey) KeysOf(in FluidSpec spec) => (FluidStartKey.Of(spec), FluidLiveKey.AsGiven(spec));
+        FluidRun ExchangingRun() => Running(run != null && run.Solver.Exchanges, "no liquid can be added or removed", "a fixed number of particles");
 
-        /// <summary>Watches a start, and may end it.</summary>
-        internal StartWatch Watch
+        FluidRun Running(bool serves, string consequence, string has)
         {
-            get
-            {
-                IFluidStartWatcher watcher = StartWatcher;
-                return watcher == null ? default : new StartWatch(progress => watcher.Continue(this, progress), () => watcher.Ended(this));
-            }
+            if (run == null) throw new InvalidOperationException($"'{name}' does not run, so {consequence}.");
+            if (!serves) throw new InvalidOperationException($"The method {ActiveMethod} of '{name}' has {has}. Set Method to Standard.");
+            return run;
         }
 
         void Release()
         {
             if (run == null) return;
             queries?.Detach();
-            EndCosts();
+            timing.EndCosts(run);
             run.Dispose();
             run = null;
-            singleSteps = 0;
+            frames.Forget();
             Stopped?.Invoke(this);
         }
 

@@ -1,7 +1,7 @@
 namespace SphFluid
 {
     /// <summary>
-    /// Watches starts that take long, those with <see cref="FluidSimulation.StartRelaxation"/>, and may end them: a progress bar in
+    /// Watches starts that take long, those with <see cref="FluidSimulationSettings.StartRelaxation"/>, and may end them: a progress bar in
     /// the Editor, a line on a console, a loading screen. Set as <see cref="FluidSimulation.StartWatcher"/>; called on the main thread.
     /// </summary>
     public interface IFluidStartWatcher

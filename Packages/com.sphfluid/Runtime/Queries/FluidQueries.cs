@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using Unity.Collections;
 using UnityEngine;
-using UnityEngine.Rendering;
 using Object = UnityEngine.Object;
 
 namespace SphFluid
@@ -13,28 +12,18 @@ namespace SphFluid
     /// </summary>
     public sealed class FluidQueries : IDisposable
     {
-        const int Readbacks = 4, MostUnderWay = 3;
-
         readonly Object owner;
         readonly Action<FluidMessage> report;
         readonly QuerySet asked = new QuerySet();
-        readonly int[] ranges = new int[QuerySet.Kinds + 1];
-        readonly QueryReadback[] readbacks = new QueryReadback[Readbacks];
+        readonly QueryAnswers answers;
         bool disposed;
-        FluidSolver solver;
-        QueryPasses passes;
-        CommandBuffer commands;
-        GraphicsBuffer results;
-        QueryReadback current;
-        long number;
-        int run;
         double now;
 
         internal FluidQueries(Object owner, Action<FluidMessage> report)
         {
             this.owner = owner;
             this.report = report;
-            for (int i = 0; i < Readbacks; i++) readbacks[i] = new QueryReadback(Take);
+            answers = new QueryAnswers(asked, () => Received?.Invoke(this));
         }
 
         /// <summary>Raised on the main thread when answers have arrived.</summary>
@@ -44,22 +33,24 @@ namespace SphFluid
         public int Count => asked.Count;
 
         /// <summary>GPU memory [bytes].</summary>
-        public long GpuBytes => GpuBuffers.Size(results) + asked.GpuBytes + (passes?.GpuBytes ?? 0);
+        public long GpuBytes => asked.GpuBytes + answers.GpuBytes;
 
         /// <summary>Frames since the state that the present answers are of; -1 while there are none.</summary>
-        public int AgeInFrames => current == null ? -1 : Time.frameCount - current.Frame;
+        public int AgeInFrames => Current == null ? -1 : Time.frameCount - Current.Frame;
 
         /// <summary>Simulated time since the state that the present answers are of [s]; -1 while there are none.</summary>
-        public double AgeInSeconds => current == null ? -1.0 : now - current.Time;
+        public double AgeInSeconds => Current == null ? -1.0 : now - Current.Time;
 
         /// <summary>Simulated time of the state that the present answers are of [s]; -1 while there are none.</summary>
-        public double AnsweredTime => current == null ? -1.0 : current.Time;
+        public double AnsweredTime => Current == null ? -1.0 : Current.Time;
 
         /// <summary>Number of the request that the present answers are of; 0 while there are none.</summary>
-        internal long Answer => current?.Number ?? 0;
+        internal long Answer => Current?.Number ?? 0;
 
         /// <summary>All present answers of points, by <see cref="FluidQuery.Index"/>, for jobs that end within the frame; empty while there are none. Only <see cref="TryGet"/> knows whose they are.</summary>
-        public NativeArray<FluidPointResult>.ReadOnly Points => current == null ? default : current.Of<FluidPointResult>(QueryKind.Point).AsReadOnly();
+        public NativeArray<FluidPointResult>.ReadOnly Points => Current == null ? default : Current.Of<FluidPointResult>(QueryKind.Point).AsReadOnly();
+
+        QueryReadback Current => answers.Current;
 
         /// <summary>Asks what the liquid is at a point.</summary>
         /// <param name="world">World position [m].</param>
@@ -227,21 +218,13 @@ namespace SphFluid
             TryFind(QueryKind.Patch, query, out result) && result.Generation == query.Generation;
 
         /// <summary>Waits for the answers that are under way; for tools and tests.</summary>
-        public void Complete()
-        {
-            for (long n = number - Readbacks + 1; n <= number; n++)
-                foreach (QueryReadback readback in readbacks)
-                    if (readback.Number == n) readback.Wait();
-        }
+        public void Complete() => answers.Complete();
 
         /// <summary>Frees all memory; no request is answered after that.</summary>
         public void Dispose()
         {
-            Detach();
+            answers.Dispose();
             disposed = true;
-            foreach (QueryReadback readback in readbacks) readback.Dispose();
-            commands?.Dispose();
-            commands = null;
         }
 
         /// <summary>Records this frame's questions; nothing where there are none.</summary>
@@ -249,30 +232,12 @@ namespace SphFluid
         {
             now = time;
             if (Count == 0 || disposed) return;
-            if (liquid != solver) Attach(liquid, shaders);
-            if (passes == null) return;
-            QueryReadback readback = FreeReadback();
-            if (readback == null) return;
-            Reserve();
-            asked.CopyRanges(ranges);
-            commands.Clear();
-            liquid.RecordNeighbourSetup(commands);
-            passes.Record(commands, new QueryTarget { Solver = liquid, Position = position, Rotation = rotation, Results = results }, asked, ranges);
-            Graphics.ExecuteCommandBuffer(commands);
-            readback.Request(results, ranges, ++number, run, time);
+            if (!answers.IsOf(liquid)) Attach(liquid, shaders);
+            answers.Ask(time, position, rotation);
         }
 
         /// <summary>The liquid is gone: its answers too, and the GPU memory.</summary>
-        internal void Detach()
-        {
-            solver = null;
-            current = null;
-            run++;
-            asked.Free();
-            passes?.Dispose();
-            passes = null;
-            GpuBuffers.Dispose(ref results);
-        }
+        internal void Detach() => answers.Detach();
 
         void Set(FluidQuery query, Vector3 place, in QueryWord second)
         {
@@ -296,54 +261,21 @@ namespace SphFluid
         bool TryFind<T>(QueryKind kind, FluidQuery query, out T result) where T : struct
         {
             result = default;
-            return current != null && asked[kind].Has(query) && current.TryGet(kind, query.Index, out result);
+            return Current != null && asked[kind].Has(query) && Current.TryGet(kind, query.Index, out result);
         }
 
         // A liquid whose device or shaders cannot answer is not asked again; the next start is.
         void Attach(FluidSolver liquid, FluidShaderSet shaders)
         {
-            Detach();
-            solver = liquid;
             try
             {
-                if (!SystemInfo.supportsAsyncGPUReadback) throw new FluidDeviceException($"{SystemInfo.graphicsDeviceName} has no asynchronous readback.");
-                passes = new QueryPasses(shaders);
-                commands ??= new CommandBuffer { name = "Fluid Queries" };
+                answers.Attach(liquid, shaders);
             }
             catch (FluidDeviceException exception)
             {
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.QueriesUnavailable, owner, "Fluid queries are not answered: " + exception.Message,
                     "Use the package's shader set and a device that can read back without waiting."));
             }
-        }
-
-        QueryReadback FreeReadback()
-        {
-            QueryReadback found = null;
-            int underWay = 0;
-            foreach (QueryReadback readback in readbacks)
-            {
-                underWay += readback.UnderWay ? 1 : 0;
-                if (readback.IsFree && readback != current) found = readback;
-            }
-            return underWay < MostUnderWay ? found : null;
-        }
-
-        void Reserve()
-        {
-            RetiredBuffers retired = solver.State.Retired;
-            asked.Upload(retired);
-            int capacity = asked.Capacity;
-            if (results != null && results.count >= capacity) return;
-            if (results != null) retired.Add(results);
-            results = GpuBuffers.Create("Fluid Query Results", capacity, QueryReadback.Stride);
-        }
-
-        void Take(QueryReadback arrived)
-        {
-            if (arrived.Run != run || current != null && current.Number > arrived.Number) return;
-            current = arrived;
-            Received?.Invoke(this);
         }
     }
 }

@@ -54,7 +54,7 @@ namespace SphFluid
             FluidMethod method = FluidMethods.Of(spec.Method);
             FluidSolverSettings settings = method.Prepare(start.Constants);
             (long colliders, int bodies) = method.Has(FluidMethodFeatures.BodyContact) ? PlanBodies(settings, collision) : (collision.PlannedBytes, 0);
-            int slots = FluidSolver.SlotsFor(method, (int)Math.Min(start.Count, int.MaxValue), spec.FixedSlots);
+            int slots = LoadedParticles.SlotsFor(method, (int)Math.Min(start.Count, int.MaxValue), spec.FixedSlots);
             return method.PlannedBytes(settings, slots, bodies > 0) + colliders + FluidPace.PlannedBytes(spec);
         }
 

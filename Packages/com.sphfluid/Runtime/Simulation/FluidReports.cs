@@ -28,8 +28,16 @@ namespace SphFluid
             return true;
         }
 
-        /// <summary>Why a simulation cannot start now; null when it can. Nothing would free the GPU memory of a run that OnDisable does not end.</summary>
-        public static FluidMessage? NotPlaying(Behaviour simulation)
+        /// <summary>Whether a simulation can start now; reports why not.</summary>
+        public static bool MayStart(Behaviour simulation, Action<FluidMessage> report)
+        {
+            if (!(NotPlaying(simulation) is FluidMessage obstacle)) return true;
+            report(obstacle);
+            return false;
+        }
+
+        // Null when it can. Nothing would free the GPU memory of a run that OnDisable does not end.
+        static FluidMessage? NotPlaying(Behaviour simulation)
         {
             if (Application.isPlaying && simulation.isActiveAndEnabled) return null;
             return SceneObjects.IsPrefabAsset(simulation)
@@ -46,6 +54,11 @@ namespace SphFluid
         public static FluidMessage Failure(UnityEngine.Object simulation, Exception exception) => new FluidMessage(
             FluidSeverity.Error, exception is FluidDeviceException ? FluidIssue.DeviceUnsupported : FluidIssue.StartFailed,
             simulation, exception.Message, "");
+
+        /// <summary>A liquid's time that goes backwards or has no end.</summary>
+        public static FluidMessage TimeScaleInvalid(UnityEngine.Object simulation, float timeScale) => new FluidMessage(
+            FluidSeverity.Error, FluidIssue.TimeScaleInvalid, simulation,
+            FormattableString.Invariant($"Time Scale is {timeScale}, so the liquid stands still."), "Set Time Scale to 0 or more; 1 is as fast as the scene.");
 
         /// <summary>Rigid bodies that the liquid does not move.</summary>
         public static FluidMessage TooManyBodies(UnityEngine.Object simulation, int most) => new FluidMessage(

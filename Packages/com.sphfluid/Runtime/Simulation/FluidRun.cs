@@ -150,6 +150,17 @@ namespace SphFluid
             return particles.Count;
         }
 
+        /// <summary>Adds a box of liquid with the next steps.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="unitToWorld">Maps the unit cube centred on the origin to the box in the world [m].</param>
+        /// <param name="velocity">World velocity [m/s].</param>
+        /// <returns>Number of particles that are tried.</returns>
+        public int AddLiquid(in FluidSpec spec, Matrix4x4 unitToWorld, Vector3 velocity)
+        {
+            Matrix4x4 toLocal = spec.WorldToLocal;
+            return AddLiquid(spec, new LiquidBox("Added liquid", toLocal * unitToWorld, toLocal.MultiplyVector(velocity)));
+        }
+
         /// <summary>Writes all that the liquid goes on from, waiting for the GPU. It goes on as one does that is restored from it, so that both stay equal to the bit.</summary>
         public void Save(in FluidSpec spec, Stream stream)
         {

@@ -52,6 +52,21 @@ namespace SphFluid
             }
         }
 
+        /// <summary>Fills a volume because a script asks for it.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="run">Its liquid.</param>
+        /// <param name="volume">The volume, enabled or not.</param>
+        /// <returns>Number of particles that are tried.</returns>
+        /// <exception cref="InvalidOperationException">The volume cannot be filled.</exception>
+        public int Add(in FluidSpec spec, FluidRun run, in VolumeSpec volume)
+        {
+            var found = new List<FluidMessage>();
+            LiquidShape shape = VolumeChecks.Check(volume, spec, run.Collision, found);
+            if (shape == null) throw new InvalidOperationException(FluidReports.Worst(found));
+            Note(spec, volume);
+            return run.AddLiquid(spec, shape);
+        }
+
         /// <summary>What a volume is besides what it has filled; null where it is the same, or has filled nothing.</summary>
         /// <param name="spec">The simulation.</param>
         /// <param name="volume">The volume now.</param>

@@ -72,6 +72,20 @@ namespace SphFluid
             return new FluidGrid(settings.DomainSize, CellSizeOf(settings), settings.Boundaries.Periodic, settings.OctantSearch ? OctantCells : RowCells);
         }
 
+        /// <summary>Checks that a running liquid can go on with other settings in its grid.</summary>
+        /// <param name="settings">Its settings.</param>
+        /// <param name="next">The others.</param>
+        /// <exception cref="ArgumentException">They have another grid.</exception>
+        internal static void CheckKept(in FluidSolverSettings settings, in FluidSolverSettings next)
+        {
+            if (next.DomainSize != settings.DomainSize || next.SupportRadius != settings.SupportRadius || next.OctantSearch != settings.OctantSearch ||
+                next.Boundaries.Periodic != settings.Boundaries.Periodic)
+            {
+                throw new ArgumentException("DomainSize, SupportRadius, OctantSearch and Boundaries.Periodic cannot change while the liquid runs: " +
+                    "the grid depends on them. Start a new solver.");
+            }
+        }
+
         /// <summary>Number of cells that the grid of some settings has, however many, with a number more along each axis.</summary>
         internal static double CountFor(in FluidSolverSettings settings, int border)
         {

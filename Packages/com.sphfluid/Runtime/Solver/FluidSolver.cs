@@ -16,18 +16,11 @@ namespace SphFluid
         readonly IFluidStepper stepper;
         readonly FluidState state;
         readonly CounterReadback counters;
+        readonly LoadedParticles particles;
+        readonly StepRecorder recorder;
         readonly FluidShaderSet shaderSet;
-        ParticleExchange exchange;
-        FluidObstacles obstacles;
-        float previousStep;
         float? flowSpeed, peakSpeed;
         int obstacleChanges;
-        uint nextId;
-        long loadedCount, bornBefore, removedBefore;
-        bool loaded;
-        bool neighboursFresh;
-        bool published;
-        bool disposed;
 
         /// <summary>Uploads the particles and prepares the method.</summary>
         /// <param name="settings">The physics and its method; <see cref="FluidMethodKind.ThesisPrinted"/> sets its switches as printed.</param>
@@ -43,17 +36,15 @@ namespace SphFluid
         {
             method = FluidMethods.Of(settings.Method);
             method.Check(settings);
-            FluidParticle[] particles = CheckParticles(settings, initial, !method.Has(FluidMethodFeatures.ChangingCount));
-            if (shaders == null)
-            {
-                throw new ArgumentException("No fluid shader set is given. Assign one in the fluid profile.", nameof(shaders));
-            }
-
+            FluidParticle[] first = LoadedParticles.Check(settings, initial, !method.Has(FluidMethodFeatures.ChangingCount));
+            if (shaders == null) throw new ArgumentException("No fluid shader set is given. Assign one in the fluid profile.", nameof(shaders));
             shaderSet = shaders;
-            stepper = method.Start(method.Prepare(settings), shaders, SlotsFor(method, particles.Length, capacity));
+            stepper = method.Start(method.Prepare(settings), shaders, LoadedParticles.SlotsFor(method, first.Length, capacity));
             state = stepper.State;
-            Upload(particles);
             counters = new CounterReadback(state.Published.Counters, settings.RestDensity);
+            particles = new LoadedParticles(stepper, counters);
+            particles.Upload(first);
+            recorder = new StepRecorder(stepper, counters, particles);
         }
 
         /// <summary>The method.</summary>
@@ -66,7 +57,7 @@ namespace SphFluid
         public int ParticleCount => state.ParticleCount;
 
         /// <summary>Particles that live, as of the last finished read-back; only the GPU knows of those born or gone since.</summary>
-        public long LiveCount => loadedCount + counters.Counters.Born - bornBefore - (counters.Counters.Removed - removedBefore);
+        public long LiveCount => particles.LiveCount;
 
         /// <summary>Particles that the buffers hold before larger ones are made.</summary>
         public int Capacity => state.Capacity;
@@ -96,19 +87,19 @@ namespace SphFluid
         public GraphicsBuffer GridIndices => state.Published.GridIndices;
 
         /// <summary>Steps recorded since the start.</summary>
-        public long StepCount { get; private set; }
+        public long StepCount => recorder.StepCount;
 
         /// <summary>Time recorded since the start [s].</summary>
-        public double SimulatedTime { get; private set; }
+        public double SimulatedTime => recorder.SimulatedTime;
 
         /// <summary>Changes with every step that is recorded and whenever particles or physics are set: while it stays, so does what a surface shows.</summary>
         internal long StateVersion => StepCount + SettingsChanges + ParticleChanges;
 
         /// <summary>Whether the GPU memory is released.</summary>
-        internal bool IsDisposed => disposed;
+        internal bool IsDisposed { get; private set; }
 
         /// <summary>Length of the last recorded step [s]: velocities are half of it older than positions; 0 before the first.</summary>
-        internal float LastTimeStep => previousStep;
+        internal float LastTimeStep => recorder.PreviousStep;
 
         /// <summary>
         /// Speed at which bodies of the liquid move [m/s], for methods whose neighbour setup serves several steps: the faster, the fewer.
@@ -117,9 +108,7 @@ namespace SphFluid
         public float FlowSpeed
         {
             get => flowSpeed ?? state.Settings.MaxSpeed;
-            set => flowSpeed = value >= 0f
-                ? value
-                : throw new ArgumentOutOfRangeException(nameof(value), value, "The liquid's speed must be zero or more.");
+            set => flowSpeed = NotNegative(value);
         }
 
         /// <summary>
@@ -129,9 +118,7 @@ namespace SphFluid
         public float PeakSpeed
         {
             get => peakSpeed ?? state.Settings.MaxSpeed;
-            set => peakSpeed = value >= 0f
-                ? value
-                : throw new ArgumentOutOfRangeException(nameof(value), value, "The liquid's speed must be zero or more.");
+            set => peakSpeed = NotNegative(value);
         }
 
         /// <summary>
@@ -141,7 +128,7 @@ namespace SphFluid
         internal float LongestStep { get; set; }
 
         /// <summary>Neighbour setups recorded since the start: no more than one a step, and one for drawing that the next step uses.</summary>
-        public long SetupCount { get; private set; }
+        public long SetupCount => recorder.SetupCount;
 
         /// <summary>Events counted on the GPU, as of the last finished read-back.</summary>
         public FluidCounters Counters => counters.Counters;
@@ -150,7 +137,7 @@ namespace SphFluid
         internal uint Squeezers => counters.Squeezers;
 
         /// <summary>Bytes of GPU memory that the solver holds.</summary>
-        public long GpuBytes => state.Bytes + (exchange?.GpuBytes ?? 0) + (state.Zones?.GpuBytes ?? 0) + (state.WallForces?.GpuBytes ?? 0);
+        public long GpuBytes => state.Bytes + (recorder.Exchange?.GpuBytes ?? 0) + (state.Zones?.GpuBytes ?? 0) + (state.WallForces?.GpuBytes ?? 0);
 
         /// <summary>Grows with each change of physics, obstacles or particles from outside the steps.</summary>
         internal int Changes => obstacleChanges + SettingsChanges + ParticleChanges;
@@ -164,18 +151,18 @@ namespace SphFluid
         internal FluidState State => state;
 
         /// <summary>Births recorded since the start, whatever becomes of them.</summary>
-        internal long BirthCount => exchange?.Births.Taken ?? 0;
+        internal long BirthCount => recorder.Exchange?.Births.Taken ?? 0;
 
         /// <summary>Whether something has come or gone, or is to.</summary>
-        internal bool HasExchange => exchange != null;
+        internal bool HasExchange => recorder.Exchange != null;
 
         /// <summary>Whether particles can come and go.</summary>
         internal bool Exchanges => stepper is IExchangingStepper;
 
         /// <summary>What brings particles into the liquid and takes them out, made when it is first asked for.</summary>
         /// <exception cref="InvalidOperationException">The method's number of particles is fixed.</exception>
-        internal ParticleExchange Exchange => exchange ??= stepper is IExchangingStepper exchanging
-            ? new ParticleExchange(state, exchanging, nextId)
+        internal ParticleExchange Exchange => recorder.Exchange ??= stepper is IExchangingStepper exchanging
+            ? new ParticleExchange(state, exchanging, particles.NextId)
             : throw new InvalidOperationException($"The method {Kind} has a fixed number of particles: nothing is born or drained. Use the method Standard.");
 
         internal IFluidStepper Stepper => stepper;
@@ -193,15 +180,11 @@ namespace SphFluid
                 ThrowIfDisposed();
                 if (!MeasuresWallForces)
                     throw new NotSupportedException($"The method {Kind} does not sum the force on walls. Use the method {FluidMethodKind.Standard}.");
-                if (state.WallForces != null) return state.WallForces;
-                foreach (string shortfall in ShaderGroup.WallForces.Shortfalls(DeviceCapabilities.Query())) throw new FluidDeviceException(shortfall);
-                return state.WallForces = new WallForces(shaderSet);
+                return state.WallForces ??= WallForces.Start(shaderSet);
             }
         }
 
-        /// <summary>
-        /// Gives the solver what the liquid collides with; the caller keeps it alive, updates it once a frame and disposes it.
-        /// </summary>
+        /// <summary>Gives the solver what the liquid collides with; the caller keeps it alive, updates it once a frame and disposes it.</summary>
         /// <param name="obstacles">Obstacles made with this solver's <see cref="Settings"/>; null for none.</param>
         /// <exception cref="ArgumentException">They were made for another liquid.</exception>
         public void SetObstacles(FluidObstacles obstacles)
@@ -209,8 +192,7 @@ namespace SphFluid
             ThrowIfDisposed();
             obstacles?.Check(state.Settings);
             obstacleChanges++;
-            this.obstacles = obstacles;
-            if (obstacles == null) state.SetTriangles(null, null, 0);
+            recorder.SetObstacles(obstacles);
             SetBodies(obstacles?.Bodies);
         }
 
@@ -221,12 +203,9 @@ namespace SphFluid
             if (bodies == state.Bodies) return;
             obstacleChanges++;
             if (bodies != null && !method.Has(FluidMethodFeatures.BodyContact))
-            {
                 throw new ArgumentException($"The method {Kind} takes triangles, not bodies. Give it the scene by SetObstacles.", nameof(bodies));
-            }
-
             state.Bodies = bodies;
-            neighboursFresh = false;
+            recorder.Forget();
         }
 
         /// <summary>Gives the solver force zones; the caller keeps them alive and disposes them. Method Standard only, others leave them out.</summary>
@@ -243,33 +222,20 @@ namespace SphFluid
         {
             ThrowIfDisposed();
             if (settings.Method != Kind)
-            {
                 throw new ArgumentException($"The solver computes by {Kind}, and the settings are for {settings.Method}. Start a new solver for another method.");
-            }
-
             method.Check(settings);
             FluidSolverSettings prepared = method.Prepare(settings);
-
-            if (prepared.DomainSize != state.Settings.DomainSize || prepared.SupportRadius != state.Settings.SupportRadius ||
-                prepared.OctantSearch != state.Settings.OctantSearch || prepared.Boundaries.Periodic != state.Settings.Boundaries.Periodic)
-            {
-                throw new ArgumentException("DomainSize, SupportRadius, OctantSearch and Boundaries.Periodic cannot change while the liquid runs: " +
-                    "the grid depends on them. Start a new solver.");
-            }
-
+            FluidGrid.CheckKept(state.Settings, prepared);
             SettingsChanges++;
             state.Settings = prepared;
             counters.RestDensity = settings.RestDensity;
-            neighboursFresh = false;
+            recorder.Forget();
         }
 
         /// <summary>Records a number of steps, and a read-back of the counters.</summary>
         /// <param name="cmd">Command buffer to record into.</param>
         /// <param name="steps">Number of steps; none records nothing.</param>
-        public void RecordSteps(CommandBuffer cmd, int steps)
-        {
-            RecordSteps(cmd, steps, state.Settings.TimeStep);
-        }
+        public void RecordSteps(CommandBuffer cmd, int steps) => RecordSteps(cmd, steps, state.Settings.TimeStep);
 
         /// <summary>Records a number of steps of another length than the settings have, and a read-back of the counters.</summary>
         /// <param name="cmd">Command buffer to record into.</param>
@@ -280,49 +246,10 @@ namespace SphFluid
         public void RecordSteps(CommandBuffer cmd, int steps, float timeStep)
         {
             ThrowIfDisposed();
-            if (steps < 0)
-            {
-                throw new ArgumentOutOfRangeException(nameof(steps), steps, "The number of steps must be zero or more.");
-            }
-
+            if (steps < 0) throw new ArgumentOutOfRangeException(nameof(steps), steps, "The number of steps must be zero or more.");
             if (!(timeStep > 0f) || float.IsInfinity(timeStep))
-            {
                 throw new ArgumentOutOfRangeException(nameof(timeStep), timeStep, "The length of a step must be a positive number of seconds.");
-            }
-
-            if (steps == 0)
-            {
-                return;
-            }
-
-            counters.RecordReset(cmd);
-            BoundParticles();
-            if (state.WallsChange()) neighboursFresh = false; // what drawing was given has the walls at rest
-            var blocks = new StepBlocks(steps, stepper.StepsPerSetup(steps, timeStep, FlowSpeed));
-            stepper.PlanSteps(blocks.LongestBlock, timeStep, PeakSpeed, Mathf.Max(timeStep, LongestStep));
-            state.WallForces?.Begin(state, steps);
-            for (int i = 0; i < steps; i++)
-            {
-                state.BeginBodyStep(i, steps, timeStep);
-                RecordSetup(cmd);
-                bool keeps = !blocks.IsLast(i);
-                if (!keeps) exchange?.RecordLeaving(cmd, SimulatedTime + timeStep, timeStep);
-                var step = new FluidStep(timeStep, StepCount == 0 ? timeStep : previousStep, StepCount == 0, keeps);
-                state.WallForces?.RecordStep(cmd, state, step, SimulatedTime + timeStep);
-                stepper.RecordMotion(cmd, step);
-                if (!keeps) exchange?.RecordBirths(cmd);
-                SetupCount += keeps ? 0 : 1;
-                previousStep = timeStep;
-                neighboursFresh = false;
-                StepCount++;
-                SimulatedTime += timeStep;
-            }
-
-            state.EndBodySteps();
-            counters.RecordRequest(cmd);
-            state.WallForces?.End(cmd);
-            exchange?.Counts.RecordRequest(cmd);
-            state.Retired.EndFrame();
+            if (steps > 0) recorder.RecordSteps(cmd, steps, timeStep, FlowSpeed, PeakSpeed, LongestStep);
         }
 
         /// <summary>
@@ -333,12 +260,7 @@ namespace SphFluid
         public void RecordNeighbourSetup(CommandBuffer cmd)
         {
             ThrowIfDisposed();
-            RecordSetup(cmd);
-            if (!published)
-            {
-                stepper.RecordPublish(cmd);
-                published = true;
-            }
+            recorder.RecordNeighbourSetup(cmd);
         }
 
         /// <summary>Puts other particles in the place of the present ones. What the GPU still has to do with those is done first.</summary>
@@ -348,35 +270,23 @@ namespace SphFluid
         {
             ThrowIfDisposed();
             if (particles == null || !Exchanges && particles.Count != ParticleCount)
-            {
                 throw new ArgumentException($"The solver holds {ParticleCount} particles, and {particles?.Count ?? 0} are given. Start a new solver for another number.",
                     nameof(particles));
-            }
-
-            FluidParticle[] live = CheckParticles(state.Settings, particles, !Exchanges);
+            FluidParticle[] live = LoadedParticles.Check(state.Settings, particles, !Exchanges);
             counters.ReadNow();
-            Replace(live);
-            if (exchange != null) exchange.Births.NextId = nextId;
+            recorder.Replace(live);
+            if (HasExchange) Exchange.Births.NextId = this.particles.NextId;
             ParticleChanges++;
         }
 
         /// <summary>How far the liquid has come, besides its particles; for saves.</summary>
-        internal SolverProgress Progress => new SolverProgress
-        {
-            StepCount = StepCount,
-            SimulatedTime = SimulatedTime,
-            PreviousStep = previousStep,
-            NextId = nextId,
-            Counters = counters.Counters,
-        };
+        internal SolverProgress Progress => recorder.Progress;
 
         /// <summary>Goes on from a save: no read-back is under way, and order and neighbours are found anew.</summary>
         internal void Continue(FluidParticle[] live, in SolverProgress progress)
         {
             ThrowIfDisposed();
-            counters.Continue(progress.Counters);
-            Replace(live);
-            (StepCount, SimulatedTime, previousStep, nextId) = (progress.StepCount, progress.SimulatedTime, progress.PreviousStep, progress.NextId);
+            recorder.Continue(live, progress);
         }
 
         /// <summary>Records the globals and the keyword of a kernel that includes Shaders/Solver/GridNeighbours.hlsl.</summary>
@@ -408,111 +318,30 @@ namespace SphFluid
             return counters.ReadNow();
         }
 
-        /// <summary>Releases the GPU memory.</summary>
-        public void Dispose()
-        {
-            if (!disposed)
-            {
-                disposed = true;
-                counters.Dispose();
-                exchange?.Dispose();
-                state.WallForces?.Dispose();
-                stepper.Dispose();
-            }
-        }
-
-        void RecordSetup(CommandBuffer cmd)
-        {
-            if (obstacles != null) state.SetTriangles(obstacles.Scene.TriangleBuffer, obstacles.Scene.ColliderBuffer, obstacles.Scene.Colliders.Count);
-            if (!loaded)
-            {
-                stepper.RecordLoad(cmd);
-                loaded = true;
-            }
-
-            if (!neighboursFresh)
-            {
-                stepper.RecordNeighbourSetup(cmd);
-                neighboursFresh = true;
-                published = false;
-            }
-        }
-
         /// <summary>Checks that a liquid can start from particles, as the constructor does.</summary>
         /// <param name="settings">The physics.</param>
         /// <param name="initial">The particles.</param>
         /// <returns>A copy of them.</returns>
         /// <exception cref="ArgumentException">There is no particle, or one lies outside the domain.</exception>
-        public static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial) =>
-            CheckParticles(settings, initial, true);
+        public static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial) => LoadedParticles.Check(settings, initial, true);
 
-        static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial, bool isFixed)
+        /// <summary>Releases the GPU memory.</summary>
+        public void Dispose()
         {
-            if (initial == null || isFixed && initial.Count == 0)
-            {
-                throw new ArgumentException("A fluid needs one particle or more.", nameof(initial));
-            }
-
-            var particles = new FluidParticle[initial.Count];
-            int count = 0, outside = 0;
-            for (int i = 0; i < particles.Length; i++)
-            {
-                if (!isFixed && initial[i].IsRemoved) continue;
-                outside += DomainSpace.Holds(initial[i].Position, settings.DomainSize) ? 0 : 1;
-                particles[count++] = initial[i];
-            }
-
-            if (outside > 0)
-            {
-                throw new ArgumentException(
-                    $"{outside} of {particles.Length} particles lie outside the domain of {settings.DomainSize} m. Move the liquid or enlarge the domain.",
-                    nameof(initial));
-            }
-
-            Array.Resize(ref particles, count);
-            return particles;
+            if (IsDisposed) return;
+            IsDisposed = true;
+            counters.Dispose();
+            recorder.Exchange?.Dispose();
+            state.WallForces?.Dispose();
+            stepper.Dispose();
         }
 
-        void Replace(FluidParticle[] live)
-        {
-            if (live.Length > state.Capacity) ((IExchangingStepper)stepper).Reserve(null, live.Length);
-            Upload(live);
-            (bornBefore, removedBefore) = (counters.Counters.Born, counters.Counters.Removed);
-            loaded = false;
-            neighboursFresh = false;
-        }
-
-        /// <summary>Slots that a liquid starts with.</summary>
-        /// <param name="method">Its method.</param>
-        /// <param name="count">Number of particles.</param>
-        /// <param name="capacity">Slots that were asked for, where particles can come in.</param>
-        internal static int SlotsFor(FluidMethod method, int count, int capacity) =>
-            Math.Max(1, Math.Max(count, method.Has(FluidMethodFeatures.ChangingCount) ? capacity : 0));
-
-        void Upload(FluidParticle[] particles)
-        {
-            state.Published.Particles.SetData(particles.Length > 0 ? particles : new[] { new FluidParticle { Removed = 1f } });
-            state.LoadedCount = particles.Length;
-            state.ParticleCount = Math.Max(1, particles.Length);
-            loadedCount = particles.Length;
-            foreach (FluidParticle particle in particles) nextId = Math.Max(nextId, unchecked(particle.Id + 1u));
-        }
-
-        // What the GPU has counted tells how many particles there can be.
-        void BoundParticles()
-        {
-            state.Retired.Release(counters.Received - 1);
-            if (exchange == null) return;
-            FluidCounters known = counters.Counters;
-            exchange.Bound(LiveCount, known.Born + known.Blocked + known.Refused);
-        }
+        static float NotNegative(float value) =>
+            value >= 0f ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "The liquid's speed must be zero or more.");
 
         void ThrowIfDisposed()
         {
-            if (disposed)
-            {
-                throw new ObjectDisposedException(nameof(FluidSolver));
-            }
+            if (IsDisposed) throw new ObjectDisposedException(nameof(FluidSolver));
         }
     }
 }

@@ -30,12 +30,9 @@ namespace SphFluid
         readonly float longestStep; // of a particle, m
         readonly Bounds domain; // beyond it no particle is in a step
         readonly BodyGeometry geometry;
-        readonly Dictionary<object, BodyMotion> movers = new Dictionary<object, BodyMotion>();
         readonly List<CollisionBody> bodies = new List<CollisionBody>();
         readonly List<BodyMotion> motions = new List<BodyMotion>(); // of the bodies; null for those at rest
-        readonly HashSet<ColliderState> resting = new HashSet<ColliderState>();
-        readonly List<FluidObstacle> lastSolids = new List<FluidObstacle>();
-        readonly List<BodyJump> newJumps = new List<BodyJump>();
+        readonly MovingColliders moving = new MovingColliders();
         int firstDeforming; // of bodies: from it on they deform
         bool stale;
         GraphicsBuffer bodyBuffer;
@@ -86,10 +83,10 @@ namespace SphFluid
         public float LongestMotion { get; private set; }
 
         /// <summary>Times a body's motion could not be followed, since the start; it was put at its new place at once.</summary>
-        public int Jumps { get; private set; }
+        public int Jumps => moving.Jumps;
 
         /// <summary>Those of the last update.</summary>
-        public IReadOnlyList<BodyJump> NewJumps => newJumps;
+        public IReadOnlyList<BodyJump> NewJumps => moving.NewJumps;
 
         /// <summary>Whether the triangles of a body change in its rigid frame: it is scaled or sheared, or it deforms.</summary>
         public bool HasStretch { get; private set; }
@@ -101,9 +98,8 @@ namespace SphFluid
         /// <param name="solids">Colliders that take part.</param>
         public void Update(IReadOnlyList<FluidObstacle> solids)
         {
-            newJumps.Clear();
-            bool outgrown = Follow(solids);
-            foreach (BodyMotion motion in movers.Values) outgrown |= motion.Settle();
+            bool outgrown = moving.Follow(solids) | moving.Settle();
+            stale |= moving.FrictionChanged;
             if (outgrown) Rebuild(solids);
             else if (motions.Exists(m => m?.Deformation != null && m.Deformation.IsChanged)) Deform(solids);
             bool wasUnderWay = IsUnderWay;
@@ -115,7 +111,7 @@ namespace SphFluid
                 if (motions[i] == null) continue;
                 if (IsTooFar(motions[i], bodies[i]))
                 {
-                    Jumped(motions[i].Source, BodyFollowing.TooFar);
+                    moving.Jump(motions[i].Source, BodyFollowing.TooFar);
                     motions[i].Arrive();
                     motions[i].Floats?.Seed();
                     deformed |= motions[i].Deformation != null;
@@ -156,7 +152,7 @@ namespace SphFluid
 
         /// <summary>The motion of a collider that moves; null: it rests, or there is none.</summary>
         /// <param name="key">Of the collider's state.</param>
-        public BodyMotion MotionOf(object key) => movers.TryGetValue(key, out BodyMotion motion) ? motion : null;
+        public BodyMotion MotionOf(object key) => moving.MotionOf(key);
 
         /// <summary>Records the bodies for a kernel that moves them.</summary>
         public void SetOut(CommandBuffer cmd, ComputeKernel kernel) => kernel.SetBuffer(cmd, BodiesOutId, bodyBuffer);
@@ -183,101 +179,15 @@ namespace SphFluid
         }
 
         /// <summary>Writes where the last steps left each collider, which of them are bodies of their own, and the corners of those that deform.</summary>
-        public void Save(SaveWriter writer)
-        {
-            List<FluidObstacle> there = lastSolids.FindAll(s => s.Source != null);
-            writer.Write(there.Count);
-            foreach (FluidObstacle solid in there)
-            {
-                bool moves = movers.TryGetValue(solid.State.Key, out BodyMotion motion);
-                writer.WriteKey(solid.Source);
-                writer.Write(moves);
-                writer.Write(moves ? motion.Begun(solid.State) : solid.State.ToSimulation);
-                writer.WriteItems<Vector3>(moves ? motion.BegunCorners : null);
-            }
-        }
+        public void Save(SaveWriter writer) => moving.Save(writer);
 
         /// <summary>Goes on from a save: colliders move from where they were then to where they are. Triangles rest where they were then.</summary>
         /// <param name="reader">The save.</param>
         /// <param name="scene">The colliders as they are now.</param>
         public void Load(SaveReader reader, CollisionScene scene)
         {
-            movers.Clear();
-            lastSolids.Clear();
-            Dictionary<string, FluidObstacle> present = SaveReader.ByKey(scene.Solids, s => s.Source);
-            for (int left = reader.Read<int>(); left > 0; left--)
-            {
-                bool isThere = reader.TryFind(present, out FluidObstacle now);
-                bool moves = reader.Read<bool>();
-                Matrix4x4 place = reader.Read<Matrix4x4>();
-                Vector3[] corners = reader.ReadItems<Vector3>();
-                if (!isThere) continue;
-                FluidObstacle then = scene.At(now, place);
-                bool deforms = corners.Length > 0 && corners.Length == then.Mesh.Vertices.Length;
-                if (deforms) then = new FluidObstacle(then.State, then.Spacing, then.Mesh.Deformed(corners));
-                lastSolids.Add(then);
-                if (moves || then.State.Body != null) movers[then.State.Key] = new BodyMotion(then, deforms);
-            }
-            Rebuild(lastSolids);
-        }
-
-        // Whether the set of bodies changed. A collider that rested and is elsewhere now becomes a body of its own for good.
-        bool Follow(IReadOnlyList<FluidObstacle> solids)
-        {
-            if (IsSame(solids)) return false;
-            bool changed = false;
-            var present = new HashSet<object>();
-            foreach (FluidObstacle solid in solids)
-            {
-                object key = solid.State.Key;
-                present.Add(key);
-                if (movers.TryGetValue(key, out BodyMotion motion))
-                {
-                    stale |= motion.Friction != solid.State.Friction;
-                    changed |= Move(motion, solid);
-                }
-                else if (solid.State.Body != null)
-                {
-                    changed = true;
-                    movers[key] = new BodyMotion(solid);
-                }
-                else if (!resting.Contains(solid.State))
-                {
-                    changed = true;
-                    FluidObstacle before = lastSolids.Find(s => ReferenceEquals(s.State.Key, key));
-                    if (before == null || before.State.HasTrianglesOf(solid.State)) continue;
-                    movers[key] = new BodyMotion(before);
-                    Move(movers[key], solid);
-                }
-            }
-            foreach (FluidObstacle solid in lastSolids)
-            {
-                if (present.Contains(solid.State.Key)) continue;
-                movers.Remove(solid.State.Key);
-                changed = true;
-            }
-            lastSolids.Clear();
-            lastSolids.AddRange(solids);
-            return changed;
-        }
-
-        // Whether the set of bodies or their cells changed.
-        bool Move(BodyMotion motion, FluidObstacle solid)
-        {
-            BodyFollowing following = motion.MoveTo(solid);
-            if (following == BodyFollowing.Followed) return false;
-            if (following != BodyFollowing.CellsOutgrown)
-            {
-                Jumped(solid.Source, following);
-                movers[solid.State.Key] = new BodyMotion(solid);
-            }
-            return true;
-        }
-
-        void Jumped(Component source, BodyFollowing reason)
-        {
-            Jumps++;
-            newJumps.Add(new BodyJump(source, reason));
+            moving.Load(reader, scene);
+            Rebuild(moving.LastSolids);
         }
 
         // Also where a particle's line in the frame of the triangles bends more than the parts follow that it is looked up in.
@@ -287,14 +197,6 @@ namespace SphFluid
             if (displacement > JumpOverReach * reach) return true;
             if (!motion.IsStretched) return false;
             return (displacement + longestStep) / motion.FrameRange().least * PartsPerMetre(motion) > MostParts - 1.0;
-        }
-
-        bool IsSame(IReadOnlyList<FluidObstacle> solids)
-        {
-            if (solids.Count != lastSolids.Count) return false;
-            for (int i = 0; i < solids.Count; i++)
-                if (!ReferenceEquals(solids[i], lastSolids[i])) return false;
-            return true;
         }
 
         void Rebuild(IReadOnlyList<FluidObstacle> solids)
@@ -310,17 +212,13 @@ namespace SphFluid
             bodies.Clear();
             motions.Clear();
             geometry.Clear();
-            resting.Clear();
-            foreach (IGrouping<float, FluidObstacle> alike in solids.Where(s => !movers.ContainsKey(s.State.Key)).GroupBy(s => s.State.Friction))
+            foreach (IGrouping<float, FluidObstacle> alike in moving.TakeResting(solids))
             {
                 foreach (FluidObstacle solid in alike)
-                {
-                    resting.Add(solid.State);
                     geometry.Add(solid.Mesh, domain);
-                }
                 AddBody(null, alike.Key);
             }
-            foreach (BodyMotion motion in Movers(solids, false))
+            foreach (BodyMotion motion in moving.Of(solids, false))
             {
                 geometry.Add(motion.Mesh, null);
                 AddBody(motion, motion.Friction);
@@ -343,18 +241,12 @@ namespace SphFluid
 
         void AddDeforming(IReadOnlyList<FluidObstacle> solids)
         {
-            foreach (BodyMotion motion in Movers(solids, true))
+            foreach (BodyMotion motion in moving.Of(solids, true))
             {
                 geometry.AddDeforming(motion.Deformation.Start, motion.Deformation.End);
                 motion.Deformation.IsChanged = false;
                 AddBody(motion, motion.Friction);
             }
-        }
-
-        IEnumerable<BodyMotion> Movers(IReadOnlyList<FluidObstacle> solids, bool deform)
-        {
-            foreach (FluidObstacle solid in solids)
-                if (movers.TryGetValue(solid.State.Key, out BodyMotion motion) && motion.Deformation != null == deform) yield return motion;
         }
 
         void AddBody(BodyMotion motion, float friction)

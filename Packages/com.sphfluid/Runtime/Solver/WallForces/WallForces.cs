@@ -58,6 +58,14 @@ namespace SphFluid
         /// <summary>Whether the steps that are recorded are summed.</summary>
         internal bool IsOn => batch != null;
 
+        /// <summary>None so far, on a device that can sum them.</summary>
+        /// <exception cref="FluidDeviceException">The device cannot.</exception>
+        internal static WallForces Start(FluidShaderSet shaders)
+        {
+            foreach (string shortfall in ShaderGroup.WallForces.Shortfalls(DeviceCapabilities.Query())) throw new FluidDeviceException(shortfall);
+            return new WallForces(shaders);
+        }
+
         /// <summary>Adds a rectangle; the next steps that are recorded are summed.</summary>
         /// <param name="centre">Its centre, on a wall [m, simulation space].</param>
         /// <param name="rotation">x and y axes along its edges, z out of the wall towards the liquid.</param>

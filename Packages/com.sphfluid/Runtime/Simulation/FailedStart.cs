@@ -1,0 +1,28 @@
+namespace SphFluid
+{
+    /// <summary>What a simulation was when it could not start or go on: the next try comes with the next change.</summary>
+    internal sealed class FailedStart
+    {
+        (FluidStartKey, FluidLiveKey)? keys;
+        int sources;
+
+        /// <summary>It failed.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="sources">Number of its volumes and emitters.</param>
+        public void Note(in FluidSpec spec, int sources)
+        {
+            keys = KeysOf(spec);
+            this.sources = sources;
+        }
+
+        /// <summary>It did not fail, or is to be tried again whatever it is.</summary>
+        public void Forget() => keys = null;
+
+        /// <summary>Whether it failed and is still the same.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="sources">Number of its volumes and emitters.</param>
+        public bool IsUnchanged(in FluidSpec spec, int sources) => keys != null && keys.Value.Equals(KeysOf(spec)) && this.sources == sources;
+
+        static (FluidStartKey, FluidLiveKey) KeysOf(in FluidSpec spec) => (FluidStartKey.Of(spec), FluidLiveKey.AsGiven(spec));
+    }
+}
