@@ -1,5 +1,4 @@
 using System;
-using System.Linq;
 
 namespace SphFluid.Editor
 {
@@ -15,8 +14,8 @@ namespace SphFluid.Editor
             FluidProfile profile = simulation.Profile;
             if (!(profile.SurfaceTension > 0f)) return "";
             string tension = FormattableString.Invariant($"surface tension of {profile.SurfaceTension:G2} N/m");
-            if (!FluidMethods.Of(simulation.Method).ProfileFields.Contains("surfaceTension"))
-                return $"'{simulation.name}': the {tension} does not act: the method {simulation.Method} has none.";
+            if (!FluidMethods.Has(constants.Method, FluidMethodFeatures.SurfaceTension))
+                return $"'{simulation.name}': the {tension} does not act: the method {constants.Method} has none.";
             TimeStepAdvice advice = FluidRules.Advise(constants, constants.MaxSpeed);
             if (double.IsInfinity(advice.SurfaceTension))
             {

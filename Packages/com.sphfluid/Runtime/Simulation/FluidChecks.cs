@@ -168,7 +168,11 @@ namespace SphFluid
                 StepMeter meter = null;
                 if (measures) meter = (in FluidSolverSettings settings) => StepCalibration.Measure(settings, shaders, start.Particles, collision);
                 start.Choice ??= MethodChooser.Choose(spec, start, collision.Solids.Count > 0, meter);
-                if (start.Choice == null) return spec;
+                if (start.Choice == null)
+                {
+                    messages.Add(MethodChoiceText.NoneMessage(spec, MethodObstacles.OfAll(spec, start)));
+                    return spec;
+                }
                 messages.Add(MethodChoiceText.Message(start.Choice, spec.Owner));
                 return start.Resolve(spec);
             }

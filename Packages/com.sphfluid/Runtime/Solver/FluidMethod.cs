@@ -109,6 +109,11 @@ namespace SphFluid
         /// <param name="speed">Speed of the fastest particle [m/s].</param>
         public virtual double PassesOf(in FluidSolverSettings settings, double timeStep, double speed) => PassesAStep;
 
+        /// <summary>Features without which a liquid would be another, by the rules of this method: physics that act at its spacing and its viscosity.</summary>
+        /// <param name="input">The liquid.</param>
+        /// <exception cref="ArgumentException">An input is out of range.</exception>
+        public virtual FluidMethodFeatures AskedBy(in FluidRuleInput input) => FluidMethodFeatures.None;
+
         /// <summary>Whether Automatic may pick it; then it makes <see cref="Offers"/>.</summary>
         public virtual bool MayBePicked => false;
 

@@ -43,5 +43,11 @@ namespace SphFluid
 
         /// <summary>A frame is cut into a number of equal steps that hangs on nothing in the liquid: <see cref="FluidMethod.MakeClock"/>.</summary>
         StepsByFrame = 2048,
+
+        /// <summary>Surface tension and contact angle.</summary>
+        SurfaceTension = 4096,
+
+        /// <summary>Viscosity that is solved for, so that no step is too long for it.</summary>
+        ImplicitViscosity = 8192,
     }
 }

@@ -214,8 +214,7 @@ namespace SphFluid
             geometry.Clear();
             foreach (IGrouping<float, FluidObstacle> alike in moving.TakeResting(solids))
             {
-                foreach (FluidObstacle solid in alike)
-                    geometry.Add(solid.Mesh, domain);
+                foreach (FluidObstacle solid in alike) geometry.Add(solid.Mesh, domain);
                 AddBody(null, alike.Key);
             }
             foreach (BodyMotion motion in moving.Of(solids, false))

@@ -102,7 +102,7 @@ namespace SphFluid
             (fallback, fallbackOf) = (FluidMethodKind.Standard, spec.Profile.Shaders);
             foreach (FluidMethod method in FluidMethods.All)
             {
-                if (!method.MayBePicked || MethodChooser.ObstacleOf(new FluidSpec { Profile = spec.Profile }, method) != null) continue;
+                if (!method.MayBePicked || MethodObstacles.Of(new FluidSpec { Profile = spec.Profile }, method) != null) continue;
                 fallback = method.Kind;
                 break;
             }

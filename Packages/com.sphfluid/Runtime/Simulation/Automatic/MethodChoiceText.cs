@@ -51,6 +51,13 @@ namespace SphFluid
             return new FluidMessage(cure.Length > 0 ? FluidSeverity.Warning : FluidSeverity.Info, FluidIssue.MethodChoice, owner, "Method in use: " + Reason(choice), cure);
         }
 
+        /// <summary>The message where no method can be picked.</summary>
+        /// <param name="spec">The simulation, by the method that it runs by nevertheless.</param>
+        /// <param name="obstacles">Why not, as sentences.</param>
+        public static FluidMessage NoneMessage(in FluidSpec spec, string obstacles) => new FluidMessage(FluidSeverity.Warning, FluidIssue.MethodChoice, spec.Owner,
+            $"No method has all that the simulation uses: it runs by {spec.Method}, without some of it. {obstacles}",
+            "Remove what is missing from the simulation or its profile, or set Method yourself.");
+
         /// <summary>Standard; Standard with 12 % compression; Robust.</summary>
         public static string Name(in FluidMethodCandidate candidate) => candidate.Substeps > 0 || candidate.Offer.AsTheProfileAsks
             ? $"{candidate.Method}" : Invariant($"{candidate.Method} with {100.0 * candidate.MaxCompression:0.#} % compression");

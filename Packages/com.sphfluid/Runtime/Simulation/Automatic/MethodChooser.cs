@@ -46,25 +46,11 @@ namespace SphFluid
         internal static IReadOnlyList<MethodOffer> Offers(FluidMethod method, in FluidRuleInput input, in AutomaticSpec asked, double millisecondsAStep) =>
             method.Offers(new MethodQuestion { Input = input, FrameTime = 1.0 / asked.FrameRate, Affordable = asked.Budget / millisecondsAStep });
 
-        /// <summary>Why a simulation cannot be computed by a method, as the end of a sentence that begins with its name; null where it can.</summary>
-        internal static string ObstacleOf(in FluidSpec spec, FluidMethod method)
-        {
-            if (!FluidSupport.Query().Supports(method.Kind)) return "does not run on this device";
-            if (spec.Profile.Shaders != null && spec.Profile.Shaders.Missing(method.Shaders.AllShaders).Count > 0) return "has shaders that the shader set lacks";
-            return Lack(spec, method) is string lack ? $"has no {lack}, which the simulation uses" : null;
-        }
-
-        static string Lack(in FluidSpec spec, FluidMethod method) =>
-            spec.Boundaries.Open != FluidFaces.None && !method.Has(FluidMethodFeatures.OpenFaces) ? "open faces" :
-            (spec.Emitters?.Count ?? 0) + (spec.Drains?.Count ?? 0) > 0 && !method.Has(FluidMethodFeatures.ChangingCount) ? "emitters and drains" :
-            spec.Zones?.Count > 0 && !method.Has(FluidMethodFeatures.ForceZones) ? "force zones" :
-            spec.StartRelaxation != FluidStartRelaxation.None && !method.Has(FluidMethodFeatures.RelaxedStart) ? "relaxed start" : null;
-
         static void Add(List<FluidMethodCandidate> candidates, in FluidSpec spec, in FluidRuleInput input, FluidMethod method, long particles, bool hasBodies, StepMeter meter)
         {
             IReadOnlyList<MethodOffer> offers = Offers(method, input, spec.Automatic, double.NaN);
             if (offers.Count == 0) return;
-            string obstacle = ObstacleOf(spec, method);
+            string obstacle = MethodObstacles.Of(spec, input, method);
             double cost = obstacle == null ? CostOf(method, input, offers[0], particles, hasBodies, meter, out FluidCostSource source) : Unknown(out source);
             foreach (MethodOffer offer in Offers(method, input, spec.Automatic, cost))
                 candidates.Add(new FluidMethodCandidate(offer, cost, source, obstacle));

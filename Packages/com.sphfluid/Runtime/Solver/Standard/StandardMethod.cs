@@ -20,7 +20,7 @@ namespace SphFluid
         public override FluidMethodFeatures Features => FluidMethodFeatures.OpenFaces | FluidMethodFeatures.BodyContact |
             FluidMethodFeatures.ColliderFriction | FluidMethodFeatures.RelaxedStart | FluidMethodFeatures.FollowingSoundSpeed |
             FluidMethodFeatures.KeptNeighbours | FluidMethodFeatures.ChangingCount |
-            FluidMethodFeatures.ForceZones | FluidMethodFeatures.WallForces;
+            FluidMethodFeatures.ForceZones | FluidMethodFeatures.WallForces | FluidMethodFeatures.SurfaceTension | FluidMethodFeatures.ImplicitViscosity;
 
         public override ShaderGroup Shaders => Group;
 
@@ -34,6 +34,15 @@ namespace SphFluid
 
         public override string CostVariant(in FluidSolverSettings settings) =>
             (settings.Own<StandardSettings>().ImplicitViscosity ? "+viscous" : "") + (settings.Own<StandardSettings>().SurfaceTension > 0f ? "+tension" : "");
+
+        public override FluidMethodFeatures AskedBy(in FluidRuleInput input)
+        {
+            FluidRuleInput own = input;
+            own.Method = Kind;
+            StandardSettings settings = Derive(own).Own<StandardSettings>();
+            return (settings.SurfaceTension > 0f ? FluidMethodFeatures.SurfaceTension : FluidMethodFeatures.None) |
+                (settings.ImplicitViscosity ? FluidMethodFeatures.ImplicitViscosity : FluidMethodFeatures.None);
+        }
 
         public override bool MayBePicked => true;
 

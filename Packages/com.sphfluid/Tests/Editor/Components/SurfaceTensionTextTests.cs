@@ -47,6 +47,16 @@ namespace SphFluid.Tests
             Assert.That(SurfaceTensionText.Of(tank, constants), Does.EndWith("does not act: the method Thesis has none."));
         }
 
+        [TestCase(FluidMethodKind.Standard, "'Tank': the surface tension of 0.073 N/m acts, with a contact angle of 30°.")]
+        [TestCase(FluidMethodKind.Robust, "'Tank': the surface tension of 0.073 N/m does not act: the method Robust has none.")]
+        public void WithAutomaticTheMethodInUseDecides(FluidMethodKind inUse, string text)
+        {
+            tank.Method = inUse;
+            FluidSolverSettings constants = Constants(0.002f, 0.2f);
+            tank.Method = FluidMethodKind.Automatic;
+            Assert.That(SurfaceTensionText.Of(tank, constants), Is.EqualTo(text));
+        }
+
         [Test]
         public void WithoutThereIsNothingToSay()
         {

@@ -212,12 +212,12 @@ namespace SphFluid.Tests
             {
                 FluidSpec spec = simulation.Spec;
                 spec.Profile.Shaders = ScriptableObject.CreateInstance<FluidShaderSet>();
-                Assert.That(MethodChooser.ObstacleOf(spec, FluidMethods.Of(FluidMethodKind.Standard)), Does.Contain("shader set"));
+                Assert.That(MethodObstacles.Of(spec, FluidMethods.Of(FluidMethodKind.Standard)), Does.Contain("shader set"));
                 Object.DestroyImmediate(spec.Profile.Shaders);
                 spec.Profile.Shaders = without;
-                Assert.That(MethodChooser.ObstacleOf(spec, FluidMethods.Of(FluidMethodKind.Standard)), Is.Null);
+                Assert.That(MethodObstacles.Of(spec, FluidMethods.Of(FluidMethodKind.Standard)), Is.Null);
                 spec.Zones = new[] { default(ZoneSpec) };
-                Assert.That(MethodChooser.ObstacleOf(spec, FluidMethods.Of(FluidMethodKind.Thesis)), Is.EqualTo("has no force zones, which the simulation uses"));
+                Assert.That(MethodObstacles.Of(spec, FluidMethods.Of(FluidMethodKind.Thesis)), Is.EqualTo("has no force zones, which the simulation uses"));
             }
             finally
             {

@@ -1,0 +1,62 @@
+using System;
+using System.Collections.Generic;
+
+namespace SphFluid
+{
+    /// <summary>Why a simulation cannot be computed by a method, as the end of a sentence that begins with the method's name.</summary>
+    internal static class MethodObstacles
+    {
+        /// <summary>By the device, the shaders and the components of the simulation, before anything is known of its liquid.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="method">The method.</param>
+        /// <returns>Null where there is none.</returns>
+        public static string Of(in FluidSpec spec, FluidMethod method)
+        {
+            if (!FluidSupport.Query().Supports(method.Kind)) return "does not run on this device";
+            if (spec.Profile.Shaders != null && spec.Profile.Shaders.Missing(method.Shaders.AllShaders).Count > 0) return "has shaders that the shader set lacks";
+            return Lack(spec, method) is string lack ? $"has no {lack}, which the simulation uses" : null;
+        }
+
+        /// <summary>By the device, the shaders, the components and the physics of the liquid.</summary>
+        /// <param name="spec">The simulation.</param>
+        /// <param name="input">What the rules start from.</param>
+        /// <param name="method">The method.</param>
+        /// <returns>Null where there is none.</returns>
+        /// <exception cref="ArgumentException">An input is out of range.</exception>
+        public static string Of(in FluidSpec spec, in FluidRuleInput input, FluidMethod method) => Of(spec, method) ?? MissingPhysics(input, method);
+
+        /// <summary>Those of all methods that Automatic may pick, a sentence each.</summary>
+        /// <param name="given">The simulation.</param>
+        /// <param name="start">Where its liquid starts.</param>
+        /// <exception cref="ArgumentException">An input is out of range.</exception>
+        public static string OfAll(in FluidSpec given, FluidStart start)
+        {
+            FluidSpec spec = given.AsSet();
+            FluidRuleInput input = FluidConstants.Input(spec, start, start.Gravity);
+            var sentences = new List<string>();
+            foreach (FluidMethod method in FluidMethods.All)
+                if (method.MayBePicked && Of(spec, input, method) is string obstacle) sentences.Add($"{method.Kind} {obstacle}.");
+            return string.Join(" ", sentences);
+        }
+
+        static string Lack(in FluidSpec spec, FluidMethod method) =>
+            spec.Boundaries.Open != FluidFaces.None && !method.Has(FluidMethodFeatures.OpenFaces) ? "open faces" :
+            (spec.Emitters?.Count ?? 0) + (spec.Drains?.Count ?? 0) > 0 && !method.Has(FluidMethodFeatures.ChangingCount) ? "emitters and drains" :
+            spec.Zones?.Count > 0 && !method.Has(FluidMethodFeatures.ForceZones) ? "force zones" :
+            spec.StartRelaxation != FluidStartRelaxation.None && !method.Has(FluidMethodFeatures.RelaxedStart) ? "relaxed start" : null;
+
+        // What any method finds that the liquid asks for, whether or not that method can be picked.
+        static string MissingPhysics(in FluidRuleInput input, FluidMethod method)
+        {
+            FluidMethodFeatures asked = FluidMethodFeatures.None;
+            foreach (FluidMethod other in FluidMethods.All)
+                if (other.MayBePicked) asked |= other.AskedBy(input);
+            FluidMethodFeatures missing = asked & ~method.Features;
+            if ((missing & FluidMethodFeatures.SurfaceTension) != 0)
+                return FormattableString.Invariant($"has no surface tension, which acts in this liquid at a spacing of {1e3 * input.Spacing:G3} mm");
+            if ((missing & FluidMethodFeatures.ImplicitViscosity) != 0)
+                return FormattableString.Invariant($"has no implicit viscosity, which this liquid of {input.KinematicViscosity:G3} m²/s needs");
+            return null;
+        }
+    }
+}
