@@ -1,0 +1,45 @@
+using System.Linq;
+using NUnit.Framework;
+
+namespace SphFluid.Tests
+{
+    /// <summary>What a simulation has said: each message once, and what was said before a restore that failed.</summary>
+    public sealed class FluidMessageLogTests
+    {
+        [Test]
+        public void AMessageIsTakenOnce()
+        {
+            var log = new FluidMessageLog();
+            Assert.That(log.TryAdd(Message("One.")), Is.True);
+            Assert.That(log.TryAdd(Message("Two.")), Is.True);
+            Assert.That(log.TryAdd(Message("One.")), Is.False);
+            Assert.That(Texts(log), Is.EqualTo(new[] { "One.", "Two." }));
+        }
+
+        [Test]
+        public void AClearedLogTakesAMessageAgain()
+        {
+            var log = new FluidMessageLog();
+            log.TryAdd(Message("One."));
+            Assert.That(log.Clear().Single().Text, Is.EqualTo("One."));
+            Assert.That(log.All, Is.Empty);
+            Assert.That(log.TryAdd(Message("One.")), Is.True);
+        }
+
+        [Test]
+        public void WhatIsPutBackStandsBeforeWhatCameSinceAndNotTwice()
+        {
+            var log = new FluidMessageLog();
+            foreach (string text in new[] { "One.", "Two.", "Three." }) log.TryAdd(Message(text));
+            var earlier = log.Clear();
+            log.TryAdd(Message("Two."));
+            log.TryAdd(Message("Four."));
+            log.PutBack(earlier);
+            Assert.That(Texts(log), Is.EqualTo(new[] { "One.", "Three.", "Two.", "Four." }));
+        }
+
+        static string[] Texts(FluidMessageLog log) => log.All.Select(m => m.Text).ToArray();
+
+        static FluidMessage Message(string text) => new FluidMessage(FluidSeverity.Info, FluidIssue.MethodChoice, null, text, "");
+    }
+}
