@@ -87,7 +87,7 @@ namespace SphFluid.Tests
             ValidationCase[] charted = CaseCatalogue.All.Where(c => !c.IsGate).ToArray();
             ChartPlan plan = ChartPlan.Full(charted, CaseMethod.All, ChartPlan.FullBudget(true), ChartPlan.SoftwareRunLimit);
 
-            Assert.That(plan.Cost / StepWork.SoftwareRate, Is.LessThan(125.0 * 60.0));
+            Assert.That(plan.Cost / StepWork.SoftwareRate, Is.LessThan(46.0 * 60.0));
             foreach (ValidationCase c in charted)
             {
                 List<ChartRun> own = plan.Runs.Where(r => r.Config.Case == c && r.Config.Method.Name == "standard").ToList();
