@@ -43,6 +43,7 @@ namespace SphFluid
             }
         }
 
+        /// <inheritdoc/>
         private protected override double MainValue => rates.Mean(AveragingTime);
 
         /// <inheritdoc/>

@@ -39,6 +39,7 @@ namespace SphFluid
             }
         }
 
+        /// <inheritdoc/>
         private protected override double MainValue => heights.Mean(AveragingTime);
 
         /// <inheritdoc/>

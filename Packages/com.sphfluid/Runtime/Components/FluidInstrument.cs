@@ -57,6 +57,7 @@ namespace SphFluid
         /// <summary>All readings with names and units, the main one first; values are not numbers while there are none.</summary>
         public abstract IReadOnlyList<FluidReading> Readings { get; }
 
+        /// <summary>The main reading; read only while there is one.</summary>
         private protected abstract double MainValue { get; }
 
         /// <summary>Waits for the GPU and takes the newest answers; for tools and tests.</summary>
@@ -84,6 +85,7 @@ namespace SphFluid
         /// <summary>Ends the questions to a liquid that may have stopped.</summary>
         private protected abstract void Leave(FluidSimulation liquid);
 
+        /// <summary>A warning about this instrument.</summary>
         private protected FluidMessage Warn(string text, string cure) => new FluidMessage(FluidSeverity.Warning, FluidIssue.InstrumentInvalid, this, text, cure);
 
         void OnEnable()

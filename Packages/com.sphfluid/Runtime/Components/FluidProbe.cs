@@ -79,6 +79,7 @@ namespace SphFluid
             }
         }
 
+        /// <inheritdoc/>
         private protected override double MainValue => kind == FluidProbeKind.WallPressure ? wall.Patch?.MeanPressure(AveragingTime) ?? 0.0
             : kind == FluidProbeKind.Velocity ? Velocity.magnitude : means[0].Mean(AveragingTime);
 

@@ -21,6 +21,7 @@ namespace SphFluid
             {
                 FluidRuleInput coarser = input;
                 coarser.Spacing = Round(input.Spacing * ratio);
+                if (LosesTension(input, coarser)) return;
                 long particles = (long)Math.Max(1.0, choice.Particles * Math.Pow(input.Spacing / (double)coarser.Spacing, 3.0));
                 if (!(Fitting(choice, coarser, particles, hasBodies) is FluidMethodKind method)) continue;
                 (choice.ProposedSpacing, choice.ProposedParticles, choice.ProposedMethod) = (coarser.Spacing, particles, method);
@@ -41,6 +42,10 @@ namespace SphFluid
             }
             return null;
         }
+
+        // A liquid whose surface tension acts no more is another liquid.
+        static bool LosesTension(in FluidRuleInput input, in FluidRuleInput coarser) =>
+            (MethodObstacles.AskedBy(input) & ~MethodObstacles.AskedBy(coarser) & FluidMethodFeatures.SurfaceTension) != 0;
 
         // To three digits, as users type it: 0.031234 m to 0.0312.
         static float Round(double spacing)

@@ -45,13 +45,20 @@ namespace SphFluid
             spec.Zones?.Count > 0 && !method.Has(FluidMethodFeatures.ForceZones) ? "force zones" :
             spec.StartRelaxation != FluidStartRelaxation.None && !method.Has(FluidMethodFeatures.RelaxedStart) ? "relaxed start" : null;
 
-        // What any method finds that the liquid asks for, whether or not that method can be picked.
-        static string MissingPhysics(in FluidRuleInput input, FluidMethod method)
+        /// <summary>What any method that Automatic may pick finds that a liquid asks for, whether or not that method can be picked.</summary>
+        /// <param name="input">The liquid.</param>
+        /// <exception cref="ArgumentException">An input is out of range.</exception>
+        public static FluidMethodFeatures AskedBy(in FluidRuleInput input)
         {
             FluidMethodFeatures asked = FluidMethodFeatures.None;
-            foreach (FluidMethod other in FluidMethods.All)
-                if (other.MayBePicked) asked |= other.AskedBy(input);
-            FluidMethodFeatures missing = asked & ~method.Features;
+            foreach (FluidMethod method in FluidMethods.All)
+                if (method.MayBePicked) asked |= method.AskedBy(input);
+            return asked;
+        }
+
+        static string MissingPhysics(in FluidRuleInput input, FluidMethod method)
+        {
+            FluidMethodFeatures missing = AskedBy(input) & ~method.Features;
             if ((missing & FluidMethodFeatures.SurfaceTension) != 0)
                 return FormattableString.Invariant($"has no surface tension, which acts in this liquid at a spacing of {1e3 * input.Spacing:G3} mm");
             if ((missing & FluidMethodFeatures.ImplicitViscosity) != 0)

@@ -6,7 +6,9 @@ namespace SphFluid
         /// <summary>Inward normals; their length is what is empty of the kernel's sphere.</summary>
         public readonly FluidBuffer SurfaceNormals;
 
-        public TensionBuffers(int particleCount, bool isPlanned = false) : base(isPlanned) =>
+        public TensionBuffers(int particleCount, bool isPlanned = false) : base(isPlanned)
+        {
             SurfaceNormals = Add("SurfaceNormals", particleCount, 16);
+        }
     }
 }

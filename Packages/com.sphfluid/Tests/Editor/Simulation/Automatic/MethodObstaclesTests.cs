@@ -77,6 +77,19 @@ namespace SphFluid.Tests
             Assert.That(Choice().Reason, Does.Contain("Robust has no implicit viscosity, which this liquid of 10 m²/s needs."));
         }
 
+        [TestCase(1.01, false)]
+        [TestCase(3.0, true)]
+        public void ASpacingAtWhichTheTensionWouldActNoMoreIsNotProposed(double lengthOverSpacing, bool proposed)
+        {
+            double length = lengthOverSpacing * SimulationRig.Spacing;
+            rig.Profile.SurfaceTension = (float)(rig.Profile.RestDensity * Physics.gravity.magnitude * length * length);
+            FluidMethodChoice choice = Choice();
+            Assert.That(choice.FitsBudget, Is.False);
+            if (proposed) Assert.That(choice.ProposedSpacing, Is.InRange(1.02f * SimulationRig.Spacing, (float)length));
+            else Assert.That(choice.ProposedSpacing, Is.Zero);
+            Assert.That(simulation.Validate().Single(m => m.Issue == FluidIssue.MethodChoice).Cure, Does.Contain("Frame Budget of"));
+        }
+
         [Test]
         public void TheChecksMessageHasTheReason()
         {
