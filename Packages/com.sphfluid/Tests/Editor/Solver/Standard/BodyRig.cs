@@ -21,6 +21,7 @@ namespace SphFluid.Tests
         public FluidSolverSettings Settings { get; }
         public CollisionBodies Bodies { get; }
         public FluidSolver Solver => liquid.Solver;
+        public FluidShaderSet Shaders => liquid.Shaders;
         public StandardState State => liquid.State;
         public IReadOnlyList<FluidObstacle> Solids => colliders.Scene.Solids;
 
