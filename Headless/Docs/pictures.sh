@@ -32,6 +32,7 @@ dam-break DamBreak 960x540 1x1 3
 dam-break-water DamBreak 640x360 1x1 0.65
 dam-break-rest DamBreak 640x360 1x1 8
 falling-block-water FallingBlock 640x360 1x1 0.55
+liquids Liquids 640x360 2x2 0.3 0.7 1.2 2.4
 multiple-objects-water MultipleObjects 640x360 1x1 0.65
 floating-crates FloatingCrates 480x270 2x2 0 0.4 1 3
 fountain Fountain 480x270 2x2 0.8 1.5 2.3 3

@@ -24,6 +24,7 @@ public sealed class SamplePlayTests
     [TestCase("GettingStarted", 0.1, 8000)]
     [TestCase("WaveTank", 0.1, 10000)]
     [TestCase("WeatherProof", 0.3, 250)]
+    [TestCase("Liquids", 0.2, 500)]
     public void TheSamplePlaysWithoutAnErrorAndGetsLiquid(string sample, double seconds, int leastParticles)
     {
         string output = Path.Combine(folder, sample);
