@@ -19,9 +19,10 @@ namespace SphFluid.Editor
             TimeStepAdvice advice = FluidRules.Advise(constants, constants.MaxSpeed);
             if (double.IsInfinity(advice.SurfaceTension))
             {
-                double length = 1e3 * CapillaryRules.CapillaryLength(profile.SurfaceTension, profile.RestDensity, constants.Gravity.magnitude);
+                double gravity = constants.Gravity.magnitude, spacing = 1e3 * CapillaryRules.ResolvedSpacing(profile.SurfaceTension, profile.RestDensity, gravity);
+                string earth = gravity < 0.99 * CapillaryRules.EarthGravity ? " on Earth" : "";
                 return FormattableString.Invariant(
-                    $"'{simulation.name}': the {tension} does not act at a spacing of {1e3 * constants.Spacing:G2} mm. It does at {length:G2} mm and finer, the liquid's capillary length.");
+                    $"'{simulation.name}': the {tension} does not act at a spacing of {1e3 * constants.Spacing:G2} mm. It does at {spacing:G2} mm and finer, the liquid's capillary length{earth}, or with Tension At Any Spacing.");
             }
             string limits = advice.Limit == TimeStepLimit.SurfaceTension ? $" It sets the time step of {TimeStepAdvice.Milliseconds(constants.TimeStep)}." : "";
             return FormattableString.Invariant($"'{simulation.name}': the {tension} acts, with a contact angle of {profile.ContactAngle:0}°.{limits}");

@@ -36,6 +36,7 @@ namespace SphFluid.Validation
             input.SoundSpeedRatio = (float)parameters.SoundSpeedRatio;
             input.TimeStepFraction = (float)parameters.TimeStepFraction;
             input.SurfaceTension = (float)tension;
+            input.TensionAtAnySpacing = true;
             if (viscosity.HasValue)
             {
                 input.KinematicViscosity = (float)viscosity.Value;

@@ -27,8 +27,12 @@ namespace SphFluid
         float kinematicViscosity = 1e-6f;
 
         [SerializeField, Min(0f), Tooltip("Surface tension of the liquid against air in N/m. Water: 0.073. 0: none. It acts where the particle spacing " +
-            "is at most the capillary length, 2.7 mm for water. Standard method only.")]
+            "is at most the capillary length, 2.7 mm for water, or with Tension At Any Spacing. Standard method only.")]
         float surfaceTension;
+
+        [SerializeField, Tooltip("Surface Tension acts however coarse the particles are: for liquid that floats without gravity, where it shapes drops of any size. " +
+            "It costs two more passes over all neighbours a step. Standard method only.")]
+        bool tensionAtAnySpacing;
 
         [SerializeField, Range(0f, 180f), Tooltip("Angle in degrees at which the liquid's surface meets walls, measured in the liquid: below 90 it wets them, " +
             "above it draws back from them. Acts with Surface Tension. Standard method only.")]
@@ -92,6 +96,9 @@ namespace SphFluid
 
         /// <summary>Surface tension σ [N/m]; method Standard.</summary>
         public float SurfaceTension { get => surfaceTension; set { surfaceTension = value; Touch(); } }
+
+        /// <summary>Whether <see cref="SurfaceTension"/> acts however coarse the particles are, not only where they resolve it; method Standard.</summary>
+        public bool TensionAtAnySpacing { get => tensionAtAnySpacing; set { tensionAtAnySpacing = value; Touch(); } }
 
         /// <summary>Contact angle at walls [degrees]; method Standard.</summary>
         public float ContactAngle { get => contactAngle; set { contactAngle = value; Touch(); } }
@@ -160,6 +167,7 @@ namespace SphFluid
                 rules.RestDensity = restDensity;
                 rules.KinematicViscosity = kinematicViscosity;
                 rules.SurfaceTension = surfaceTension;
+                rules.TensionAtAnySpacing = tensionAtAnySpacing;
                 rules.ContactAngle = contactAngle;
                 rules.SupportRatio = supportRatio;
                 rules.SoundSpeedRatio = soundSpeedRatio;

@@ -35,8 +35,14 @@ namespace SphFluid
         /// <summary>Kinematic viscosity of the real liquid [m²/s].</summary>
         public float KinematicViscosity;
 
-        /// <summary>Surface tension σ [N/m]; 0: none. Acts with the method Standard, where the spacing is at most the capillary length √(σ/(ρ g)).</summary>
+        /// <summary>
+        /// Surface tension σ [N/m]; 0: none. Acts with the method Standard, where the spacing is at most the capillary length √(σ/(ρ g)), with the Earth's gravity
+        /// or a stronger one of the liquid, or where <see cref="TensionAtAnySpacing"/> asks for it.
+        /// </summary>
         public float SurfaceTension;
+
+        /// <summary>Whether <see cref="SurfaceTension"/> acts however coarse the particles are.</summary>
+        public bool TensionAtAnySpacing;
 
         /// <summary>Contact angle of the liquid at walls [degrees], 0 to 180; with <see cref="SurfaceTension"/>.</summary>
         public float ContactAngle;

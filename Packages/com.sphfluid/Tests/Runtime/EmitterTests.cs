@@ -27,7 +27,6 @@ namespace SphFluid.Tests
             simulation.Spacing = Spacing;
             simulation.UseSceneGravity = gravity;
             simulation.Gravity = Vector3.zero;
-            simulation.Profile.SurfaceTension = 0f;
             return simulation;
         }
 

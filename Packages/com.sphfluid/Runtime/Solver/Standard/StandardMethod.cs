@@ -10,7 +10,7 @@ namespace SphFluid
             groupThreads: 64, buffers: 15, writableBuffers: 6, groupMemory: 6144, vertexBuffers: 0,
             "StandardDensity", "MoveParticles", "KickParticles", "DiffuseVelocities", "DriftParticles", "SurfaceNormals", "SurfaceTension").With(CellShaders.Group);
 
-        static readonly string[] Fields = { "soundSpeedMode", "timeStepFraction", "surfaceTension", "contactAngle" };
+        static readonly string[] Fields = { "soundSpeedMode", "timeStepFraction", "surfaceTension", "tensionAtAnySpacing", "contactAngle" };
 
         // A walk over the neighbours that adds little to each, over one of density or forces.
         const double IterationShare = 0.5;

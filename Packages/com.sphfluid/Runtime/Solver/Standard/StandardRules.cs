@@ -66,7 +66,7 @@ namespace SphFluid
         // The speed of sound that holds the pull of surface tension; 0 where there is none that acts.
         static double LeastSound(in FluidRuleInput input, out double tension)
         {
-            tension = CapillaryRules.Acts(input.SurfaceTension, input.RestDensity, input.Gravity.magnitude, input.Spacing) ? input.SurfaceTension : 0.0;
+            tension = CapillaryRules.Acts(input) ? input.SurfaceTension : 0.0;
             if (tension == 0.0) return 0.0;
             if (input.SupportRatio < CapillaryRules.LeastRatio)
             {

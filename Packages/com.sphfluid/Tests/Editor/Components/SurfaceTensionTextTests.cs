@@ -26,11 +26,19 @@ namespace SphFluid.Tests
             Object.DestroyImmediate(profile);
         }
 
-        [TestCase(0.025f, "'Tank': the surface tension of 0.073 N/m does not act at a spacing of 25 mm. It does at 2.7 mm and finer, the liquid's capillary length.")]
+        [TestCase(0.025f, "'Tank': the surface tension of 0.073 N/m does not act at a spacing of 25 mm. It does at 2.7 mm and finer, the liquid's capillary length, or with Tension At Any Spacing.")]
         [TestCase(0.002f, "'Tank': the surface tension of 0.073 N/m acts, with a contact angle of 30°.")]
         public void CoarseParticlesDoNotResolveIt(float spacing, string text)
         {
             Assert.That(SurfaceTensionText.Of(tank, Constants(spacing, 0.2f)), Is.EqualTo(text));
+        }
+
+        [Test]
+        public void WithoutGravityItActsWhereItIsAskedFor()
+        {
+            Assert.That(SurfaceTensionText.Of(tank, Constants(0.025f, 0.2f, 0f)), Does.EndWith("It does at 2.7 mm and finer, the liquid's capillary length on Earth, or with Tension At Any Spacing."));
+            profile.TensionAtAnySpacing = true;
+            Assert.That(SurfaceTensionText.Of(tank, Constants(0.025f, 0.2f, 0f)), Is.EqualTo("'Tank': the surface tension of 0.073 N/m acts, with a contact angle of 30°."));
         }
 
         [Test]
@@ -64,11 +72,12 @@ namespace SphFluid.Tests
             Assert.That(SurfaceTensionText.Of(tank, Constants(0.002f, 0.2f)), Is.Empty);
         }
 
-        FluidSolverSettings Constants(float spacing, float height)
+        FluidSolverSettings Constants(float spacing, float height, float gravity = 9.81f)
         {
             FluidRuleInput rules = profile.Spec.Rules;
             rules.Method = tank.Method;
             rules.Spacing = spacing;
+            rules.Gravity = gravity * Vector3.down;
             rules.DomainSize = height * Vector3.one;
             rules.LiquidHeight = rules.LiquidDepth = height;
             return FluidRules.Derive(rules);

@@ -25,17 +25,23 @@ namespace SphFluid
         /// <summary>Least κ for which there are constants.</summary>
         public const double LeastRatio = 2.0;
 
-        /// <summary>Whether a surface tension is to act: where particles are finer than the length at which it is as strong as gravity.</summary>
+        /// <summary>Gravity of the Earth [m/s²].</summary>
+        public const double EarthGravity = 9.81;
+
+        /// <summary>Whether a surface tension is to act: where particles resolve it, or where it is asked for.</summary>
+        /// <param name="input">The liquid, its gravity and its spacing.</param>
+        public static bool Acts(in FluidRuleInput input) => input.SurfaceTension > 0f &&
+            (input.TensionAtAnySpacing || input.Spacing <= ResolvedSpacing(input.SurfaceTension, input.RestDensity, input.Gravity.magnitude));
+
+        /// <summary>
+        /// The coarsest spacing that resolves a surface tension [m]: the capillary length √(σ/(ρ g)), at which it is as strong as gravity; 2.7 mm for water.
+        /// Gravity weaker than the Earth's counts as the Earth's: the length would grow without bound, and the forces would set in while gravity fades.
+        /// </summary>
         /// <param name="tension">σ [N/m].</param>
         /// <param name="density">ρ [kg/m³].</param>
         /// <param name="gravity">g [m/s²].</param>
-        /// <param name="spacing">dx [m].</param>
-        public static bool Acts(double tension, double density, double gravity, double spacing) =>
-            tension > 0.0 && spacing <= CapillaryLength(tension, density, gravity);
-
-        /// <summary>√(σ/(ρ g)) [m]: 2.7 mm for water; infinite without gravity.</summary>
-        public static double CapillaryLength(double tension, double density, double gravity) =>
-            gravity > 0.0 ? Math.Sqrt(tension / (density * gravity)) : double.PositiveInfinity;
+        public static double ResolvedSpacing(double tension, double density, double gravity) =>
+            Math.Sqrt(tension / (density * Math.Max(gravity, EarthGravity)));
 
         /// <summary>The pressure p by which pairs pull [Pa].</summary>
         public static double Cohesion(double tension, double spacing, double ratio) => Between(Ratios, Pulls, ratio) * tension / spacing;

@@ -93,16 +93,23 @@ namespace SphFluid.Tests
             }
         }
 
-        // 2.72 mm for water: coarser particles do not resolve it, unless nothing weighs.
-        [TestCase(0.0027f, 9.81f, true)]
-        [TestCase(0.0028f, 9.81f, false)]
-        [TestCase(0.5f, 0f, true)]
-        public void TensionActsWhereParticlesAreFinerThanTheCapillaryLength(float spacing, float gravity, bool acts)
+        // 2.72 mm for water on Earth: coarser particles do not resolve it. Weaker gravity changes nothing, stronger does.
+        [TestCase(0.0027f, 9.81f, false, true)]
+        [TestCase(0.0028f, 9.81f, false, false)]
+        [TestCase(0.0027f, 0f, false, true)]
+        [TestCase(0.0028f, 0f, false, false)]
+        [TestCase(0.0028f, 1.62f, false, false)]
+        [TestCase(0.0013f, 39.24f, false, true)]
+        [TestCase(0.0014f, 39.24f, false, false)]
+        [TestCase(0.5f, 0f, true, true)]
+        [TestCase(0.5f, 9.81f, true, true)]
+        public void TensionActsWhereParticlesResolveItOrItIsAskedFor(float spacing, float gravity, bool anySpacing, bool acts)
         {
             FluidRuleInput input = Input(90f);
             input.Gravity = gravity * Vector3.down;
             input.DomainSize = 20f * spacing * Vector3.one;
             input.Spacing = spacing;
+            input.TensionAtAnySpacing = anySpacing;
             StandardSettings own = FluidRules.Derive(input).Own<StandardSettings>();
             Assert.That(own.SurfaceTension, Is.EqualTo(acts ? Tension : 0f));
         }
