@@ -13,8 +13,10 @@ namespace SphFluid.Validation
     /// </summary>
     sealed class CaseStepper : IDisposable
     {
-        // One submission: bounded so that no driver takes it for a hang, and a run can be stopped.
-        const double SubmissionSeconds = 0.25;
+        // One submission: bounded so that no driver takes it for a hang, and a run can be stopped. By expected work and not by the clock: lists of
+        // neighbours serve until a submission ends, so equal runs that were cut at other steps would differ in their last digits, and then in more.
+        // In particle-steps at κ = 2, of which llvmpipe on two cores does a million a second.
+        const double SoftwareWork = 0.25e6, CardWork = 8e6, StepOverhead = 1000.0;
         const int MostStepsAtOnce = 512;
 
         static readonly ProfilerMarker marker = ComputeKernel.CreateMarker(FrameBlocks.Frame);
@@ -25,7 +27,7 @@ namespace SphFluid.Validation
         readonly CommandBuffer cmd = new CommandBuffer { name = "Validation Case" };
         readonly Stopwatch recording = new Stopwatch();
         readonly List<int> counts = new List<int>(); // steps of each submission
-        int atOnce = 1;
+        bool begun;
         long steps;
 
         /// <param name="solver">The solver, with fresh neighbours.</param>
@@ -54,8 +56,9 @@ namespace SphFluid.Validation
         /// <returns>What the solver counted up to now.</returns>
         public FluidCounters Step(long requested)
         {
-            int count = (int)Math.Min(requested, atOnce);
-            var submission = Stopwatch.StartNew();
+            // The first step also builds pipelines, and is submitted alone.
+            int count = (int)Math.Min(requested, begun ? MostAtOnce(solver.Settings, solver.ParticleCount, FluidSupport.IsSoftwareDevice) : 1);
+            begun = true;
             recording.Start();
             bodies?.MoveTo(solver.SimulatedTime + count * (double)solver.Settings.TimeStep);
             cmd.Clear();
@@ -68,10 +71,18 @@ namespace SphFluid.Validation
             FluidCounters counters = solver.ReadCountersNow();
             counts.Add(count);
             steps += count;
-            double fits = SubmissionSeconds * count / Math.Max(1e-6, submission.Elapsed.TotalSeconds);
-            // A first step also builds pipelines: its time says little.
-            atOnce = (int)Math.Max(1.0, Math.Min(Math.Min(MostStepsAtOnce, 4.0 * atOnce), fits));
             return counters;
+        }
+
+        /// <summary>Most steps of a submission: the same whenever and however fast a run is done.</summary>
+        /// <param name="settings">The liquid's constants.</param>
+        /// <param name="particles">Number of particles.</param>
+        /// <param name="software">Whether the device is a CPU.</param>
+        internal static int MostAtOnce(in FluidSolverSettings settings, int particles, bool software)
+        {
+            double ratio = settings.SupportRadius / settings.Spacing / 2.0;
+            double step = StepOverhead + Math.Max(1.0, ratio * ratio * ratio) * particles;
+            return (int)Math.Max(1.0, Math.Min(MostStepsAtOnce, (software ? SoftwareWork : CardWork) / step));
         }
 
         /// <summary>Whether all GPU times are in; called once a frame of the engine until they are.</summary>

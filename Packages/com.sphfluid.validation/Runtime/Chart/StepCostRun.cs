@@ -26,7 +26,7 @@ namespace SphFluid.Validation
                 GatherNeighbours(solver);
                 using (var stepper = new CaseStepper(solver, true))
                 {
-                    // Pipelines are built, and the submissions find their length.
+                    // Pipelines are built.
                     for (int i = 0; i < 3; i++)
                     {
                         stepper.Step(long.MaxValue);

@@ -75,9 +75,26 @@ namespace SphFluid.Tests
                 long steps = solver.StepCount;
                 stepper.Step(1000);
                 Assert.That(Dispatches(), Is.EqualTo((solver.StepCount - steps) * step));
-                Assert.That(solver.StepCount - steps, Is.InRange(1, 64), "submissions grow by four at most");
+                Assert.That(solver.StepCount - steps, Is.EqualTo(CaseStepper.MostAtOnce(setup.Settings, setup.Particles.Length, FluidSupport.IsSoftwareDevice)), "by no clock");
                 Assert.That(step, Is.EqualTo(10 + 8), "10 sorts and the 8 other blocks");
             }
+        }
+
+        [TestCase(0, 2.0, true, 250)]
+        [TestCase(249000, 2.0, true, 1)]
+        [TestCase(24000, 2.0, true, 10)]
+        [TestCase(24000, 1.7, true, 10)]
+        [TestCase(24000, 4.0, true, 1)]
+        [TestCase(10000000, 2.0, true, 1)]
+        [TestCase(24000, 2.0, false, 320)]
+        [TestCase(500, 2.0, false, 512)]
+        public void ASubmissionHasWorkOfAQuarterOfASecondOrOneStep(int particles, double supportRatio, bool software, int steps)
+        {
+            FluidSolverSettings settings = default;
+            settings.Spacing = 0.5f;
+            settings.SupportRadius = (float)(0.5 * supportRatio);
+
+            Assert.That(CaseStepper.MostAtOnce(settings, particles, software), Is.EqualTo(steps));
         }
 
         [Test]
