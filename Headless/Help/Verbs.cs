@@ -11,6 +11,8 @@ internal static class Verbs
 {
     private const string Resumed = "Runs that the tables in DIR have are not done again: the same command goes on where an interrupted one stopped.";
 
+    private const string Sharded = "With --shard I/N and no --out, DIR is that folder with -I-of-N behind its name. A shard draws nothing; ./run merge does.";
+
     public static IReadOnlyList<Verb> All { get; } =
     [
         new("play", "plays a scene and writes its pictures, film and figures")
@@ -43,8 +45,12 @@ internal static class Verbs
         },
         Measured("chart", "error against GPU time of every validation case, as CSV and pictures") with
         {
-            Notes = ["writes DIR/accuracy.csv after every run and at the end accuracy.svg, accuracy.png, pareto.csv, equal-cost.csv and case-NAME.png", Resumed],
-            Examples = [("--quick", "fewer points"), ("--case hydrostatic --method standard", "one case of one method")],
+            Notes = ["writes DIR/accuracy.csv after every run and at the end accuracy.svg, accuracy.png, pareto.csv, equal-cost.csv and case-NAME.png", Resumed, Sharded],
+            Examples =
+            [
+                ("--quick", "fewer points"), ("--case hydrostatic --method standard", "one case of one method"),
+                ("--shard 2/8 --out Build/shards/2", "the second of eight machines' parts of a full chart"),
+            ],
         },
         Measured("choose", "which method, which spacing: for an error or a time, from this device's chart") with
         {
@@ -62,18 +68,32 @@ internal static class Verbs
         },
         Measured("stability", "where the methods are stable, as CSV and pictures") with
         {
-            Notes = ["writes DIR/stability.csv and limits.csv after every run and at the end stability-m1.svg, stability-m1.png and so on", Resumed],
+            Notes = ["writes DIR/stability.csv and limits.csv after every run and at the end stability-m1.svg, stability-m1.png and so on", Resumed, Sharded],
             Examples = [("--quick", "fewer points"), ("--map M1 --method standard", "one map of one method")],
         },
         Measured("leaks", "scenes that no liquid may leak from, as CSV") with
         {
-            Notes = ["writes DIR/leaks.csv after every run"],
+            Notes = ["writes DIR/leaks.csv after every run", Sharded],
             Examples = [("--scene still-cup funnel", "two scenes")],
         },
         Measured("surfaces", "how good surfaces of known liquids are, as CSV") with
         {
-            Notes = ["writes DIR/surface-quality.csv after every variant of every state"],
+            Notes = ["writes DIR/surface-quality.csv after every variant of every state", Sharded],
             Examples = [("--quick", "fewer variants"), ("--state sphere --variant default", "one surface of one state")],
+        },
+        Measured("merge", "the shards of a chart, of stability maps, leaks or surfaces as the whole: tables, pictures, report") with
+        {
+            Words = "FOLDER... [flags]",
+            Notes =
+            [
+                "FOLDER... are those that measurements with --shard wrote to, all of one command, commit, device and plan; otherwise exit code 2 and what differs.",
+                "writes the verb's files to DIR, and DIR/shards.csv. Runs that no shard has are named, with exit code 1; what there is is written.",
+            ],
+            Examples =
+            [
+                ("Build/shards/* --out Build/chart-whole", "all shards of a sweep"),
+                ("Build/shards/* --errors-only", "without times: shards of several devices, or of one that they shared"),
+            ],
         },
         Measured("budgets", "what the method Automatic picks for a budget, against the ways that it has, as CSV") with
         {

@@ -28,7 +28,7 @@ public sealed partial class SystemInfo
     public static string deviceUniqueIdentifier => unsupportedIdentifier;
     public static string operatingSystem => RuntimeInformation.OSDescription;
     public static int processorCount => Environment.ProcessorCount;
-    public static string processorType => RuntimeInformation.ProcessArchitecture.ToString();
+    public static string processorType => ProcessorName.Value;
     public static int systemMemorySize => (int)(GC.GetGCMemoryInfo().TotalAvailableMemoryBytes >> 20);
 
     public static OperatingSystemFamily operatingSystemFamily => true switch

@@ -22,6 +22,7 @@ namespace SphFluid.Validation
             AddChoice("--method", "these methods", "all", methods, CaseMethod.All, m => m.Name);
             AddFolder();
             AddSlice("none; 9 with --quick");
+            AddShard();
         }
 
         /// <summary>The cases, none of them a gate.</summary>
@@ -30,17 +31,9 @@ namespace SphFluid.Validation
         /// <summary>The methods.</summary>
         public IReadOnlyList<CaseMethod> Methods => methods;
 
-        /// <summary>What was asked for, as the command line has it; without folder and slice, which change no result.</summary>
-        internal string Command
-        {
-            get
-            {
-                IEnumerable<string> chosen = Cases.Count == chartedCount ? Enumerable.Empty<string>() : Cases.Select(c => c.Name).Prepend("--case");
-                if (Methods.Count < CaseMethod.All.Count)
-                    chosen = chosen.Concat(Methods.Select(m => m.Name).Prepend("--method"));
-                return string.Join(" ", (Quick ? new[] { "chart", "--quick" } : new[] { "chart" }).Concat(chosen));
-            }
-        }
+        internal override string Command => CommandOf(
+            ("--case", Cases.Count == chartedCount ? null : Cases.Select(c => c.Name)),
+            ("--method", Methods.Count == CaseMethod.All.Count ? null : Methods.Select(m => m.Name)));
 
         /// <summary>Reads the command line of the process.</summary>
         /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>

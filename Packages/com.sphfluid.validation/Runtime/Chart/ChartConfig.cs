@@ -84,11 +84,13 @@ namespace SphFluid.Validation
         }
 
         /// <summary>The constants, for instance "dx 0.125 m, κ 2, dt 0.75, c 7.5".</summary>
-        public string Constants => string.Format(CultureInfo.InvariantCulture, "dx {0:G3} m, κ {1:G4}, dt {2:G3}, c {3:G3}",
-            Spacing, SupportRatio, TimeStepFraction, SoundSpeedRatio);
+        public string Constants => ConstantsOf(Spacing, SupportRatio, TimeStepFraction, SoundSpeedRatio);
 
         /// <summary>For progress lines, for instance "ellipsoid, thesis, dx 0.125 m, κ 2, dt 0.75, c 7.5".</summary>
         public override string ToString() => $"{Case.Name}, {Method.Name}, {Constants}";
+
+        internal static string ConstantsOf(double spacing, double supportRatio, double timeStepFraction, double soundSpeedRatio) =>
+            string.Format(CultureInfo.InvariantCulture, "dx {0:G3} m, κ {1:G4}, dt {2:G3}, c {3:G3}", spacing, supportRatio, timeStepFraction, soundSpeedRatio);
 
         internal static string KeyOf(string caseName, string method, double spacing, double supportRatio, double timeStepFraction, double soundSpeedRatio) =>
             string.Join("|", caseName, method, CsvText.Text(spacing), CsvText.Text(supportRatio), CsvText.Text(timeStepFraction), CsvText.Text(soundSpeedRatio));

@@ -45,6 +45,13 @@ namespace SphFluid.Validation
             Claim(Files(arguments.Cases));
         }
 
+        /// <summary>A session that draws the chart whose tables its folder has, and measures nothing.</summary>
+        /// <param name="arguments">What was measured.</param>
+        /// <param name="device">The device of the tables.</param>
+        /// <param name="progress">Where it says what it writes.</param>
+        internal static ChartSession OfTables(ChartArguments arguments, string device, SessionProgress progress) =>
+            new ChartSession(arguments, null, null, progress, device, new SessionRate(null)) { OnlyDraws = true };
+
         private protected override IEnumerable<SessionJob> Jobs()
         {
             foreach (var same in plan.Unbuildable.GroupBy(c => (c.Case.Name, Method: c.Method.Name, c.Problem)))
@@ -90,8 +97,8 @@ namespace SphFluid.Validation
             }
         }
 
-        // Cases that an earlier chart in the folder measured are drawn too.
-        static IEnumerable<ResultFile> Files(IEnumerable<ValidationCase> selected)
+        /// <summary>All files of a chart; cases that an earlier chart in the folder measured are drawn too.</summary>
+        internal static IEnumerable<ResultFile> Files(IEnumerable<ValidationCase> selected)
         {
             var tables = new[] { ChartRow.Format.File, StepCostRow.Format.File, StepFitRow.Format.File, ErrorFitRow.Format.File, ParetoFront.Format.File, EqualCost.Format.File, ChartReport.File };
             return tables.Concat(ChartScript.Files()).Concat(CaseCatalogue.All.Union(selected)
@@ -114,7 +121,8 @@ namespace SphFluid.Validation
             double cost = 12.0 * StepWork.Of(point.Method, point.Particles, point.SupportRatio) + 1.5 * StepWork.SoftwareRate;
             StepCostRow row = null;
             return new SessionJob(point.ToString(), cost, () => costs.Contains(point.Key), () => Measure(point, r => row = r), () => Progress.Say(
-                string.Format(CultureInfo.InvariantCulture, "{0}/{1}  {2}: {3:G3} ms{4}", Done, Count, point, row.Milliseconds, TimeLeft(", "))), "step");
+                string.Format(CultureInfo.InvariantCulture, "{0}/{1}  {2}: {3:G3} ms{4}", Done, Count, point, row.Milliseconds, TimeLeft(", "))), "step",
+                key: ShardedTable.RunKey(StepCostRow.Format, point.Key));
         }
 
         IEnumerator Measure(StepCostPoint point, Action<StepCostRow> done)
@@ -128,7 +136,8 @@ namespace SphFluid.Validation
         SessionJob Job(ChartRun run)
         {
             CaseResult result = null;
-            return new SessionJob(run.ToString(), run.Cost, () => IsDone(run), () => Measure(run, r => result = r), () => SayResult(run, result));
+            return new SessionJob(run.ToString(), run.Cost, () => IsDone(run), () => Measure(run, r => result = r), () => SayResult(run, result),
+                key: ShardedTable.RunKey(ChartRow.Format, run.Key));
         }
 
         // A run of another number of particles, as an older version had them, is done again.

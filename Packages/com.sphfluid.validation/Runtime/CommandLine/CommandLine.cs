@@ -49,7 +49,7 @@ namespace SphFluid.Validation
             Measure("bench", (words, progress) => new BenchSession(BenchArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         /// <summary>
-        /// Measures the accuracy chart: the flags --quick, --case, --method, --out and --slice; see <see cref="ChartArguments"/>. The
+        /// Measures the accuracy chart: the flags --quick, --case, --method, --out, --slice and --shard; see <see cref="ChartArguments"/>. The
         /// program ends with it. A wrong flag, or a folder with another device's chart, ends it with exit code 2.
         /// </summary>
         public static void Chart() =>
@@ -64,25 +64,32 @@ namespace SphFluid.Validation
             Measure("choose", (words, progress) => new ChooseSession(ChooseArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         /// <summary>
-        /// Measures where the methods are stable: the flags --quick, --map, --method, --out and --slice; see <see cref="StabilityArguments"/>.
+        /// Measures where the methods are stable: the flags --quick, --map, --method, --out, --slice and --shard; see <see cref="StabilityArguments"/>.
         /// The program ends with it. A wrong flag, or a folder with another device's maps, ends it with exit code 2.
         /// </summary>
         public static void Stability() =>
             Measure("stability", (words, progress) => new StabilitySession(StabilityArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         /// <summary>
-        /// Plays the scenes that nothing may leak from: the flags --scene and --out; see <see cref="LeakArguments"/>. The program ends
+        /// Plays the scenes that nothing may leak from: the flags --scene, --out and --shard; see <see cref="LeakArguments"/>. The program ends
         /// with it. A wrong flag ends it with exit code 2.
         /// </summary>
         public static void Leaks() =>
             Measure("leaks", (words, progress) => new LeakSession(LeakArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
         /// <summary>
-        /// Measures how good surfaces of known liquids are: the flags --quick, --state, --variant and --out; see
+        /// Measures how good surfaces of known liquids are: the flags --quick, --state, --variant, --out and --shard; see
         /// <see cref="SurfaceArguments"/>. The program ends with it. A wrong flag ends it with exit code 2.
         /// </summary>
         public static void Surfaces() =>
             Measure("surfaces", (words, progress) => new SurfaceSession(SurfaceArguments.Parse(words), SessionAssets.FindShaders(), progress));
+
+        /// <summary>
+        /// Puts the folders of a sweep's shards together: their names and the flags --errors-only and --out behind a lone <c>--</c>; see
+        /// <see cref="MergeArguments"/>. The program ends with it. Folders that are not of one sweep end it with exit code 2, runs that no
+        /// folder has with exit code 1.
+        /// </summary>
+        public static void Merge() => Measure("merge", (words, progress) => new MergeSession(MergeArguments.Parse(words), progress));
 
         /// <summary>
         /// Plays a liquid by every way that the method Automatic has, and as it picks for each budget: the flags --budget, --particles, --repeat and --out; see

@@ -32,8 +32,10 @@ namespace SphFluid.Validation
         /// <param name="verb">For messages.</param>
         /// <param name="known">The verb's flags.</param>
         /// <param name="read">Takes each of them, and its value.</param>
+        /// <param name="takeWord">Takes words behind <c>--</c> that are neither flags nor their values; null where there are none.</param>
         /// <exception cref="CommandLineException">A flag behind <c>--</c> is unknown, or a value is missing or wrong.</exception>
-        public static void Read(IReadOnlyList<string> commandLine, string verb, string[] known, Action<CommandLineFlag> read)
+        public static void Read(IReadOnlyList<string> commandLine, string verb, string[] known, Action<CommandLineFlag> read,
+            Action<string> takeWord = null)
         {
             int separator = CommandLineWords.Separator(commandLine);
             var single = new HashSet<string>();
@@ -42,6 +44,8 @@ namespace SphFluid.Validation
                 var flag = new CommandLineFlag(commandLine, i, single);
                 if (Array.IndexOf(known, flag.Name) >= 0)
                     read(flag);
+                else if (separator >= 0 && takeWord != null && commandLine[i].Length > 0 && !commandLine[i].StartsWith("-", StringComparison.Ordinal))
+                    takeWord(commandLine[i]);
                 else if (separator >= 0)
                     throw new CommandLineException($"{CommandLineWords.Shown(commandLine[i])} is not a flag of {verb}{NearestWord.Question(flag.Name, known)} " +
                         $"Its flags are {string.Join(", ", known)}.");

@@ -10,6 +10,7 @@ namespace SphFluid.Validation
     {
         readonly string verb;
         readonly List<CommandLineOption> options = new List<CommandLineOption>();
+        Action<string> takeWord; // null where there are only flags
 
         /// <param name="verb">For messages.</param>
         public CommandLineOptions(string verb) => this.verb = verb;
@@ -24,12 +25,15 @@ namespace SphFluid.Validation
         /// <summary>Adds a flag without a value.</summary>
         public void Add(string name, string text, Action<CommandLineFlag> read) => Add(name, null, text, null, null, read);
 
+        /// <summary>Lets words stand that are neither flags nor their values; only behind a lone <c>--</c>.</summary>
+        public void AddWords(Action<string> take) => takeWord = take;
+
         /// <summary>
         /// Reads the whole command line of the process: the flags behind a lone <c>--</c>; without one, flags of others are passed over.
         /// </summary>
         /// <exception cref="CommandLineException">A flag behind <c>--</c> is unknown, or a value is missing or wrong.</exception>
         public void Read(IReadOnlyList<string> commandLine) =>
-            CommandLineFlag.Read(commandLine, verb, options.Select(o => o.Name).ToArray(), flag => options.Find(o => o.Name == flag.Name).Read(flag));
+            CommandLineFlag.Read(commandLine, verb, options.Select(o => o.Name).ToArray(), flag => options.Find(o => o.Name == flag.Name).Read(flag), takeWord);
 
         /// <inheritdoc/>
         public IEnumerator<CommandLineOption> GetEnumerator() => options.GetEnumerator();

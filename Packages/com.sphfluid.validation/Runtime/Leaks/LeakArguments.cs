@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 
 namespace SphFluid.Validation
 {
@@ -11,10 +12,13 @@ namespace SphFluid.Validation
         {
             AddChoice("--scene", "these scenes, each at rising speeds until it fails", "all", scenes, LeakSceneEntry.All, s => s.Name);
             AddFolder();
+            AddShard();
         }
 
         /// <summary>The scenes.</summary>
         internal IReadOnlyList<LeakSceneEntry> Scenes => scenes;
+
+        internal override string Command => CommandOf(("--scene", scenes.SequenceEqual(LeakSceneEntry.All) ? null : scenes.Select(s => s.Name)));
 
         /// <summary>Reads the command line of the process.</summary>
         /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>

@@ -39,7 +39,8 @@ namespace SphFluid.Validation
         SessionJob Job(LeakSceneEntry entry, double[] costs)
         {
             double all = costs.Sum();
-            return new SessionJob(entry.Name, all, () => false, () => Play(entry, costs), share: () => (played + (running?.Share ?? 0.0) * costOfRun) / all);
+            return new SessionJob(entry.Name, all, () => false, () => Play(entry, costs), share: () => (played + (running?.Share ?? 0.0) * costOfRun) / all,
+                key: ShardedTable.RunKey(LeakResult.Format, entry.Name));
         }
 
         // All speeds count as played: few scenes fail at any.

@@ -15,12 +15,14 @@ namespace SphFluid.Validation
         // A job that takes longer than expected is never quite done.
         const double MostOfAJob = 0.95;
 
+        readonly MeasuringArguments arguments;
         readonly string noun, device;
         readonly TimeSpan? slice;
         readonly SessionRate rate;
         readonly Stopwatch jobClock = new Stopwatch(), session = new Stopwatch();
         readonly List<SessionJob> rest = new List<SessionJob>();
         SessionJob current;
+        ShardFolder shard; // null where all runs are done here
 
         /// <param name="arguments">What to measure.</param>
         /// <param name="noun">What the jobs are, for instance "runs".</param>
@@ -30,6 +32,7 @@ namespace SphFluid.Validation
         internal JobSession(MeasuringArguments arguments, string noun, string device, SessionProgress progress, SessionRate rate)
             : base(arguments, progress)
         {
+            this.arguments = arguments;
             this.noun = noun;
             this.device = device;
             this.rate = rate;
@@ -52,6 +55,9 @@ namespace SphFluid.Validation
 
         /// <summary>Whether the same command continues an interrupted session; else it starts anew.</summary>
         private protected virtual bool Resumes => true;
+
+        /// <summary>Whether it only draws what the folder has, and does no jobs.</summary>
+        private protected bool OnlyDraws { get; set; }
 
         private protected override string Unfinished =>
             $"'{Folder}' holds every finished run{(Resumes ? "; the same command goes on from there" : "")}.";
@@ -87,15 +93,30 @@ namespace SphFluid.Validation
             return time.HasValue && time.Value > TimeSpan.Zero ? before + SessionProgress.About(time.Value) + " left" : "";
         }
 
+        private protected override void Claim(IEnumerable<ResultFile> files)
+        {
+            List<ResultFile> all = files.ToList();
+            shard = ShardFolder.Open(arguments, device, Resumes, all);
+            base.Claim(shard == null ? all : all.Concat(ShardFolder.Files));
+        }
+
         private protected override IEnumerator Run()
         {
+            if (OnlyDraws)
+            {
+                Draw();
+                yield break;
+            }
             List<SessionJob> jobs = Jobs().ToList();
+            if (shard != null)
+                jobs = shard.Take(jobs);
             List<SessionJob> pending = jobs.Where(j => !j.IsDone()).ToList();
             rest.AddRange(pending);
             (Count, Done) = (jobs.Count, jobs.Count - pending.Count);
             if (pending.Count > 0)
                 yield return Begin();
-            Progress.Say($"{Count} {noun} on {device}{(Done > 0 ? $", {Done} of them are there already" : "")}{TimeLeft(": ")}.");
+            string part = shard == null ? "" : $"Shard {shard.Shard} of the plan's {shard.PlannedRuns}: ";
+            Progress.Say($"{part}{Count} {noun} on {device}{(Done > 0 ? $", {Done} of them are there already" : "")}{TimeLeft(": ")}.");
             session.Restart();
             foreach (SessionJob job in pending)
             {
@@ -107,13 +128,16 @@ namespace SphFluid.Validation
                 ShowProgress();
                 yield return job.Work();
                 current = null;
+                shard?.Finish(job, jobClock.Elapsed);
                 rate.Add(job.Cost, jobClock.Elapsed, job.Kind);
                 Done++;
                 job.Report?.Invoke();
             }
-            Draw();
+            // A part makes no picture: merge draws the whole.
+            if (shard == null)
+                Draw();
             Progress.Say(Done == Count
-                ? $"All {Count} {noun} are done; this session took {SessionProgress.Duration(session.Elapsed)}."
+                ? $"All {Count} {noun}{(shard == null ? "" : $" of shard {shard.Shard}")} are done; this session took {SessionProgress.Duration(session.Elapsed)}."
                 : $"Time is up with {Done} of {Count} {noun} done{TimeLeft(", ")}. The same command goes on from there.");
         }
 

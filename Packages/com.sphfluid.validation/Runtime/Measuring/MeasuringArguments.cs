@@ -7,13 +7,28 @@ namespace SphFluid.Validation
     /// <summary>The flags of a measurement. A subclass adds them in its constructor, in the order in which help and messages list them.</summary>
     public abstract class MeasuringArguments
     {
+        bool folderGiven;
+
         /// <param name="verb">Name of the measurement on the command line.</param>
         /// <param name="folder">Folder of the files without --out; null for none.</param>
         private protected MeasuringArguments(string verb, string folder)
         {
+            Verb = verb;
             Options = new CommandLineOptions(verb);
             OutputFolder = folder;
         }
+
+        /// <summary>Name of the measurement on the command line.</summary>
+        internal string Verb { get; }
+
+        /// <summary>
+        /// What is measured, as the command line has it, without what changes no result: folder, slice and shard. Only the verb where nothing
+        /// else is chosen.
+        /// </summary>
+        internal virtual string Command => Verb;
+
+        /// <summary>The part of the runs that is done; null for all.</summary>
+        internal Shard Shard { get; private set; }
 
         /// <summary>Whether only the short plan is measured.</summary>
         public bool Quick { get; private set; }
@@ -30,10 +45,19 @@ namespace SphFluid.Validation
         private protected void AddQuick(string text) => Options.Add("--quick", text, flag => Quick = flag.On());
 
         private protected void AddFolder(string absent = null) =>
-            Options.Add("--out", "DIR", "folder for the output", absent ?? OutputFolder, flag => OutputFolder = flag.Folder());
+            Options.Add("--out", "DIR", "folder for the output", absent ?? OutputFolder, flag => (OutputFolder, folderGiven) = (flag.Folder(), true));
 
         private protected void AddSlice(string absent) => Options.Add("--slice", "MINUTES", "stops between two runs after this time", absent,
             flag => Slice = CommandLineWords.Minutes(flag.Name, flag.Value()));
+
+        private protected void AddShard() => Options.Add("--shard", "I/N", "only the runs of one of N machines, I from 1 to N; ./run merge puts their folders together", "all runs",
+            flag => Shard = Shard.Parse(flag.Name, flag.Value()));
+
+        /// <summary>See <see cref="Command"/>.</summary>
+        /// <param name="chosen">Flags with what they choose; null for what holds without the flag.</param>
+        private protected string CommandOf(params (string Flag, IEnumerable<string> Names)[] chosen) =>
+            string.Join(" ", new[] { Verb }.Concat(Quick ? new[] { "--quick" } : Array.Empty<string>())
+                .Concat(chosen.Where(c => c.Names != null).SelectMany(c => c.Names.Prepend(c.Flag))));
 
         /// <summary>Adds a flag that chooses by name, any number of times.</summary>
         private protected void AddChoice<T>(string name, string text, string absent, List<T> chosen, IReadOnlyList<T> known, Func<T, string> nameOf) =>
@@ -47,6 +71,11 @@ namespace SphFluid.Validation
         /// Reads the whole command line of the process: the flags behind a lone <c>--</c>; without one, flags of others are passed over.
         /// </summary>
         /// <exception cref="CommandLineException">A flag behind <c>--</c> is unknown, or a value is missing or wrong.</exception>
-        private protected void Read(IReadOnlyList<string> commandLine) => Options.Read(commandLine);
+        private protected void Read(IReadOnlyList<string> commandLine)
+        {
+            Options.Read(commandLine);
+            if (Shard != null && !folderGiven)
+                OutputFolder += $"-{Shard.Index}-of-{Shard.Count}";
+        }
     }
 }

@@ -41,7 +41,7 @@ namespace SphFluid.Validation
 
         /// <summary>Claims the files that the session may write; called by its constructor when it has read what is there.</summary>
         /// <exception cref="CommandLineException">The folder cannot be written, or holds other files of these names.</exception>
-        private protected void Claim(IEnumerable<ResultFile> files) => results = ResultFolder.Open(Folder, files);
+        private protected virtual void Claim(IEnumerable<ResultFile> files) => results = ResultFolder.Open(Folder, files);
 
         /// <summary>The whole work; what it holds in using blocks is freed at the latest with the session.</summary>
         private protected abstract IEnumerator Run();

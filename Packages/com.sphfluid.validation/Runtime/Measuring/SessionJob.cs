@@ -14,7 +14,10 @@ namespace SphFluid.Validation
         /// <param name="report">Says what came out, when the time left is known anew; null for nothing.</param>
         /// <param name="kind">Equal for jobs whose costs compare well with each other.</param>
         /// <param name="share">The part of its cost that is done, 0 to 1, while it runs; null where it does not know.</param>
-        public SessionJob(string name, double cost, Func<bool> isDone, Func<IEnumerator> work, Action report = null, string kind = "", Func<double> share = null)
+        /// <param name="key">Names the job among all of its session, the same on every machine; null where the name does.</param>
+        /// <param name="group">Equal for jobs that one machine should do, as they share work; null for a job of its own.</param>
+        public SessionJob(string name, double cost, Func<bool> isDone, Func<IEnumerator> work, Action report = null, string kind = "", Func<double> share = null,
+            string key = null, string group = null)
         {
             Name = name;
             Cost = cost;
@@ -23,6 +26,8 @@ namespace SphFluid.Validation
             Report = report;
             Kind = kind;
             Share = share;
+            Key = key ?? name;
+            Group = group ?? Key;
         }
 
         public string Name { get; }
@@ -38,5 +43,9 @@ namespace SphFluid.Validation
         public string Kind { get; }
 
         public Func<double> Share { get; }
+
+        public string Key { get; }
+
+        public string Group { get; }
     }
 }

@@ -39,8 +39,8 @@ namespace SphFluid.Validation
 
         void OnDestroy() => session?.Dispose();
 
-        /// <summary>What a device or a disk can do to a measurement; the message is all that the user needs.</summary>
+        /// <summary>What a device, a disk or shards that lack runs can do to a measurement; the message is all that the user needs.</summary>
         public static bool IsExpected(Exception exception) =>
-            exception is FluidDeviceException || exception is IOException || exception is UnauthorizedAccessException;
+            exception is FluidDeviceException || exception is IncompleteSweepException || exception is IOException || exception is UnauthorizedAccessException;
     }
 }

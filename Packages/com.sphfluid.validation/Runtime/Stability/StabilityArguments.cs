@@ -16,6 +16,7 @@ namespace SphFluid.Validation
             AddChoice("--method", "these methods", "all; not thesis-printed with --quick", methods, CaseMethod.All, m => m.Name);
             AddFolder();
             AddSlice("none");
+            AddShard();
         }
 
         /// <summary>The maps.</summary>
@@ -27,6 +28,12 @@ namespace SphFluid.Validation
         /// <summary>Whether the borders are bisected: in every session that draws all maps.</summary>
         public bool Limits { get; private set; }
 
+        internal override string Command => CommandOf(
+            ("--map", Limits ? null : Maps.Select(m => m.Name)),
+            ("--method", Methods.SequenceEqual(DefaultMethods) ? null : Methods.Select(m => m.Name)));
+
+        IEnumerable<CaseMethod> DefaultMethods => CaseMethod.All.Where(m => !Quick || m.Kind != FluidMethodKind.ThesisPrinted);
+
         /// <summary>Reads the command line of the process.</summary>
         /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>
         public static StabilityArguments Parse(IReadOnlyList<string> commandLine)
@@ -37,7 +44,7 @@ namespace SphFluid.Validation
             if (result.maps.Count == 0)
                 result.maps.AddRange(StabilityMap.All);
             if (result.methods.Count == 0)
-                result.methods.AddRange(CaseMethod.All.Where(m => !result.Quick || m.Kind != FluidMethodKind.ThesisPrinted));
+                result.methods.AddRange(result.DefaultMethods);
             return result;
         }
     }

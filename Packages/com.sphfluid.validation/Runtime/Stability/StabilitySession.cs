@@ -38,8 +38,19 @@ namespace SphFluid.Validation
             this.runner = runner;
             table = ResultTable<StabilityRow>.Resume(StabilityRow.Format, Folder, device, () => new StabilityRow());
             limits = ResultTable<LimitRow>.Resume(LimitRow.Format, Folder, device, () => new LimitRow());
-            Claim(new[] { StabilityRow.Format.File, LimitRow.Format.File }.Concat(StabilityMap.All.SelectMany(StabilityScript.Files)));
+            Claim(Files);
         }
+
+        /// <summary>All files of the maps and borders.</summary>
+        internal static IEnumerable<ResultFile> Files =>
+            new[] { StabilityRow.Format.File, LimitRow.Format.File }.Concat(StabilityMap.All.SelectMany(StabilityScript.Files));
+
+        /// <summary>A session that draws the maps whose tables its folder has, and runs nothing.</summary>
+        /// <param name="arguments">What was measured.</param>
+        /// <param name="device">The device of the tables.</param>
+        /// <param name="progress">Where it says what it writes.</param>
+        internal static StabilitySession OfTables(StabilityArguments arguments, string device, SessionProgress progress) =>
+            new StabilitySession(arguments, null, null, progress, device) { OnlyDraws = true };
 
         private protected override IEnumerable<SessionJob> Jobs() =>
             plan.Runs.Select(Cell).Concat(plan.Limits.Select(l => Border(l.Limit, l.Method))).Concat(plan.Clamped.Select(Cell));
@@ -76,15 +87,17 @@ namespace SphFluid.Validation
             }
         }
 
-        SessionJob Cell(StabilityRun run) => new SessionJob(run.ToString(), run.Cost, () => table.Contains(run.Key), () => RunCell(run));
+        SessionJob Cell(StabilityRun run) => new SessionJob(run.ToString(), run.Cost, () => table.Contains(run.Key), () => RunCell(run),
+            key: ShardedTable.RunKey(StabilityRow.Format, run.Key));
 
         SessionJob Border(StabilityLimit limit, CaseMethod method)
         {
             const double trials = 10.0;
             CaseSetup setup = limit.Build(limit.TheoryLow, method);
             double cost = trials * setup.Duration / setup.Settings.TimeStep * StabilityRun.CostOfStep(setup.Particles.Length);
-            return new SessionJob($"border {limit}, {method.Name}", cost, () => limits.Contains(LimitRow.KeyOf(limit.Name, method.Name, limit.SupportRatio)),
-                () => Bisect(limit, method));
+            string key = LimitRow.KeyOf(limit.Name, method.Name, limit.SupportRatio);
+            return new SessionJob($"border {limit}, {method.Name}", cost, () => limits.Contains(key), () => Bisect(limit, method),
+                key: ShardedTable.RunKey(LimitRow.Format, key));
         }
 
         IEnumerator RunCell(StabilityRun run)

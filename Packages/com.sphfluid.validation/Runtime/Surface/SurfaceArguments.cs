@@ -15,6 +15,7 @@ namespace SphFluid.Validation
             AddChoice("--state", "these states of liquid", "all", states, SurfaceStateEntry.All, s => s.Name);
             AddChoice("--variant", "these surfaces", "all", variants, SurfaceVariantEntry.All, v => v.Name);
             AddFolder();
+            AddShard();
         }
 
         /// <summary>The states.</summary>
@@ -22,6 +23,12 @@ namespace SphFluid.Validation
 
         /// <summary>The variants; the short plan has fewer.</summary>
         internal IReadOnlyList<SurfaceVariantEntry> Variants => variants;
+
+        internal override string Command => CommandOf(
+            ("--state", states.SequenceEqual(SurfaceStateEntry.All) ? null : states.Select(s => s.Name)),
+            ("--variant", variants.SequenceEqual(DefaultVariants) ? null : variants.Select(v => v.Name)));
+
+        IEnumerable<SurfaceVariantEntry> DefaultVariants => SurfaceVariantEntry.All.Where(v => v.Quick || !Quick);
 
         /// <summary>Reads the command line of the process.</summary>
         /// <exception cref="CommandLineException">A flag is unknown, or a value is missing or wrong.</exception>
@@ -32,7 +39,7 @@ namespace SphFluid.Validation
             if (result.states.Count == 0)
                 result.states.AddRange(SurfaceStateEntry.All);
             if (result.variants.Count == 0)
-                result.variants.AddRange(SurfaceVariantEntry.All.Where(v => v.Quick || !result.Quick));
+                result.variants.AddRange(result.DefaultVariants);
             return result;
         }
     }

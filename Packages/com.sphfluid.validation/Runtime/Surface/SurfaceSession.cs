@@ -58,7 +58,8 @@ namespace SphFluid.Validation
                     double wait = prepared ? 0.0 : state.Planned.Steps * CostOfStep(state.ParticleCount);
                     prepared = true;
                     yield return new SessionJob($"{state.Name}, {name}", wait + SurfaceRun.CostOf(state, variant), () => false,
-                        () => Measure(state, name, variant), kind: wait > 0.0 ? "" : name);
+                        () => Measure(state, name, variant), kind: wait > 0.0 ? "" : name,
+                        key: ShardedTable.RunKey(SurfaceQuality.Format, $"{state.Name}|{name}"), group: state.Name);
                 }
             }
         }

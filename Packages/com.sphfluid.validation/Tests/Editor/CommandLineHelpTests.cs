@@ -18,6 +18,7 @@ namespace SphFluid.Tests
             ["stability"] = w => StabilityArguments.Parse(w),
             ["leaks"] = w => LeakArguments.Parse(w),
             ["surfaces"] = w => SurfaceArguments.Parse(w),
+            ["merge"] = w => MergeArguments.Parse(w),
             ["budgets"] = w => BudgetArguments.Parse(w),
             ["figures"] = w => FigureArguments.Parse(w, new[] { "clumps" }),
         };

@@ -15,6 +15,7 @@ namespace SphFluid.Tests
         static readonly string[] NoSeeds = { "", "-1", "NaN", "1.5", "1e30", "99999999999999999999", "many" };
         static readonly string[] NoMinutes = { "", "-1", "0", "NaN", "Infinity", "1e30", "1e-30", "99999999999999999999", "soon" };
         static readonly string[] NoShares = { "", " ", "-1", "-5%", "0", "0%", "%", "NaN", "Infinity", "1e30", "5 per cent", "soon" };
+        static readonly string[] NoShards = { "", " ", "1", "/", "1/", "/2", "0/3", "4/3", "1/0", "0/0", "-1/3", "+1/3", "1/-3", "a/b", "1.0/3", "1/2/3", "1/1000000", "1/99999999999999999999" };
         static readonly string[] NoFolders = { "", " " };
         static readonly string[] NoFiles = { "", " ", "a", ".ply", ".csv", "a.txt" };
 
@@ -28,15 +29,16 @@ namespace SphFluid.Tests
             {
                 ("--table", NoNames), ("--particles", NoCounts), ("--grids", NoCounts), ("--repeat", NoCounts), ("--out", NoFolders),
             }),
-            ("chart", w => ChartArguments.Parse(w), new[] { ("--case", NoNames), ("--method", NoNames), ("--slice", NoMinutes), ("--out", NoFolders) }),
+            ("chart", w => ChartArguments.Parse(w), new[] { ("--case", NoNames), ("--method", NoNames), ("--slice", NoMinutes), ("--shard", NoShards), ("--out", NoFolders) }),
             ("choose", w => ChooseArguments.Parse(w), new[]
             {
                 ("--case", NoNames), ("--error", NoShares), ("--ms", NoShares), ("--fps", NoShares), ("--length", NoShares), ("--speed", NoShares),
                 ("--volume", NoShares), ("--compression", NoShares), ("--chart", NoFolders), ("--verify", NoCounts), ("--out", NoFolders),
             }),
-            ("stability", w => StabilityArguments.Parse(w), new[] { ("--map", NoNames), ("--method", NoNames), ("--slice", NoMinutes), ("--out", NoFolders) }),
-            ("leaks", w => LeakArguments.Parse(w), new[] { ("--scene", NoNames), ("--out", NoFolders) }),
-            ("surfaces", w => SurfaceArguments.Parse(w), new[] { ("--state", NoNames), ("--variant", NoNames), ("--out", NoFolders) }),
+            ("stability", w => StabilityArguments.Parse(w), new[] { ("--map", NoNames), ("--method", NoNames), ("--slice", NoMinutes), ("--shard", NoShards), ("--out", NoFolders) }),
+            ("leaks", w => LeakArguments.Parse(w), new[] { ("--scene", NoNames), ("--shard", NoShards), ("--out", NoFolders) }),
+            ("surfaces", w => SurfaceArguments.Parse(w), new[] { ("--state", NoNames), ("--variant", NoNames), ("--shard", NoShards), ("--out", NoFolders) }),
+            ("merge", w => MergeArguments.Parse(w), new[] { ("--out", NoFolders) }),
             ("budgets", w => BudgetArguments.Parse(w), new[] { ("--budget", NoMinutes), ("--particles", NoCounts), ("--repeat", NoCounts), ("--out", NoFolders) }),
             ("figures", w => FigureArguments.Parse(w, new[] { "clumps" }), new[] { ("--only", NoNames), ("--out", NoFolders) }),
         };

@@ -28,6 +28,9 @@ namespace SphFluid.Tests
             yield return Table("leaks.csv", LeakResult.Format.Names);
             yield return Table("budgets.csv", BudgetRow.Format.Names);
             yield return Table("surface-quality.csv", SurfaceQuality.Format.Names);
+            yield return Table("shard.csv and shards.csv", ShardManifest.Format.Names);
+            yield return Table("shard-plan.csv", SweepPlan.Format.Names);
+            yield return Table("shard-runs.csv", ShardRunRow.Format.Names);
             yield return Table("thesis.csv and sweep.csv", new ThesisLayout("thesis", new[] { "BLOCK" }).Format.Names);
             yield return Table("solver.csv", new SolverLayout(new[] { "PART" }).Format.Names);
             yield return Table("surface.csv", new SurfaceLayout(new[] { "PART" }).Format.Names);
