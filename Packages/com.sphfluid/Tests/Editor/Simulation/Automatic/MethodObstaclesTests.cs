@@ -50,11 +50,13 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void WithoutGravityAnySurfaceTensionActs()
+        public void WithoutGravitySurfaceTensionActsWhereItIsAskedFor()
         {
             simulation.UseSceneGravity = false;
             simulation.Gravity = Vector3.zero;
             rig.Profile.SurfaceTension = 0.07f;
+            Assert.That(ObstacleOfRobust(Choice()), Is.Null, "too coarse");
+            rig.Profile.TensionAtAnySpacing = true;
             Assert.That(ObstacleOfRobust(Choice()), Does.StartWith("has no surface tension"));
         }
 
