@@ -23,7 +23,7 @@ namespace SphFluid.Validation
             Vector3[] mean = Enumerable.Range(0, reference[0].Path.Length).Select(i => Mean(reference.Select(r => r.Path[i]))).ToArray();
             foreach (BudgetRow row in rows)
                 row.Error = ErrorOf(row.Path, mean) / row.Spacing;
-            foreach (IGrouping<(string, double, int), BudgetRow> equal in rows.GroupBy(r => (r.Method, r.MaxCompression, r.Substeps)))
+            foreach (IGrouping<(string, double, int), BudgetRow> equal in rows.GroupBy(Liquid))
             {
                 double cost = Median(equal.Select(r => r.Milliseconds));
                 foreach (BudgetRow row in equal)
@@ -32,7 +32,7 @@ namespace SphFluid.Validation
             ILookup<BudgetWay, BudgetRow> byWay = rows.ToLookup(r => r.Way);
             foreach (IGrouping<BudgetWay, BudgetRow> chosen in byWay.Where(w => !double.IsNaN(w.Key.Budget)))
             {
-                string better = BudgetWay.Given.Where(way => byWay.Contains(way)).Where(way => IsBetter(byWay[way].ToArray(), chosen.ToArray()))
+                string better = BudgetWay.Given.Where(way => byWay.Contains(way) && chosen.Any(c => Liquid(c) != Liquid(byWay[way].First()))).Where(way => IsBetter(byWay[way].ToArray(), chosen.ToArray()))
                     .OrderBy(way => byWay[way].Average(r => r.Error)).Select(way => way.Name).FirstOrDefault() ?? "";
                 foreach (BudgetRow row in chosen)
                     row.BetterWay = better;
@@ -47,6 +47,9 @@ namespace SphFluid.Validation
             double scatter = Math.Sqrt(Variance(given) / given.Count + Variance(chosen) / chosen.Count);
             return given.Average(r => r.Error) + Certain * scatter < chosen.Average(r => r.Error);
         }
+
+        // Equal for runs that compute the same, however they were asked for.
+        static (string, double, int) Liquid(BudgetRow row) => (row.Method, row.MaxCompression, row.Substeps);
 
         static double ErrorOf(Vector3[] path, Vector3[] reference)
         {

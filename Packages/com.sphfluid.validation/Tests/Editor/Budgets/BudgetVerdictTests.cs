@@ -53,6 +53,17 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void AWayIsNotBetterThanItself()
+        {
+            var rows = new List<BudgetRow>
+            {
+                Row(BudgetWay.Reference, 0f), Row(BudgetWay.Given[0], 0.0500f), Row(BudgetWay.Given[0], 0.0500f), Row(Automatic, 0.0502f), Row(Automatic, 0.0502f),
+            };
+            BudgetVerdict.Judge(rows);
+            Assert.That(rows.Select(r => r.BetterWay), Is.All.Empty, "Automatic picked that way: two hundredths of a spacing are nothing");
+        }
+
+        [Test]
         public void RunsThatScatterMoreThanTheyDifferAreNoVerdict()
         {
             var rows = new List<BudgetRow>
