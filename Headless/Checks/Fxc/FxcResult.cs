@@ -7,6 +7,12 @@ namespace Headless.Checks.Fxc;
 internal sealed record FxcResult(
     FxcJob Job, bool Ok, int Uavs, int SharedBytes, int Threads, int Slots, string Messages, int Buffers, int Milliseconds)
 {
+    /// <summary>Whether the compiler fell over, which says nothing of the kernel when it happens once.</summary>
+    public bool HasCrashed => !Ok && Messages.Contains("crashed", StringComparison.Ordinal);
+
+    /// <summary>Whether to take this result of the same job: the other one crashed, or a busy moment lengthened it.</summary>
+    public bool IsBetterThan(FxcResult other) => other.HasCrashed ? !HasCrashed : Milliseconds < other.Milliseconds && !HasCrashed;
+
     public static FxcResult Parse(string line, IReadOnlyList<FxcJob> jobs)
     {
         var fields = line.Split('\t');

@@ -17,8 +17,8 @@ internal static class FxcYardstick
     /// <summary>CPU time of the yardstick, the median of all.</summary>
     public static double Milliseconds(IEnumerable<FxcResult> results)
     {
-        var times = results.Where(r => r.Job == Job).Select(r => r.Milliseconds).Order().ToList();
-        return Math.Max(times[times.Count / 2], 1);
+        var times = results.Where(r => r.Job == Job && r.Ok).Select(r => r.Milliseconds).Order().ToList();
+        return times.Count > 0 ? Math.Max(times[times.Count / 2], 1) : ReferenceMilliseconds;
     }
 
     /// <summary>Results of such a list without the yardstick's, and each time as the reference machine would need it.</summary>

@@ -105,6 +105,20 @@ public sealed class FxcCheckTests
         Assert.That(scaled.Select(r => r.Milliseconds), Is.EqualTo(new[] { 1500, 3000 }).Within(3));
     }
 
+    [Test]
+    public void ACrashCountsOnlyWhereItComesBack()
+    {
+        var job = new FxcJob("K", "K", "cs_5_0", "");
+        FxcResult Crashed(FxcJob what) => new(what, false, 0, 0, 0, 0, "d3dcompiler_47.dll crashed", 0, 0);
+        var compiled = new FxcResult(job, true, 1, 0, 64, 10, "", 1, 500);
+
+        Assert.That(Crashed(job).HasCrashed && !compiled.HasCrashed);
+        Assert.That(compiled.IsBetterThan(Crashed(job)));
+        Assert.That(Crashed(job).IsBetterThan(compiled) || Crashed(job).IsBetterThan(Crashed(job)), Is.False);
+        var yardstick = compiled with { Job = FxcYardstick.Job, Milliseconds = 400 };
+        Assert.That(FxcYardstick.Milliseconds([Crashed(FxcYardstick.Job), yardstick, yardstick]), Is.EqualTo(400.0));
+    }
+
     [TestCase(1, 3)]
     [TestCase(15, 17)]
     [TestCase(16, 19)]
