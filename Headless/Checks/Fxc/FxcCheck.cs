@@ -46,7 +46,7 @@ internal sealed class FxcCheck(ProjectPackages packages, string cacheFolder)
         var all = jobs with { Jobs = [.. jobs.Jobs, FxcYardstick.Job] };
         var lines = all.Write(folder, profile => profile);
         var compiled = toolchain.Run(folder, FxcYardstick.Among(lines.SkipLast(1), lines[^1])).Select(line => FxcResult.Parse(line, all.Jobs)).ToList();
-        if (compiled.Where(r => r.Job == FxcYardstick.Job).All(r => !r.Ok) && compiled.Find(r => r.Job == FxcYardstick.Job) is { } lost) report.Findings.Add($"{lost.Job.Name} does not compile: {lost.Messages}");
+        if (!compiled.Exists(r => r.Job == FxcYardstick.Job && r.Ok) && compiled.Find(r => r.Job == FxcYardstick.Job) is { } lost) report.Findings.Add($"{lost.Job.Name} does not compile: {lost.Messages}");
         return (FxcYardstick.Scale(compiled), FxcYardstick.Milliseconds(compiled));
     }
 

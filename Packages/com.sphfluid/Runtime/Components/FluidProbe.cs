@@ -119,7 +119,7 @@ namespace SphFluid
             if (!solver.MeasuresWallForces)
                 return Warn($"The method {solver.Kind} does not sum the force on walls, so there is no wall pressure to read.",
                     $"Set the simulation's Method to {FluidMethodKind.Standard}, or Kind to Liquid Pressure, which is noisy.");
-            foreach (string shortfall in ShaderGroup.WallForces.Shortfalls(DeviceCapabilities.Query()))
+            if (solver.WallForcesShortfall is string shortfall)
                 return Warn(shortfall, "Set Kind to Liquid Pressure, which is noisy, or use another graphics device or API.");
             if (!(patchSize.x > 0f && patchSize.y > 0f && AffineMath.IsFinite(patchSize)))
             {

@@ -170,6 +170,9 @@ namespace SphFluid
         /// <summary>Whether the method sums the liquid's force on walls, so that <see cref="WallForces"/> can be asked for.</summary>
         public bool MeasuresWallForces => method.Has(FluidMethodFeatures.WallForces);
 
+        /// <summary>Why the device cannot sum the force on walls; null where it can. Where there are sums the device is not asked again.</summary>
+        internal string WallForcesShortfall => state.WallForces == null ? WallForces.Shortfall() : null;
+
         /// <summary>The force of the liquid on rectangles of its walls; costs nothing while there is none.</summary>
         /// <exception cref="NotSupportedException">The method does not sum what walls do to the liquid: see <see cref="MeasuresWallForces"/>.</exception>
         /// <exception cref="FluidDeviceException">The method does, and the device cannot: see <see cref="FluidSupport.WallForces"/>.</exception>

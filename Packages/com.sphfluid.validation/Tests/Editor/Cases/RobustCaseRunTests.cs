@@ -48,19 +48,8 @@ namespace SphFluid.Tests
             Assert.That(WallCaseStates.Named(metric, MomentumMetric.ErrorName), Is.LessThan(1e-5));
         }
 
-        static CaseParameters Coarse(ValidationCase validationCase, int resolution)
-        {
-            CaseParameters parameters = validationCase.Base(Robust);
-            parameters.Resolution = resolution;
-            return parameters;
-        }
+        static CaseParameters Coarse(ValidationCase validationCase, int resolution) => WallCaseRig.Coarse(validationCase, Robust, resolution);
 
-        // The main error.
-        static double Run(ValidationCase validationCase, CaseParameters parameters, out CaseMetric metric)
-        {
-            CaseResult result = WallCaseRig.Run(validationCase, parameters, SurfaceTestScene.LoadShaders(), out metric);
-            Assert.That(result.Failure, Is.Null);
-            return result.Errors[0].Value;
-        }
+        static double Run(ValidationCase validationCase, CaseParameters parameters, out CaseMetric metric) => WallCaseRig.MainError(validationCase, parameters, out metric);
     }
 }

@@ -95,19 +95,8 @@ namespace SphFluid.Tests
                 Assert.That(validationCase.Base(CaseMethod.Find(method)).SupportRatio, Is.EqualTo(supportRatio), validationCase.Name);
         }
 
-        static CaseParameters Coarse(ValidationCase validationCase, int resolution)
-        {
-            CaseParameters parameters = validationCase.Base(Standard);
-            parameters.Resolution = resolution;
-            return parameters;
-        }
+        static CaseParameters Coarse(ValidationCase validationCase, int resolution) => WallCaseRig.Coarse(validationCase, Standard, resolution);
 
-        // The main error.
-        static double Run(ValidationCase validationCase, CaseParameters parameters, out CaseMetric metric)
-        {
-            CaseResult result = WallCaseRig.Run(validationCase, parameters, SurfaceTestScene.LoadShaders(), out metric);
-            Assert.That(result.Failure, Is.Null);
-            return result.Errors[0].Value;
-        }
+        static double Run(ValidationCase validationCase, CaseParameters parameters, out CaseMetric metric) => WallCaseRig.MainError(validationCase, parameters, out metric);
     }
 }

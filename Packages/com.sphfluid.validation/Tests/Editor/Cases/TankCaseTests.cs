@@ -26,7 +26,7 @@ namespace SphFluid.Tests
         {
             foreach (CaseMethod method in CaseMethod.All.Where(m => Runs(flow, m)))
             {
-                CaseParameters parameters = At(flow, resolution, method);
+                CaseParameters parameters = WallCaseRig.Coarse(flow, method, resolution);
                 parameters.SupportRatio = supportRatio;
                 CaseSetup setup = flow.Build(parameters);
                 setup.Settings.Validate();
@@ -38,7 +38,7 @@ namespace SphFluid.Tests
         [Test]
         public void TheBoxStartsOnItsWaterAndFloatsByItsMass([Values(10, 13, 20)] int resolution)
         {
-            CaseSetup setup = new HeaveCase().Build(At(new HeaveCase(), resolution, standard));
+            CaseSetup setup = new HeaveCase().Build(WallCaseRig.Coarse(new HeaveCase(), standard, resolution));
             CaseBody box = setup.Bodies.Single();
             Bounds bounds = box.Mesh.Bounds;
             double bottom = box.Centre.y + bounds.min.y, dx = setup.Settings.Spacing;
@@ -61,7 +61,7 @@ namespace SphFluid.Tests
         {
             foreach (CaseMethod method in CaseMethod.All)
             {
-                CaseSetup setup = new AcceleratedTankCase().Build(At(new AcceleratedTankCase(), 8, method));
+                CaseSetup setup = new AcceleratedTankCase().Build(WallCaseRig.Coarse(new AcceleratedTankCase(), method, 8));
                 using (var solver = new FluidSolver(setup.Settings, SurfaceTestScene.LoadShaders(), setup.Particles))
                     Assert.That(solver.MeasuresWallForces, Is.EqualTo(method.FeelsWalls), method.Name);
             }
@@ -70,7 +70,7 @@ namespace SphFluid.Tests
         [Test]
         public void ThePaddleIsTheFlumesEndAndGoesByItsStroke()
         {
-            CaseSetup setup = new PaddleCase().Build(At(new PaddleCase(), 10, standard));
+            CaseSetup setup = new PaddleCase().Build(WallCaseRig.Coarse(new PaddleCase(), standard, 10));
             CaseBody paddle = setup.Bodies.Single();
             float face = paddle.Centre.x + paddle.Mesh.Bounds.max.x, nearest = setup.Particles.Min(p => p.Position.x);
             Assert.That(0.5f * setup.Settings.DomainSize.x - face, Is.EqualTo(4f).Within(1e-5f));
@@ -113,19 +113,8 @@ namespace SphFluid.Tests
         static bool Runs(ValidationCase flow, CaseMethod method) => flow is CapillaryDropCase ? method.HasTension
             : flow is WallImpactCase ? method.FeelsWalls : !(flow is HeaveCase && method.Name.StartsWith("thesis"));
 
-        static CaseParameters At(ValidationCase flow, int resolution, CaseMethod method)
-        {
-            CaseParameters parameters = flow.Base(method);
-            parameters.Resolution = resolution;
-            return parameters;
-        }
-
         // The main error.
-        static double Run(ValidationCase flow, int resolution, out CaseMetric metric)
-        {
-            CaseResult result = WallCaseRig.Run(flow, At(flow, resolution, standard), SurfaceTestScene.LoadShaders(), out metric);
-            Assert.That(result.Failure, Is.Null);
-            return result.Errors[0].Value;
-        }
+        static double Run(ValidationCase flow, int resolution, out CaseMetric metric) =>
+            WallCaseRig.MainError(flow, WallCaseRig.Coarse(flow, standard, resolution), out metric);
     }
 }

@@ -62,8 +62,15 @@ namespace SphFluid
         /// <exception cref="FluidDeviceException">The device cannot.</exception>
         internal static WallForces Start(FluidShaderSet shaders)
         {
-            foreach (string shortfall in ShaderGroup.WallForces.Shortfalls(DeviceCapabilities.Query())) throw new FluidDeviceException(shortfall);
+            if (Shortfall() is string shortfall) throw new FluidDeviceException(shortfall);
             return new WallForces(shaders);
+        }
+
+        /// <summary>Why the device cannot sum them; null where it can.</summary>
+        internal static string Shortfall()
+        {
+            foreach (string shortfall in ShaderGroup.WallForces.Shortfalls(DeviceCapabilities.Query())) return shortfall;
+            return null;
         }
 
         /// <summary>Adds a rectangle; the next steps that are recorded are summed.</summary>
