@@ -65,7 +65,7 @@ namespace SphFluid.Validation
 
         /// <inheritdoc/>
         public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) => new AcceleratedTankMetric(
-            new TankModes(Length, Depth, Gravity, WallCaseSetup.EffectiveSoundSpeed(setup.Settings)), -0.5 * setup.Settings.DomainSize.x, Slope);
+            new TankModes(Length, Depth, Gravity, CaseSettings.EffectiveSoundSpeed(setup.Settings)), -0.5 * setup.Settings.DomainSize.x, Slope);
 
         // At rest under gravity alone, compressed by it.
         static FluidParticle[] Level(in CaseParameters parameters, in FluidSolverSettings settings, int width, double dx)

@@ -55,6 +55,9 @@ namespace SphFluid.Validation
             return settings;
         }
 
+        /// <summary>Speed of sound that the liquid has in its steps [m/s].</summary>
+        internal static double EffectiveSoundSpeed(in FluidSolverSettings settings) => FluidRules.EffectiveSoundSpeed(settings, settings.TimeStep, settings.MaxSpeed);
+
         // A frame of the method Robust is its four substeps, and twelve steps of the Standard method at the same fraction and speed of sound: at 60 frames
         // a second that is a frame of liquid at 4 m/s and dx = 2 cm. Its iterations carry liquid of the depth of which U is √(g D).
         static FluidRuleInput WithSubsteps(FluidRuleInput input, double speed)

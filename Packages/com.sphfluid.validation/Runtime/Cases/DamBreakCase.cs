@@ -82,7 +82,7 @@ namespace SphFluid.Validation
         {
             var random = new System.Random(parameters.Seed);
             int wide = parameters.Resolution, layer = wide * rows;
-            double depth = 2.0 * wide * dx, sound = WallCaseSetup.EffectiveSoundSpeed(settings), m = sound * sound / (Gravity * depth);
+            double depth = 2.0 * wide * dx, sound = CaseSettings.EffectiveSoundSpeed(settings), m = sound * sound / (Gravity * depth);
             Vector3 low = -0.5f * settings.DomainSize;
             var particles = new FluidParticle[layer * 2 * wide];
             for (int i = 0; i < particles.Length; i++)

@@ -131,7 +131,7 @@ namespace SphFluid.Validation
         // c²/(g H).
         double M => Sound * Sound / (gravity * depth);
 
-        double Sound => FluidRules.EffectiveSoundSpeed(settings, settings.TimeStep, settings.MaxSpeed);
+        double Sound => CaseSettings.EffectiveSoundSpeed(settings);
 
         // Of the pressure as it is read, what pushes.
         double Share => HalvesPressure ? 0.5 : 1.0;

@@ -57,6 +57,6 @@ namespace SphFluid.Validation
             CaseMethod.IsThesis(settings) && settings.Own<ThesisSettings>().ForceTimesMass ? (double)settings.ParticleMass * settings.RestDensity : 1.0;
 
         /// <summary>Speed at which waves run [m/s].</summary>
-        internal static double EffectiveSound(in FluidSolverSettings settings) => FluidRules.EffectiveSoundSpeed(settings, settings.TimeStep, settings.MaxSpeed) * Math.Sqrt(ForceFactor(settings));
+        internal static double EffectiveSound(in FluidSolverSettings settings) => CaseSettings.EffectiveSoundSpeed(settings) * Math.Sqrt(ForceFactor(settings));
     }
 }

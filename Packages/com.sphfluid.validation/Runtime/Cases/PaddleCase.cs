@@ -68,7 +68,7 @@ namespace SphFluid.Validation
 
         /// <inheritdoc/>
         public override CaseMetric CreateMetric(in CaseParameters parameters, CaseSetup setup) => new PaddleMetric(
-            new TankModes(Length, Depth, Gravity, WallCaseSetup.EffectiveSoundSpeed(setup.Settings)), 0.5 * setup.Settings.DomainSize.x - Length, Stroke, WaveNumber);
+            new TankModes(Length, Depth, Gravity, CaseSettings.EffectiveSoundSpeed(setup.Settings)), 0.5 * setup.Settings.DomainSize.x - Length, Stroke, WaveNumber);
 
         /// <summary>ω of the waves [1/s].</summary>
         internal static double Frequency => Math.Sqrt(Gravity * WaveNumber * Math.Tanh(WaveNumber * Depth));

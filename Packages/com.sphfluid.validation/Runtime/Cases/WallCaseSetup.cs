@@ -49,12 +49,9 @@ namespace SphFluid.Validation
         /// <summary>m of <see cref="Settled"/>, c² = m U², with the speed of sound that the liquid has in its steps: U² is g H.</summary>
         public static double Stiffness(in CaseParameters parameters, in FluidSolverSettings settings)
         {
-            double softening = EffectiveSoundSpeed(settings) / settings.SoundSpeed;
+            double softening = CaseSettings.EffectiveSoundSpeed(settings) / settings.SoundSpeed;
             return parameters.SoundSpeedRatio * parameters.SoundSpeedRatio * softening * softening;
         }
-
-        /// <summary>Speed of sound that the liquid has in its steps [m/s].</summary>
-        public static double EffectiveSoundSpeed(in FluidSolverSettings settings) => FluidRules.EffectiveSoundSpeed(settings, settings.TimeStep, settings.MaxSpeed);
 
         /// <summary>A particle at rest on a place of the start, jittered, and inside the domain: wrapped along periodic axes, kept from walls.</summary>
         public static FluidParticle Particle(Vector3 place, uint id, double deviation, System.Random random, in FluidSolverSettings settings)

@@ -107,7 +107,7 @@ namespace SphFluid.Validation
                 particles = setup.Particles.Length;
                 timeStep = setup.Settings.TimeStep;
                 speed = setup.Settings.MaxSpeed;
-                softening = WallCaseSetup.EffectiveSoundSpeed(setup.Settings) / setup.Settings.SoundSpeed;
+                softening = CaseSettings.EffectiveSoundSpeed(setup.Settings) / setup.Settings.SoundSpeed;
                 hasGravity = setup.Settings.Gravity != UnityEngine.Vector3.zero;
                 steps = Math.Ceiling(setup.Duration / setup.Settings.TimeStep);
             }
