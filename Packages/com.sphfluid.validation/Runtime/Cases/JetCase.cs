@@ -12,7 +12,7 @@ namespace SphFluid.Validation
     {
         const double Width = 1.0, Speed = 1.0;
         const double Length = 8.0;
-        const double HalfHeight = 7.0; // of the domain; the sheets are 6 long when the run ends
+        const double HalfHeight = 20.0; // of the domain: the first touch throws spray along the wall at more than 2 U, and what piles up at an end would push on the wall
         const double From = 3.0, To = 6.0; // of what is even, in b/U
         const double Interval = 0.05;
 

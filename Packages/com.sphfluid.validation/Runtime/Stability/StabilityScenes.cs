@@ -56,7 +56,7 @@ namespace SphFluid.Validation
             return scene;
         }
 
-        /// <summary>M3: two cubes of 6³ particles collide at ±v without gravity: x = dt·v/dx, y = c/v.</summary>
+        /// <summary>M3: two cubes of 6³ particles collide at ±v without gravity in a periodic box, so that nothing takes momentum: x = dt·v/dx, y = c/v.</summary>
         public static StabilityScenario Collision(StabilityRun run)
         {
             const int side = 6;
@@ -66,7 +66,7 @@ namespace SphFluid.Validation
             FluidSolverSettings settings = new StabilityConstants
             {
                 Method = run.Method, DomainSize = domain, Support = StabilityTheory.Of(run.Method).SupportRatio, Sound = sound, Viscosity = double.NaN, Clamps = run.Clamps,
-                TimeStep = run.X * Dx / speed, Speed = speed,
+                TimeStep = run.X * Dx / speed, Speed = speed, Periodic = FluidAxes.All,
             }.Settings();
             float half = (float)(0.5 * length), gap = (float)Dx;
             List<Vector3> positions = CaseLattice.Box(new Vector3Int(side, side, side), Dx, new Vector3(gap, -half, -half));
@@ -76,7 +76,7 @@ namespace SphFluid.Validation
             return Scene(settings, particles, 3.0 * length / speed, new StabilityScenario { ReferenceSpeed = speed, Closed = true });
         }
 
-        /// <summary>M6: two drops of 4 particles in radius collide at ±v from beyond each other's reach: x = dt·v/dx, y = c/v.</summary>
+        /// <summary>M6: two drops of 4 particles in radius collide at ±v from beyond each other's reach, in a periodic box: x = dt·v/dx, y = c/v.</summary>
         public static StabilityScenario Drops(StabilityRun run)
         {
             const double speed = 1.0, radius = 4.0 * Dx, apart = 8.0 * Dx;
@@ -85,7 +85,7 @@ namespace SphFluid.Validation
             FluidSolverSettings settings = new StabilityConstants
             {
                 Method = run.Method, DomainSize = domain, Support = StabilityTheory.Of(run.Method).SupportRatio, Sound = sound, Viscosity = double.NaN, Clamps = run.Clamps,
-                TimeStep = run.X * Dx / speed, Speed = speed,
+                TimeStep = run.X * Dx / speed, Speed = speed, Periodic = FluidAxes.All,
             }.Settings();
             List<Vector3> ball = CaseLattice.Ball(radius, Dx);
             List<Vector3> positions = ball.Select(p => p - offset).Concat(ball.Select(p => p + offset)).ToList();

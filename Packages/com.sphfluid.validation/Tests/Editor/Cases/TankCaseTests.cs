@@ -90,9 +90,9 @@ namespace SphFluid.Tests
         [Test]
         public void TheJetPushesWithItsMomentum()
         {
-            Assert.That(Run(new JetCase(), 6, out CaseMetric metric), Is.LessThan(0.08));
+            Assert.That(Run(new JetCase(), 6, out CaseMetric metric), Is.LessThan(0.05));
             Assert.That(WallCaseStates.Named(metric, "speed of the sheets over U − 1"), Is.Zero.Within(0.1));
-            Assert.That(WallCaseStates.Named(metric, "force of the wall's strips over that by momentum − 1"), Is.Zero.Within(0.12));
+            Assert.That(WallCaseStates.Named(metric, "force of the wall's strips over that by momentum − 1"), Is.Zero.Within(0.06));
             Assert.That(WallCaseStates.Named(metric, "pressure along the wall, RMS over ½ρU²"), Is.LessThan(0.3));
         }
 

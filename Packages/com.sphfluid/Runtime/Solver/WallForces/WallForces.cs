@@ -186,7 +186,7 @@ namespace SphFluid
             {
                 Centre = patch.Centre,
                 Rotation = patch.Rotation,
-                HalfSize = 0.5f * patch.Size,
+                HalfSize = new Vector2(HalfEdge(patch.Rotation * Vector3.right, patch.Size.x, state.Settings), HalfEdge(patch.Rotation * Vector3.up, patch.Size.y, state.Settings)),
                 Depth = patch.Depth > 0f ? patch.Depth : state.Settings.Spacing,
             };
             BodyMotion motion = patch.Carrier != null ? state.Bodies?.MotionOf(patch.Carrier) : null;
@@ -197,6 +197,19 @@ namespace SphFluid
             words.Body = (uint)(state.Bodies.PlaceOf(motion) + 1);
             isCarried |= words.Body != 0u;
             return words;
+        }
+
+        // A rectangle that goes round a periodic domain has no edge there: the squares of particles beside the seam count whole.
+        static float HalfEdge(Vector3 direction, float length, in FluidSolverSettings settings)
+        {
+            for (int axis = 0; axis < 3; axis++)
+            {
+                float period = settings.DomainSize[axis];
+                bool goesRound = ((int)settings.Boundaries.Periodic >> axis & 1) != 0 && Mathf.Abs(direction[axis]) > 0.9999f && length > period - 1e-3f * settings.Spacing;
+                if (goesRound) return 0.5f * (Mathf.Max(length, period) + settings.Spacing);
+            }
+
+            return 0.5f * length;
         }
 
         static void Check(Vector3 centre, Quaternion rotation, Vector2 size)

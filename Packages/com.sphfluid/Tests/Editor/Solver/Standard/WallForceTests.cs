@@ -120,6 +120,26 @@ namespace SphFluid.Tests
             }
         }
 
+        // A rectangle with edges in the seam would lose a quarter of a spacing there: a thirtieth of this one.
+        [Test]
+        public void ARectangleThatGoesRoundAPeriodicDomainHasAllOfTheHit([Values(0.35f, 0.4f)] float across)
+        {
+            FluidSolverSettings settings = BodyRig.Water(new Vector3(0.8f, 0.6f, across), Spacing, 0.3f, 4f);
+            settings.Gravity = Vector3.zero;
+            settings.Boundaries = new FluidBoundaries { Periodic = FluidAxes.Z };
+            var counts = new Vector3Int(5, 6, Mathf.RoundToInt(across / Spacing));
+            using (var rig = new WallForceRig(settings, WallForceRig.Block(counts, Spacing, new Vector3(-0.3f, -0.15f, -0.5f * across), new Vector3(4f, 0f, 0f))))
+            {
+                WallPatch front = rig.Forces.Add(new Vector3(0.4f, 0f, 0.07f), WallForceRig.Facing(Vector3.left), new Vector2(across, 4f));
+                WallPatch back = rig.Forces.Add(new Vector3(-0.4f, 0f, -0.04f), WallForceRig.Facing(Vector3.right), new Vector2(across, 4f));
+                Double3 before = rig.Momentum();
+                for (int frame = 0; frame < 8; frame++) rig.Frame(20);
+                rig.Forces.Complete();
+                Assert.That(front.Impulse, Is.GreaterThan(0.8 * before.X), "the block has hit");
+                Assert.That(front.Impulse - back.Impulse, Is.EqualTo((before - rig.Momentum()).X).Within(2e-3 * before.X));
+            }
+        }
+
         [Test]
         public void APatchGoesWithItsMeshInTheStepsOfAFrame()
         {
