@@ -11,7 +11,7 @@ namespace SphFluid.Validation
 
         internal StabilityArguments() : base("stability", "Build/stability")
         {
-            AddQuick("fewer points: below ten minutes on two CPU cores");
+            AddQuick("fewer points: a quarter of an hour on two CPU cores");
             AddChoice("--map", "these maps", "all, and the borders", maps, StabilityMap.All, m => m.Name);
             AddChoice("--method", "these methods", "all; not thesis-printed with --quick", methods, CaseMethod.All, m => m.Name);
             AddFolder();
