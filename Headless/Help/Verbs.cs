@@ -100,6 +100,19 @@ internal static class Verbs
             Notes = ["writes DIR/budgets.csv after every run, and the errors with the last"],
             Examples = [("--budget 4 16 --particles 1000 --repeat 1", "two budgets, each once: a minute or two on two CPU cores")],
         },
+        Measured("export", "a scene's liquids as cases of PySPH, which runs on many processors") with
+        {
+            Notes =
+            [
+                "writes DIR/case.py, its data, run.sh, job.sbatch, to_sequence.py and manifest.json; several liquids each to a folder of its name",
+                "What PySPH cannot express is named, with the object that has it.",
+            ],
+            Examples =
+            [
+                ("--particles 4000 --seconds 0.5", "the sample Dam Break with 4,000 particles; then bash Build/export/run.sh"),
+                ("--scene Packages/com.sphfluid/Samples~/WaveTank/WaveTank.unity --seconds 4 --ranks 8", "a scene whose paddle moves, for eight processes"),
+            ],
+        },
         new("figures", "pictures of what the thesis's printed forms do") { Own = OfPackage("figures"), Examples = [("--out Build/figures", "all of them")] },
         new("check", "conformance checks that need no GPU")
         {

@@ -1,5 +1,5 @@
 # Written by ./run help --update from the flags that the parsers read; run reads it.
-verbs='play bench chart choose stability leaks surfaces merge budgets figures check model mutate docs devices publish build help'
+verbs='play bench chart choose stability leaks surfaces merge budgets export figures check model mutate docs devices publish build help'
 declare -A all_flags=(
     [play]='--scene --seconds --fps --size --out --device --no-images --open --validate --method --budget --surface --particles --seed --state --mesh --record'
     [bench]='--device --validate --table --particles --grids --repeat --out --sweep --no-sweep --scene --phases --against --fps --size --method --surface --seed'
@@ -10,6 +10,7 @@ declare -A all_flags=(
     [surfaces]='--device --validate --quick --state --variant --out --shard'
     [merge]='--device --validate --errors-only --out'
     [budgets]='--device --validate --budget --particles --repeat --out'
+    [export]='--device --validate --scene --engine --scheme --seconds --frame-rate --spacing --particles --ranks --strict --out'
     [figures]='--only --out'
     [check]='--only --update'
     [model]='--state --radius'
@@ -25,6 +26,7 @@ declare -A player_values=(
     [surfaces]='--device'
     [merge]='--device'
     [budgets]='--device'
+    [export]='--device'
 )
 declare -A player_switches=(
     [play]='--no-images --open --validate'
@@ -36,4 +38,5 @@ declare -A player_switches=(
     [surfaces]='--validate'
     [merge]='--validate'
     [budgets]='--validate'
+    [export]='--validate'
 )

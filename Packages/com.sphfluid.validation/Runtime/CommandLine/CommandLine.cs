@@ -98,6 +98,32 @@ namespace SphFluid.Validation
         public static void Budgets() =>
             Measure("budgets", (words, progress) => new BudgetSession(BudgetArguments.Parse(words), SessionAssets.FindShaders(), progress));
 
+        /// <summary>
+        /// Writes the liquids of a scene as cases of PySPH, with the motion of colliders while the scene plays without them: the flags --scene, --engine, --scheme,
+        /// --seconds, --frame-rate, --spacing, --particles, --ranks, --strict and --out; see <see cref="ExportArguments"/>. The program ends with it. A wrong flag ends
+        /// it with exit code 2. In the Unity Editor outside play mode colliders are exported where the scene has them.
+        /// </summary>
+        public static void Export()
+        {
+            try
+            {
+                ExportArguments arguments = ExportArguments.Parse(Environment.GetCommandLineArgs());
+#if UNITY_EDITOR
+                if (!Application.isPlaying)
+                {
+                    UnityEditor.SceneManagement.EditorSceneManager.OpenScene(arguments.Scene);
+                    ExportPlay.WriteOpenScene(arguments, EndExport);
+                    return;
+                }
+#endif
+                ExportPlay.Begin(arguments, EndExport);
+            }
+            catch (CommandLineException exception)
+            {
+                Fail("export", exception.Message);
+            }
+        }
+
         internal static void Prepare(PlayArguments arguments)
         {
             bool begun = false;
@@ -149,9 +175,12 @@ namespace SphFluid.Validation
             }
         }
 
+        static void EndExport(string message, int exitCode) => Fail("export", message, exitCode);
+
         static void Fail(string verb, string message, int exitCode = UsageExitCode)
         {
-            Console.Error.WriteLine(verb + ": " + message);
+            if (message != null)
+                Console.Error.WriteLine(verb + ": " + message);
 #if UNITY_EDITOR
             UnityEditor.EditorApplication.Exit(exitCode);
 #else

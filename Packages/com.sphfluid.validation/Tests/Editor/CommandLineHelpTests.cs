@@ -20,6 +20,7 @@ namespace SphFluid.Tests
             ["surfaces"] = w => SurfaceArguments.Parse(w),
             ["merge"] = w => MergeArguments.Parse(w),
             ["budgets"] = w => BudgetArguments.Parse(w),
+            ["export"] = w => ExportArguments.Parse(w),
             ["figures"] = w => FigureArguments.Parse(w, new[] { "clumps" }),
         };
 

@@ -40,6 +40,11 @@ namespace SphFluid.Tests
             ("surfaces", w => SurfaceArguments.Parse(w), new[] { ("--state", NoNames), ("--variant", NoNames), ("--shard", NoShards), ("--out", NoFolders) }),
             ("merge", w => MergeArguments.Parse(w), new[] { ("--out", NoFolders) }),
             ("budgets", w => BudgetArguments.Parse(w), new[] { ("--budget", NoMinutes), ("--particles", NoCounts), ("--repeat", NoCounts), ("--out", NoFolders) }),
+            ("export", w => ExportArguments.Parse(w), new[]
+            {
+                ("--scene", NoFiles), ("--engine", NoNames), ("--scheme", NoNames), ("--seconds", NoShares), ("--frame-rate", NoShares), ("--spacing", NoShares),
+                ("--particles", NoCounts), ("--ranks", NoCounts), ("--out", NoFolders),
+            }),
             ("figures", w => FigureArguments.Parse(w, new[] { "clumps" }), new[] { ("--only", NoNames), ("--out", NoFolders) }),
         };
 

@@ -121,6 +121,9 @@ namespace SphFluid
 
         /// <summary>Which method Automatic picked and why, or what keeps it from picking one that fits.</summary>
         MethodChoice,
+
+        /// <summary>Something of a liquid that the engine which it is exported to cannot express.</summary>
+        NotExported,
     }
 
     /// <summary>One message to the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>

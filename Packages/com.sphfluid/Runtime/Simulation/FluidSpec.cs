@@ -64,6 +64,9 @@ namespace SphFluid
         /// <summary>Force zones that act on this liquid; null for none.</summary>
         public IReadOnlyList<ZoneSpec> Zones;
 
+        /// <summary>Whether another machine computes it, so that no limit of this device and no Max Particles of the profile holds.</summary>
+        public bool RunsElsewhere;
+
         public FluidBodyForce BodyForce;
         public FluidBoundaries Boundaries;
         public Func<Vector3, Vector3> VelocityField;

@@ -55,7 +55,7 @@ namespace SphFluid
         }
 
         /// <summary>Most particles that a simulation may have.</summary>
-        internal static long MostParticles(in FluidSpec spec) => Math.Min(spec.HasProfile ? spec.Profile.MaxParticles : int.MaxValue, DeviceLimit);
+        internal static long MostParticles(in FluidSpec spec) => spec.RunsElsewhere ? int.MaxValue : Math.Min(spec.HasProfile ? spec.Profile.MaxParticles : int.MaxValue, DeviceLimit);
 
         static long DeviceLimit => SystemInfo.maxGraphicsBufferSize / FluidParticle.Stride;
 

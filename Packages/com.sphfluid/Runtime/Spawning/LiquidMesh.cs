@@ -26,7 +26,7 @@ namespace SphFluid
         public override bool Contains(Vector3 point) => inside.Contains(point);
 
         // Σ A·(B × C)/6 by the divergence theorem, positive where faces look outward.
-        static double SignedVolume(TriangleMesh mesh)
+        internal static double SignedVolume(TriangleMesh mesh)
         {
             Vector3 centre = mesh.Bounds.center;
             double volume = 0.0;

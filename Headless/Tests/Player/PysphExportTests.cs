@@ -1,0 +1,147 @@
+using System.Diagnostics;
+using System.Text.Json;
+using Headless.Tests.Fuzz;
+using NUnit.Framework;
+
+namespace Headless.Tests.Player;
+
+/// <summary>./run export, then Debian's PySPH on what it wrote, then the sequence for playback, as a user does it.</summary>
+[Category("Gpu")]
+public sealed class PysphExportTests
+{
+    private const int ParticleBytes = 28;
+    private const string Debian = "/usr/bin/python3"; // the interpreter that Debian's packages are for
+    private static readonly TimeSpan Patience = TimeSpan.FromMinutes(10);
+
+    private string folder = "";
+
+    [SetUp]
+    public void SetUp() => folder = Directory.CreateTempSubdirectory("exported-").FullName;
+
+    [TearDown]
+    public void TearDown() => Directory.Delete(folder, recursive: true);
+
+    [Test]
+    public void TheDamBreakIsWritten()
+    {
+        PlayerProcess run = Export("--particles", "500", "--seconds", "0.1", "--frame-rate", "10");
+        Assert.That(run.ExitCode, Is.Zero, run.Output + run.Errors);
+        JsonElement manifest = Json("manifest.json");
+        Assert.That(manifest.GetProperty("liquidParticles").GetInt64(), Is.InRange(400, 600));
+        foreach (JsonElement file in manifest.GetProperty("files").EnumerateArray())
+        {
+            byte[] contents = File.ReadAllBytes(PathOf(file.GetProperty("name").GetString()!));
+            Assert.That(contents, Has.Length.EqualTo(file.GetProperty("bytes").GetInt64()));
+            Assert.That(Convert.ToHexStringLower(System.Security.Cryptography.SHA256.HashData(contents)), Is.EqualTo(file.GetProperty("sha256").GetString()));
+        }
+    }
+
+    [Test]
+    public void AMovingPaddleIsABody()
+    {
+        PlayerProcess run = Export("--scene", "Packages/com.sphfluid/Samples~/WaveTank/WaveTank.unity", "--particles", "500", "--seconds", "0.5", "--frame-rate", "20");
+        Assert.That(run.ExitCode, Is.Zero, run.Output + run.Errors);
+        JsonElement body = Json("manifest.json").GetProperty("bodies").EnumerateArray().First();
+        Assert.That(body.GetProperty("poses").GetInt32(), Is.InRange(10, 12));
+        Assert.That(body.GetProperty("particles").GetInt64(), Is.Positive);
+    }
+
+    [Test]
+    public void StrictWritesNothingOfASceneThatIsNotExportedWhole()
+    {
+        PlayerProcess run = Export("--scene", "Packages/com.sphfluid/Samples~/Fountain/Fountain.unity", "--particles", "500", "--seconds", "0.05", "--strict");
+        Assert.That(run.ExitCode, Is.EqualTo(1));
+        Assert.That(run.Output + run.Errors, Does.Contain("is not exported").And.Contain("nothing is written, because --strict is given"));
+        Assert.That(Directory.GetFileSystemEntries(folder), Is.Empty);
+    }
+
+    [Test]
+    public void AMissingSceneIsExitCode2()
+    {
+        PlayerProcess run = Export("--scene", "Assets/NoSuchScene.unity");
+        Assert.That(run.ExitCode, Is.EqualTo(2), run.Output + run.Errors);
+        Assert.That(run.Output + run.Errors, Does.Contain("NoSuchScene"));
+    }
+
+    [Test]
+    public void PysphRunsTheDamBreakOnOneProcessAndOnTwo([Values(1, 2)] int ranks)
+    {
+        RequirePysph();
+        PlayerProcess run = Export("--particles", "500", "--seconds", "0.1", "--frame-rate", "20");
+        Assert.That(run.ExitCode, Is.Zero, run.Output + run.Errors);
+        Run(PathOf("run.sh"), ranks, "--max-steps", "60"); // the first 50 are short
+
+        JsonElement sequence = Json("sequence/sequence.json");
+        Assert.That(sequence.GetProperty("format").GetString(), Is.EqualTo("sphfluid-sequence"));
+        Assert.That(sequence.GetProperty("source").GetString(), Does.StartWith("PySPH 1.0b1, scheme WCSPH, " + ranks + " rank"));
+        JsonElement[] frames = [.. sequence.GetProperty("frames").EnumerateArray()];
+        Assert.That(frames, Has.Length.GreaterThanOrEqualTo(2), "the start, and where the steps end");
+        long particles = Json("manifest.json").GetProperty("liquidParticles").GetInt64();
+        foreach (JsonElement frame in frames)
+        {
+            byte[] contents = File.ReadAllBytes(PathOf("sequence/" + frame.GetProperty("file").GetString()));
+            Assert.That(frame.GetProperty("particles").GetInt64(), Is.EqualTo(particles));
+            Assert.That(contents, Has.Length.EqualTo(frame.GetProperty("bytes").GetInt64()));
+            Assert.That($"{Crc32(contents):x8}", Is.EqualTo(frame.GetProperty("crc32").GetString()));
+            uint[] ids = [.. Enumerable.Range(0, (int)particles).Select(i => BitConverter.ToUInt32(contents, contents.Length - (int)(particles - i) * ParticleBytes + 24))];
+            Assert.That(ids, Is.EqualTo(Enumerable.Range(0, (int)particles).Select(i => (uint)i)));
+        }
+        float[] heights = [.. frames.Select(f => MeanHeight(PathOf("sequence/" + f.GetProperty("file").GetString()), (int)particles))];
+        Assert.That(heights[^1], Is.LessThan(heights[0]), "it falls");
+    }
+
+    private static float MeanHeight(string file, int particles)
+    {
+        byte[] contents = File.ReadAllBytes(file);
+        return Enumerable.Range(0, particles).Average(i => BitConverter.ToSingle(contents, contents.Length - (particles - i) * ParticleBytes + 4));
+    }
+
+    private static uint Crc32(byte[] contents)
+    {
+        uint crc = ~0u;
+        foreach (byte value in contents)
+        {
+            crc ^= value;
+            for (int bit = 0; bit < 8; bit++) crc = (crc & 1) != 0 ? 0xEDB88320u ^ crc >> 1 : crc >> 1;
+        }
+        return ~crc;
+    }
+
+    private static void RequirePysph()
+    {
+        if (!File.Exists(Debian) || !Succeeds(Debian, "-c", "import pysph, mpi4py, pyzoltan"))
+            Assert.Ignore("PySPH is not installed: apt-get install python3-pysph python3-mpi4py python3-pyzoltan openmpi-bin (setup.sh does it where Debian serves it)");
+    }
+
+    private static bool Succeeds(string program, params string[] words)
+    {
+        using var process = Process.Start(new ProcessStartInfo(program, words) { RedirectStandardError = true, RedirectStandardOutput = true })!;
+        process.StandardError.ReadToEnd();
+        return process.WaitForExit(Patience) && process.ExitCode == 0;
+    }
+
+    private static void Run(string script, int ranks, params string[] flags)
+    {
+        var start = new ProcessStartInfo("bash", [script, .. flags]) { RedirectStandardError = true, RedirectStandardOutput = true };
+        start.Environment["RANKS"] = ranks.ToString(System.Globalization.CultureInfo.InvariantCulture);
+        start.Environment["PYTHON"] = Debian;
+        using var process = Process.Start(start)!;
+        Task<string> errors = process.StandardError.ReadToEndAsync();
+        string output = process.StandardOutput.ReadToEnd();
+        Assert.That(process.WaitForExit(Patience), Is.True, "it takes too long");
+        Assert.That(process.ExitCode, Is.Zero, output + errors.Result);
+    }
+
+    private string PathOf(string name) => Path.Combine(folder, name);
+
+    private JsonElement Json(string name) => JsonDocument.Parse(File.ReadAllText(PathOf(name))).RootElement;
+
+    private PlayerProcess Export(params string[] flags)
+    {
+        string root = FuzzProject.Repository;
+        return PlayerProcess.Run(
+        [
+            "exec", "--project", root, "--assemblies", Path.Combine(root, "Build/ScriptAssemblies"), "--executeMethod", "SphFluid.Validation.CommandLine.Export", "--", .. flags, "--out", folder,
+        ]);
+    }
+}

@@ -1,0 +1,38 @@
+namespace SphFluid
+{
+    /// <summary>run.sh for one machine and job.sbatch for a cluster with Slurm. Names between @ are replaced.</summary>
+    internal static class RunScripts
+    {
+        public const string Local = @"#!/usr/bin/env bash
+# Runs the case and makes sequence/ of it. RANKS: processes; PYTHON: the interpreter that has PySPH; flags go to case.py.
+set -euo pipefail
+cd ""$(dirname ""${BASH_SOURCE[0]}"")""
+ranks=${RANKS:-@RANKS@} python=${PYTHON:-python3}
+if ((ranks > 1)); then
+    export OMP_NUM_THREADS=${OMP_NUM_THREADS:-1}
+    flags=(-n ""$ranks"")
+    # Open MPI starts nothing as root, and no more processes than there are cores, unless told to.
+    ((EUID != 0)) || flags+=(--allow-run-as-root)
+    ((ranks <= $(nproc))) || flags+=(--oversubscribe)
+    mpirun ""${flags[@]}"" ""$python"" case.py -d out ""$@""
+else
+    ""$python"" case.py --openmp -d out ""$@""
+fi
+""$python"" to_sequence.py out sequence
+@READINGS@";
+
+        public const string Slurm = @"#!/usr/bin/env bash
+#SBATCH --job-name=@JOB@
+#SBATCH --ntasks=@RANKS@
+#SBATCH --cpus-per-task=1
+#SBATCH --time=24:00:00
+#SBATCH --output=slurm-%j.txt
+# sbatch job.sbatch, from this folder; sbatch --ntasks=256 job.sbatch for more processes.
+set -euo pipefail
+cd ""$SLURM_SUBMIT_DIR""
+export OMP_NUM_THREADS=$SLURM_CPUS_PER_TASK
+srun ${PYTHON:-python3} case.py -d out
+${PYTHON:-python3} to_sequence.py out sequence
+@READINGS@";
+    }
+}
