@@ -27,8 +27,11 @@ namespace SphFluid
             this.options = options;
         }
 
-        /// <summary>Layers of a wall that a scheme's kernel reaches, in whole spacings: 2 h of Wendland's, 3 h of the quintic spline, h = 1.3 dx.</summary>
-        public static int Layers(FluidExportScheme scheme) => scheme == FluidExportScheme.Edac ? 4 : 3;
+        /// <summary>
+        /// Layers of a wall that the outermost liquid feels, half a spacing before the face: its kernel ends 2 h away with WCSPH, 3 h with EDAC, h = 1.3 dx. PySPH's
+        /// dam break has two as well.
+        /// </summary>
+        public static int Layers(FluidExportScheme scheme) => scheme == FluidExportScheme.Edac ? 3 : 2;
 
         public ExportParticle[] Liquid { get; set; } = Array.Empty<ExportParticle>();
         public WallParticle[] Walls { get; set; } = Array.Empty<WallParticle>();

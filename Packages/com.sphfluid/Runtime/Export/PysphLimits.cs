@@ -36,7 +36,7 @@ namespace SphFluid
                 report(new FluidMessage(FluidSeverity.Info, FluidIssue.NotExported, spec.Owner, FormattableString.Invariant(
                     $"Friction of {spec.Boundaries.Friction:G3} is not exported: walls in PySPH hold the liquid by its full viscosity, and artificial viscosity brakes it besides."), ""));
             report(new FluidMessage(FluidSeverity.Info, FluidIssue.NotExported, spec.Owner,
-                "Contact is not proved in PySPH: walls are particles that push, three layers of them, and very fast liquid can cross them. to_sequence.py counts what leaves the box.", ""));
+                "Contact is not proved in PySPH: walls are layers of particles that push, and very fast liquid can cross them. to_sequence.py counts what leaves the box.", ""));
         }
 
         // What a liquid as high as the domain asks for.

@@ -134,16 +134,18 @@ class Case(Application):
 
 
 def write_run(case, wall):
-    '''run.json: what ran, for how long and in how much memory.'''
-    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss/1024
+    '''run.json: what ran, for how long and in how much memory, of all processes together.'''
+    used = resource.getrusage(resource.RUSAGE_SELF)
+    used = [used.ru_maxrss/1024, used.ru_utime + used.ru_stime]
     if case.num_procs > 1:
-        memory = sum(case.comm.allgather(memory))
+        used = np.sum(case.comm.allgather(used), axis=0)
     if case.rank == 0:
         with open(os.path.join(case.output_dir, 'run.json'), 'w') as file:
             json.dump({'engine': 'PySPH', 'version': pysph.__version__, 'scheme': case.options.scheme.upper(),
                        'ranks': case.num_procs, 'openmp': bool(case.options.with_openmp),
                        'steps': case.solver.count, 'time': case.solver.t,
-                       'wall_s': round(wall, 2), 'memory_mib': round(memory, 1)}, file, indent=2)
+                       'wall_s': round(wall, 2), 'cpu_s': round(used[1], 2),
+                       'memory_mib': round(used[0], 1)}, file, indent=2)
 
 
 if __name__ == '__main__':

@@ -13,7 +13,7 @@ if ((ranks > 1)); then
     flags=(-n ""$ranks"")
     # Open MPI starts nothing as root, and no more processes than there are cores, unless told to.
     ((EUID != 0)) || flags+=(--allow-run-as-root)
-    ((ranks <= $(nproc))) || flags+=(--oversubscribe)
+    ((ranks <= $(getconf _NPROCESSORS_ONLN))) || flags+=(--oversubscribe)
     mpirun ""${flags[@]}"" ""$python"" case.py -d out ""$@""
 else
     ""$python"" case.py --openmp -d out ""$@""
