@@ -90,6 +90,19 @@ public sealed class PysphExportTests
         Assert.That(heights[^1], Is.LessThan(heights[0]), "it falls");
     }
 
+    [Test]
+    public void PysphMovesThePaddleAndReadsTheInstruments()
+    {
+        RequirePysph();
+        PlayerProcess run = Export("--scene", "Packages/com.sphfluid/Samples~/WaveTank/WaveTank.unity", "--particles", "300", "--seconds", "0.2", "--frame-rate", "20");
+        Assert.That(run.ExitCode, Is.Zero, run.Output + run.Errors);
+        Run(PathOf("run.sh"), 2, "--max-steps", "3");
+        Assert.That(Json("sequence/sequence.json").GetProperty("frames").GetArrayLength(), Is.EqualTo(2));
+        string[] rows = File.ReadAllLines(PathOf("readings.csv"));
+        Assert.That(rows[0], Is.EqualTo("time_s,Wall Probe.p,Wave Gauge.height_m"));
+        Assert.That(double.Parse(rows[1].Split(',')[2], System.Globalization.CultureInfo.InvariantCulture), Is.InRange(0.1, 0.4), "the water is 0.24 m deep, and a spacing is a quarter of that");
+    }
+
     private static float MeanHeight(string file, int particles)
     {
         byte[] contents = File.ReadAllBytes(file);

@@ -113,6 +113,8 @@ class Case(Application):
         liquid.add_property('liquid_id', data=table['id'], type='unsigned int')
         liquid.add_output_arrays(['liquid_id'])
         for array in arrays:
+            if array.name in self.paths:
+                self.place(array, 0.0, 1e-6)
             array.set_lb_props(list(array.properties.keys()))  # all go along to another process
             if array is not liquid:
                 array.set_output_arrays(['x', 'y', 'z', 'm', 'rho', 'p', 'h', 'gid', 'pid', 'tag'])
@@ -120,17 +122,19 @@ class Case(Application):
 
     def pre_step(self, solver):
         for body in self.particles:
-            if body.name not in self.paths:
-                continue
-            place = np.array([body.bx, body.by, body.bz])
-            (pivot, turn), (then, turned) = [
-                pose(self.paths[body.name], t) for t in (solver.t, solver.t + solver.dt)]
-            now = pivot + turn @ place
-            velocity = (then + turned @ place - now)/solver.dt
-            for number in range(3):
-                getattr(body, 'xyz'[number])[:] = now[number]
-                getattr(body, 'uvw'[number])[:] = velocity[number]
-                getattr(body, 'a' + 'xyz'[number])[:] = velocity[number]  # it moves within the step
+            if body.name in self.paths:
+                self.place(body, solver.t, solver.dt)
+
+    def place(self, body, t, dt):
+        '''A body where its path has it at a time, with the velocity that takes it on.'''
+        from_pivot = np.array([body.bx, body.by, body.bz])
+        (pivot, turn), (then, turned) = [pose(self.paths[body.name], moment) for moment in (t, t + dt)]
+        now = pivot + turn @ from_pivot
+        velocity = (then + turned @ from_pivot - now)/dt
+        for number, axis in enumerate('xyz'):
+            getattr(body, axis)[:] = now[number]
+            getattr(body, 'uvw'[number])[:] = velocity[number]
+            getattr(body, 'a' + axis)[:] = velocity[number]  # it moves within the step
 
 
 def write_run(case, wall):
@@ -142,7 +146,7 @@ def write_run(case, wall):
     if case.rank == 0:
         with open(os.path.join(case.output_dir, 'run.json'), 'w') as file:
             json.dump({'engine': 'PySPH', 'version': pysph.__version__, 'scheme': case.options.scheme.upper(),
-                       'ranks': case.num_procs, 'openmp': bool(case.options.with_openmp),
+                       'ranks': case.num_procs, 'openmp': case.options.openmp,
                        'steps': case.solver.count, 'time': case.solver.t,
                        'wall_s': round(wall, 2), 'cpu_s': round(used[1], 2),
                        'memory_mib': round(used[0], 1)}, file, indent=2)

@@ -9,8 +9,8 @@ namespace SphFluid
     python3 readings.py [out] [readings.csv]
 
 By PySPH's Interpolator. Pressure is the mean about a point of liquid and walls, as in
-pysph/examples/dam_break_3d.py; a gauge's height is where the density along its line first
-falls below half the rest density. Positions in metres from the centre of the box.
+pysph/examples/dam_break_3d.py; a gauge's height is where the density of the lowest liquid on
+its line falls below half the rest density. Positions in metres from the centre of the box.
 '''
 import csv
 import sys
@@ -45,10 +45,14 @@ class Reader:
 
 def height(density, length):
     steps = np.linspace(0, length, len(density))
-    dry = np.nonzero(density < 0.5*rho0)[0]
-    if len(dry) == 0 or dry[0] == 0:
-        return length if len(dry) == 0 else 0.0
-    k = dry[0]
+    wet = density >= 0.5*rho0
+    if not wet.any():
+        return 0.0
+    first = int(np.argmax(wet))  # of a gauge on the floor the first points have half of their surroundings in it
+    dry = np.nonzero(~wet[first:])[0]
+    if len(dry) == 0:
+        return length
+    k = first + dry[0]
     return float(np.interp(0.5*rho0, [density[k], density[k - 1]], [steps[k], steps[k - 1]]))
 
 

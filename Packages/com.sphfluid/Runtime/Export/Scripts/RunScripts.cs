@@ -8,6 +8,7 @@ namespace SphFluid
 set -euo pipefail
 cd ""$(dirname ""${BASH_SOURCE[0]}"")""
 ranks=${RANKS:-@RANKS@} python=${PYTHON:-python3}
+rm -rf out # files of an earlier run would be taken for frames of this one
 if ((ranks > 1)); then
     export OMP_NUM_THREADS=${OMP_NUM_THREADS:-1}
     flags=(-n ""$ranks"")
@@ -30,6 +31,7 @@ fi
 # sbatch job.sbatch, from this folder; sbatch --ntasks=256 job.sbatch for more processes.
 set -euo pipefail
 cd ""$SLURM_SUBMIT_DIR""
+rm -rf out # files of an earlier run would be taken for frames of this one
 export OMP_NUM_THREADS=$SLURM_CPUS_PER_TASK
 srun ${PYTHON:-python3} case.py -d out
 ${PYTHON:-python3} to_sequence.py out sequence
