@@ -43,6 +43,8 @@ namespace SphFluid.Editor
             if (lines.Count > 0) EditorGUILayout.HelpBox(string.Join("\n", lines), MessageType.None);
         }
 
+        void OnDisable() => recorder?.Dispose();
+
         void OnInspectorUpdate()
         {
             if (recorder != null) Repaint();

@@ -260,6 +260,20 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator ARecorderThatIsDisposedOfHandsNothingOver()
+        {
+            bool done = false;
+            FluidExportRecorder recorder = FluidExportRecorder.Begin(new[] { simulation }, Options(), exports => done = true);
+            for (int i = 0; i < 3; i++) yield return null;
+            Assert.That(recorder.Progress, Is.InRange(0.1f, 0.5f));
+            recorder.Dispose();
+            for (int i = 0; i < 16; i++) yield return null;
+
+            Assert.That(done, Is.False);
+            Assert.That(recorder.IsRecording, Is.False);
+        }
+
+        [UnityTest]
         public IEnumerator ARecorderHandsTheExportsOverWhenTheirTimeIsOver()
         {
             FluidSimulation other = rig.Create("Tank", position: new Vector3(5f, 0f, 0f));
@@ -273,11 +287,11 @@ namespace SphFluid.Tests
                 for (int i = 0; i < exports.Count; i++) exports[i].Write(folders[i]);
             });
             while (done == 0 && frames++ < 100) yield return null;
-            yield return null;
+            for (int i = 0; i < 3; i++) yield return null;
 
             Assert.That(done, Is.EqualTo(1));
             Assert.That(frames, Is.InRange(8, 11), "an eighth of a second at 64 frames a second");
-            Assert.That(recorder == null, Is.True, "it is gone");
+            Assert.That((recorder.IsRecording, recorder.Progress), Is.EqualTo((false, 1f)));
             Assert.That(folders.Select(Path.GetFileName), Is.EqualTo(new[] { "Tank", "Tank-2" }));
             Assert.That(folders.All(f => File.Exists(Path.Combine(f, "manifest.json"))), Is.True);
         }

@@ -76,8 +76,9 @@ namespace SphFluid.Tests
         [TestCase("Size the box", "size-the-box")]
         public void AHeadingsLinkIsAsWebSitesMakeIt(string heading, string link) => Assert.That(Link(heading), Is.EqualTo(link));
 
+        // What is internal, nobody adds.
         static Type[] Documented() => typeof(FluidSimulation).Assembly.GetTypes()
-            .Where(t => !t.IsAbstract && (typeof(MonoBehaviour).IsAssignableFrom(t) || typeof(ScriptableObject).IsAssignableFrom(t))).ToArray();
+            .Where(t => t.IsPublic && !t.IsAbstract && (typeof(MonoBehaviour).IsAssignableFrom(t) || typeof(ScriptableObject).IsAssignableFrom(t))).ToArray();
 
         static ManualPageAttribute Page(Type type)
         {

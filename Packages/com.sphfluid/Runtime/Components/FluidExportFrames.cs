@@ -1,0 +1,23 @@
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>Calls a recorder once a frame, after the liquids.</summary>
+    [AddComponentMenu("")]
+    [DefaultExecutionOrder(300)]
+    sealed class FluidExportFrames : MonoBehaviour
+    {
+        FluidExportRecorder recorder;
+
+        public static FluidExportFrames Begin(FluidExportRecorder recorder)
+        {
+            var holder = new GameObject("Fluid Export") { hideFlags = HideFlags.HideAndDontSave };
+            DontDestroyOnLoad(holder);
+            var frames = holder.AddComponent<FluidExportFrames>();
+            frames.recorder = recorder;
+            return frames;
+        }
+
+        void LateUpdate() => recorder.Advance();
+    }
+}
