@@ -25,6 +25,9 @@ public class EditorUtility
 
     public static void CopySerializedIfDifferent(Object source, Object dest) => CopySerialized(source, dest);
 
+    /// <summary>No one is there to choose.</summary>
+    public static string OpenFolderPanel(string title, string folder, string defaultName) => "";
+
     /// <summary>No one is there to answer: the question and its cancel branch.</summary>
     public static bool DisplayDialog(string title, string message, string ok, string cancel)
     {

@@ -32,6 +32,12 @@ namespace SphFluid.Editor
         [MenuItem(Root + "Particles", false, Priority + 2)]
         public static void CreateWithParticles(MenuCommand command) => Create(command, typeof(FluidParticleRenderer));
 
+        /// <summary>A domain without liquid of its own, drawn as a surface, whose Fluid Playback plays a sequence once it has a folder.</summary>
+        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
+        [MenuItem(Root + "Playback", false, Priority + 3)]
+        public static void CreatePlayback(MenuCommand command) => InOneStep("Create Fluid Playback", () =>
+            ObjectFactory.AddComponent<FluidPlayback>(Simulation("Fluid Playback", command, typeof(FluidSurfaceRenderer), CubicMetre, 0f).gameObject));
+
         /// <summary>A nozzle that points down, at the top of the simulation that the object belongs to; outside of one in a glass tank of its own.</summary>
         /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
         [MenuItem(Root + "Emitter", false, Priority + 13)]

@@ -106,11 +106,11 @@ namespace SphFluid
 
         void Measure()
         {
-            // A collider that moved since the last measurement has done work, as force zones do, and liquid that was born brings energy.
+            // A collider that moved since the last measurement has done work, as force zones do, and liquid that was born brings energy. What is played has any.
             long changes = simulation.Collision.Changes + meter.Solver.BirthCount;
             commands ??= new CommandBuffer { name = "Fluid Diagnostics" };
             commands.Clear();
-            meter.Record(commands, changes != colliderChanges || meter.Solver.State.Zones?.Count > 0);
+            meter.Record(commands, changes != colliderChanges || meter.Solver.State.Zones?.Count > 0 || simulation.IsPlayedBack);
             Graphics.ExecuteCommandBuffer(commands);
             colliderChanges = changes;
         }

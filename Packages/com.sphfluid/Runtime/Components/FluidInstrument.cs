@@ -20,6 +20,7 @@ namespace SphFluid
 
         FluidSimulation read; // whose liquid is asked
         FluidSolver solver;
+        int jumps;
         FluidMessage? problem;
         int firstFrame;
 
@@ -114,11 +115,12 @@ namespace SphFluid
                         "Assign Simulation, or make this a child of one."));
                 return;
             }
-            if (!read.IsRunning || read.Solver != solver)
+            if (!read.IsRunning || read.Solver != solver || solver.ParticleChanges != jumps)
             {
                 Leave(read);
                 Clear();
                 solver = read.IsRunning ? read.Solver : null;
+                jumps = solver?.ParticleChanges ?? 0;
             }
             if (!read.IsRunning) return;
             bool isPlaced = AffineMath.IsFinite(transform.position) && AffineMath.IsFinite(transform.up);

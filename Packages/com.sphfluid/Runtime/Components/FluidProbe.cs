@@ -116,6 +116,11 @@ namespace SphFluid
         FluidMessage? AskWall(FluidSimulation liquid)
         {
             FluidSolver solver = liquid.Solver;
+            if (liquid.IsPlayedBack)
+            {
+                wall.Leave();
+                return Warn("The liquid is played from files, which hold no force on walls, so there is no wall pressure to read.", "Set Kind to Liquid Pressure, which is noisy.");
+            }
             if (!solver.MeasuresWallForces)
                 return Warn($"The method {solver.Kind} does not sum the force on walls, so there is no wall pressure to read.",
                     $"Set the simulation's Method to {FluidMethodKind.Standard}, or Kind to Liquid Pressure, which is noisy.");

@@ -54,6 +54,7 @@ namespace SphFluid
             Own(simulation, parts.Drains);
             Shared(simulation, parts.Zones);
             Shared(simulation, parts.Walls);
+            parts.Playback = simulation.TryGetComponent(out IFluidPlaybackSource source) ? source.Playback : null;
         }
 
         /// <summary>The emitters, drains or volumes that belong to a simulation, in hierarchy order where the scene plays.</summary>

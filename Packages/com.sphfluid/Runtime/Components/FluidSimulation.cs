@@ -65,6 +65,12 @@ namespace SphFluid
         public bool IsRunning => run != null;
 
         /// <summary>
+        /// Whether the liquid is played from files by a <see cref="FluidPlayback"/> and not simulated. Volumes, emitters, drains, force zones and floating bodies do nothing
+        /// meanwhile.
+        /// </summary>
+        public bool IsPlayedBack => run != null && parts.Playback != null;
+
+        /// <summary>
         /// Whether the liquid rests and takes no steps. It wakes in the frame in which a collider in its domain comes, goes, moves or changes, the
         /// transform or a setting changes, or particles are given to the <see cref="Solver"/>. A script that moves particles on the GPU calls <see cref="Wake"/>.
         /// </summary>
@@ -137,7 +143,7 @@ namespace SphFluid
             }
         }
 
-        FluidSpec OwnSpec => automatic.Resolve(parts.AddedTo(SettingsSpec));
+        FluidSpec OwnSpec => parts.Playback == null ? automatic.Resolve(parts.AddedTo(SettingsSpec)) : PlayedLiquid.Of(parts.AddedTo(SettingsSpec), parts.Playback);
 
         /// <summary>Begins to time the steps on the graphics device, for two timestamps a frame. Each call needs an <see cref="EndTiming"/>.</summary>
         public void BeginTiming() => timing.Begin();
@@ -181,7 +187,7 @@ namespace SphFluid
         public void Save(Stream stream)
         {
             if (stream == null) throw new ArgumentNullException(nameof(stream));
-            Running(true, "there is nothing to save", "").Save(Spec, stream);
+            Stepped("there is nothing to save").Save(Spec, stream);
         }
 
         /// <summary>
@@ -195,7 +201,7 @@ namespace SphFluid
         {
             if (stream == null) throw new ArgumentNullException(nameof(stream));
             List<FluidMessage> before = messages.Clear();
-            FluidRun restored = FluidReports.MayStart(this, Report) ? FluidRestore.TryMake(Spec, stream, Report) : null;
+            FluidRun restored = FluidReports.MayStart(this, Report) && FluidReports.MayRestore(Spec, Report) ? FluidRestore.TryMake(Spec, stream, Report) : null;
             if (restored == null)
             {
                 messages.PutBack(before);
@@ -212,7 +218,7 @@ namespace SphFluid
         /// </summary>
         /// <returns>FNV-1a, 64 bits, of the particles by number and the bodies.</returns>
         /// <exception cref="InvalidOperationException">The liquid does not run.</exception>
-        public ulong ComputeStateHash() => StateHash.Of(Running(true, "it has no state", "").Solver);
+        public ulong ComputeStateHash() => StateHash.Of(Running("it has no state").Solver);
 
         /// <summary>Ends the liquid's sleep: it takes steps until it has rested again.</summary>
         public void Wake() => run?.Wake();
@@ -226,7 +232,7 @@ namespace SphFluid
         public bool ChooseMethodAgain()
         {
             if (!FluidMethods.IsChosen(Method)) throw new InvalidOperationException($"The method of '{name}' is {Method}: there is nothing to choose. Set Method to Automatic.");
-            if (run == null) return StartSimulation();
+            if (run == null || IsPlayedBack) return StartSimulation();
             automatic.ChooseAgain(Spec, run, true, Report);
             return run.Key.Equals(FluidStartKey.Of(Spec)) || StartSimulation();
         }
@@ -253,7 +259,7 @@ namespace SphFluid
         }
 
         /// <summary>What a volume is besides what it has filled; null where that is the same, or the liquid does not run.</summary>
-        internal FluidMessage? DifferenceOf(FluidVolume volume) => run == null ? null : volumeWatch.Difference(OwnSpec, volume.Spec, volume.isActiveAndEnabled);
+        internal FluidMessage? DifferenceOf(FluidVolume volume) => run == null || IsPlayedBack ? null : volumeWatch.Difference(OwnSpec, volume.Spec, volume.isActiveAndEnabled);
 
         /// <summary>Removes the liquid in a box with the next steps.</summary>
         /// <param name="centre">World position [m].</param>
@@ -372,11 +378,11 @@ namespace SphFluid
             if (run == null || !run.Key.Equals(FluidStartKey.Of(spec)))
             {
                 if (!failed.IsUnchanged(spec, CountSources())) StartSimulation();
-                return;
+                if (!IsPlayedBack) return; // what is played is there at once
             }
             run.Timer = Timer;
             FluidScene.Own(this, parts.Volumes);
-            volumeWatch.Follow(spec, run, parts.Volumes, Report);
+            if (!IsPlayedBack) volumeWatch.Follow(spec, run, parts.Volumes, Report);
             Advance(spec);
         }
 
@@ -415,16 +421,19 @@ namespace SphFluid
             return run != null;
         }
 
-        FluidRun PushedRun() => Running(FluidMethods.Has(ActiveMethod, FluidMethodFeatures.ForceZones), "it cannot be pushed", "no force zones or impulses");
+        FluidRun PushedRun() => Stepped("it cannot be pushed", FluidMethodFeatures.ForceZones, "no force zones or impulses");
 
-        FluidRun ExchangingRun() => Running(run != null && run.Solver.Exchanges, "no liquid can be added or removed", "a fixed number of particles");
+        FluidRun ExchangingRun() => Stepped("no liquid can be added or removed", FluidMethodFeatures.ChangingCount, "a fixed number of particles");
 
-        FluidRun Running(bool serves, string consequence, string has)
+        FluidRun Stepped(string consequence, FluidMethodFeatures features = FluidMethodFeatures.None, string has = "")
         {
-            if (run == null) throw new InvalidOperationException($"'{name}' does not run, so {consequence}.");
-            if (!serves) throw new InvalidOperationException($"The method {ActiveMethod} of '{name}' has {has}. Set Method to Standard.");
+            Running(consequence);
+            if (IsPlayedBack) throw new InvalidOperationException($"'{name}' is played from files, so {consequence}. Disable its Fluid Playback first.");
+            if (features != FluidMethodFeatures.None && !FluidMethods.Has(ActiveMethod, features)) throw new InvalidOperationException($"The method {ActiveMethod} of '{name}' has {has}. Set Method to Standard.");
             return run;
         }
+
+        FluidRun Running(string consequence) => run ?? throw new InvalidOperationException($"'{name}' does not run, so {consequence}.");
 
         void Release()
         {

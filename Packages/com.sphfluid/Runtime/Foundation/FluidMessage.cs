@@ -124,6 +124,18 @@ namespace SphFluid
 
         /// <summary>Something of a liquid that the engine which it is exported to cannot express.</summary>
         NotExported,
+
+        /// <summary>A sequence of particle files cannot be played.</summary>
+        PlaybackInvalid,
+
+        /// <summary>A file of a sequence is missing, cut or altered, so that its frame is not shown.</summary>
+        PlaybackFrame,
+
+        /// <summary>A sequence is of another liquid than the simulation's settings say, or something in the scene does nothing while it is played.</summary>
+        PlaybackDiffers,
+
+        /// <summary>Particles of a sequence are outside of the domain, or not numbers, and are left out.</summary>
+        PlaybackOutside,
     }
 
     /// <summary>One message to the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>

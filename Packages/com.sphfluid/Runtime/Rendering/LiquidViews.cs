@@ -76,7 +76,8 @@ namespace SphFluid
 
         static void PrepareScriptable(ScriptableRenderContext context, Camera camera) => Prepare(camera);
 
-        static bool IsSeen(in DrawPlacement placement)
+        /// <summary>Whether an enabled camera may show a drawing or a shadow of it, or a reflection probe.</summary>
+        public static bool IsSeen(in DrawPlacement placement)
         {
             if (cameras.Length < Camera.allCamerasCount)
                 cameras = new Camera[Camera.allCamerasCount];

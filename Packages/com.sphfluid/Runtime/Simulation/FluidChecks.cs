@@ -201,6 +201,8 @@ namespace SphFluid
         internal static FluidStart Begin(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes, CollisionScene collision,
             Func<SpawnRequest, SpawnResult> spawn, List<FluidMessage> messages, out IReadOnlyList<LiquidShape> shapes)
         {
+            shapes = Array.Empty<LiquidShape>();
+            if (spec.Playback != null) return PlayedLiquid.Begin(spec, messages);
             List<(VolumeSpec, LiquidShape shape)> found = LiquidChecks.Shapes(spec, volumes, collision, messages);
             shapes = found.ConvertAll(f => f.shape);
             if (found.Count == 0 && (volumes.Count > 0 || LiquidChecks.IsDry(spec))) return null;

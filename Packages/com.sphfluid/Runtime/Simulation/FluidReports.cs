@@ -36,6 +36,15 @@ namespace SphFluid
             return false;
         }
 
+        /// <summary>Whether a saved liquid can take the place of a simulation's; reports why not.</summary>
+        public static bool MayRestore(in FluidSpec spec, Action<FluidMessage> report)
+        {
+            if (spec.Playback == null) return true;
+            report(new FluidMessage(FluidSeverity.Error, FluidIssue.SaveInvalid, spec.Owner,
+                "The liquid is played from files, so the save was not restored.", "Disable the Fluid Playback first."));
+            return false;
+        }
+
         // Null when it can. Nothing would free the GPU memory of a run that OnDisable does not end.
         static FluidMessage? NotPlaying(Behaviour simulation)
         {

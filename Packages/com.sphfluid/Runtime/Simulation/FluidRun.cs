@@ -44,7 +44,7 @@ namespace SphFluid
                 obstacles = new FluidObstacles(Solver.Settings, collision);
                 pace = new FluidPace(spec, start, Solver);
                 obstacles.Share();
-                if (obstacles.Bodies != null) collision.Owners = floats = new RigidbodyFloats(Solver.Settings.SupportRadius);
+                if (obstacles.Bodies != null && spec.Playback == null) collision.Owners = floats = new RigidbodyFloats(Solver.Settings.SupportRadius);
                 FollowBodies(spec);
                 Solver.SetObstacles(obstacles);
                 Execute(0);
@@ -79,7 +79,7 @@ namespace SphFluid
         public double SimulatedTime => Solver.SimulatedTime + restedTime;
         public CollisionScene Collision => obstacles.Scene;
 
-        /// <summary>Advances by a frame.</summary>
+        /// <summary>Advances by a frame; a liquid that is played goes to what is to be shown now.</summary>
         /// <param name="spec">The simulation as it is now.</param>
         /// <param name="deltaTime">Frame time [s]; null: one step, whatever the time.</param>
         /// <param name="failure">What went wrong.</param>
@@ -89,7 +89,8 @@ namespace SphFluid
             failure = default;
             try
             {
-                Advance(spec, deltaTime);
+                if (spec.Playback != null) Show(spec);
+                else Advance(spec, deltaTime);
                 return true;
             }
             catch (Exception exception) when (exception is ArgumentException || exception is FluidDeviceException)
@@ -97,6 +98,19 @@ namespace SphFluid
                 failure = FluidReports.Failure(spec.Owner, exception);
                 return false;
             }
+        }
+
+        // The particles are where they are shown to be: only walls and constants follow the scene.
+        void Show(in FluidSpec spec)
+        {
+            ApplyChanges(spec);
+            GatherColliders(spec);
+            Moved(spec);
+            FollowBodies(spec);
+            if (spec.Playback.TryTake(spec.DomainSize, Solver.Settings.PeriodLength, Solver.StepCount == 0, out PlayedFrame frame))
+                Solver.Show(frame.Particles, frame.Count, frame.Time, frame.IsJump);
+            Execute(0);
+            Know();
         }
 
         void Advance(in FluidSpec spec, float? frameTime)

@@ -67,6 +67,12 @@ namespace SphFluid
         /// <summary>Whether another machine computes it, so that no limit of this device and no Max Particles of the profile holds.</summary>
         public bool RunsElsewhere;
 
+        /// <summary>Where the particles come from of a liquid that is shown and not stepped; null: it is stepped.</summary>
+        public IFluidPlayback Playback;
+
+        /// <summary>Emitters, drains and force zones that do nothing while the liquid is shown and not stepped.</summary>
+        public int IdleParts;
+
         public FluidBodyForce BodyForce;
         public FluidBoundaries Boundaries;
         public Func<Vector3, Vector3> VelocityField;

@@ -16,6 +16,7 @@ namespace SphFluid
         readonly FluidAxes periodic;
         readonly FluidStartRelaxation relaxation;
         readonly Func<Vector3, Vector3> velocityField;
+        readonly IFluidPlayback playback;
 
         FluidStartKey(in FluidSpec spec)
         {
@@ -33,6 +34,7 @@ namespace SphFluid
             periodic = spec.Boundaries.Periodic;
             relaxation = spec.StartRelaxation;
             velocityField = spec.VelocityField;
+            playback = spec.Playback;
         }
 
         public static FluidStartKey Of(in FluidSpec spec) => new FluidStartKey(spec);
@@ -43,7 +45,7 @@ namespace SphFluid
             AffineMath.Same(domainSize, other.domainSize) && (scale - other.scale).sqrMagnitude < 1e-9f && spacing.Equals(other.spacing) &&
             supportRatio.Equals(other.supportRatio) && jitter.Equals(other.jitter) && seed == other.seed &&
             maxParticles == other.maxParticles && octantSearch == other.octantSearch &&
-            periodic == other.periodic && relaxation == other.relaxation && velocityField == other.velocityField;
+            periodic == other.periodic && relaxation == other.relaxation && velocityField == other.velocityField && ReferenceEquals(playback, other.playback);
 
         public override bool Equals(object obj) => obj is FluidStartKey other && Equals(other);
 

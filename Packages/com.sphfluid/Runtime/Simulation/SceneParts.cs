@@ -20,6 +20,9 @@ namespace SphFluid
         /// <summary>Volumes of the liquid.</summary>
         public List<VolumeSpec> Volumes { get; } = new List<VolumeSpec>();
 
+        /// <summary>What plays the liquid; null: it is stepped.</summary>
+        public IFluidPlayback Playback { get; set; }
+
         /// <summary>Number of volumes and emitters: without one there is no liquid.</summary>
         public int SourceCount => Volumes.Count + Emitters.Count;
 

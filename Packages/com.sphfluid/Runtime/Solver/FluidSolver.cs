@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Unity.Collections;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -280,6 +281,21 @@ namespace SphFluid
             recorder.Replace(live);
             if (HasExchange) Exchange.Births.NextId = this.particles.NextId;
             ParticleChanges++;
+        }
+
+        /// <summary>
+        /// Puts other particles in the place of the present ones as a step that led to them would: what follows the liquid from frame to frame goes on, unless this is a jump.
+        /// Methods with <see cref="FluidMethodFeatures.ChangingCount"/> only.
+        /// </summary>
+        /// <param name="shown">The particles, inside the domain; where there are none one that is marked as removed.</param>
+        /// <param name="count">Number of them, no more than <see cref="Capacity"/>.</param>
+        /// <param name="time">Time of the liquid [s].</param>
+        /// <param name="isJump">Whether they do not follow from those before.</param>
+        internal void Show(NativeArray<FluidParticle> shown, int count, double time, bool isJump)
+        {
+            ThrowIfDisposed();
+            recorder.Show(shown, count, time);
+            if (isJump) ParticleChanges++;
         }
 
         /// <summary>How far the liquid has come, besides its particles; for saves.</summary>

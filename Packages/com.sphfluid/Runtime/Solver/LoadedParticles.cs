@@ -1,5 +1,7 @@
 using System;
 using System.Collections.Generic;
+using Unity.Collections;
+using UnityEngine;
 
 namespace SphFluid
 {
@@ -78,6 +80,18 @@ namespace SphFluid
             if (live.Length > state.Capacity) ((IExchangingStepper)stepper).Reserve(null, live.Length);
             Upload(live);
             (bornBefore, removedBefore) = (counters.Counters.Born, counters.Counters.Removed);
+        }
+
+        /// <summary>Uploads particles in the place of the present ones, for which there are slots; nothing is born among them.</summary>
+        /// <param name="shown">The particles; where there are none one that is marked as removed.</param>
+        /// <param name="count">Number of them.</param>
+        public void Show(NativeArray<FluidParticle> shown, int count)
+        {
+            GraphicsBuffer published = state.Published.Particles;
+            published.SetData(shown, 0, 0, Math.Max(1, count));
+            state.LoadedCount = count;
+            state.ParticleCount = Math.Max(1, count);
+            loaded = count;
         }
 
         /// <summary>Lowers the number of slots in use to what the GPU's counts leave possible, and frees what nothing uses any more.</summary>

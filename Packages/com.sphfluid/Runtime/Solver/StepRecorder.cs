@@ -1,3 +1,4 @@
+using Unity.Collections;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -67,6 +68,20 @@ namespace SphFluid
         {
             particles.Replace(live);
             isLoaded = neighboursFresh = false;
+        }
+
+        /// <summary>Shows other particles in the place of the present ones, with the walls where they are now. Velocities are of the same time as positions.</summary>
+        /// <param name="shown">The particles.</param>
+        /// <param name="count">Number of them.</param>
+        /// <param name="time">Time of the liquid [s].</param>
+        public void Show(NativeArray<FluidParticle> shown, int count, double time)
+        {
+            particles.Show(shown, count);
+            state.WallsChange();
+            state.EndBodySteps();
+            isLoaded = neighboursFresh = false;
+            StepCount++;
+            (SimulatedTime, PreviousStep) = (time, 0f);
         }
 
         /// <summary>Goes on from a save.</summary>
