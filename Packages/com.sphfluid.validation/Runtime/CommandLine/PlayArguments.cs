@@ -26,6 +26,8 @@ namespace SphFluid.Validation
             Options.Add("--surface", "NAME", "how every liquid is drawn (none: not at all)", "as in the scene", surfaces, flag => Surface = flag.OneOf(surfaces));
             Options.Add("--particles", "N", "the same liquid with about N particles", "as in the scene", flag => Particles = flag.Integer(1, int.MaxValue));
             Options.Add("--seed", "N", "seed of the start jitter", "as in the scene", flag => Seed = flag.Integer(0, int.MaxValue));
+            Options.Add("--sequence", "DIR", "plays the liquid from the particle files of a sequence instead of simulating it", null, flag => Sequence = flag.Value());
+            Options.Add("--write-sequence", "DIR", "writes the particles of every frame as a sequence", null, flag => SequenceFolder = flag.Folder());
             Options.Add("--state", "FILE.ply", "writes the particles at the end", null, flag => StateFile = flag.File(".ply"));
             Options.Add("--mesh", "FILE.ply", MeshText, null, flag => MeshFile = flag.File(".ply"));
             Options.Add("--record", "FILE.csv", "writes speed, density error, energy and centre of mass of every frame, and what instruments read, with a plot", null, flag => RecordFile = flag.File(".csv"));
@@ -47,6 +49,12 @@ namespace SphFluid.Validation
 
         /// <summary>Seed of the start jitter; null keeps the scene's.</summary>
         public int? Seed { get; private set; }
+
+        /// <summary>Folder of a sequence that is played in the place of the scene's liquid, or null.</summary>
+        public string Sequence { get; private set; }
+
+        /// <summary>Folder for the particles of every frame as a sequence, or null.</summary>
+        public string SequenceFolder { get; private set; }
 
         /// <summary>File for the particles at the end (PLY), or null.</summary>
         public string StateFile { get; private set; }
@@ -79,10 +87,22 @@ namespace SphFluid.Validation
             }
             result.Options.Read(commandLine);
             result.RequireDifferentFiles();
+            result.RequireUse();
             return result;
         }
 
         static FluidMethodKind KindOf(string name) => name == AutomaticName ? FluidMethodKind.Automatic : CaseMethod.Find(name).Kind;
+
+        // What is played is not started: it has its own particles.
+        void RequireUse()
+        {
+            string idle = Sequence == null ? null : Method != null ? "--method" : Budget != null ? "--budget" : Particles != null ? "--particles" : Seed != null ? "--seed" : null;
+            if (idle != null)
+                throw new CommandLineException($"{idle} changes how a liquid starts, and --sequence plays one that is there; give one of them.");
+            if (SequenceFolder != null && Directory.Exists(SequenceFolder) &&
+                (File.Exists(Path.Combine(SequenceFolder, "sequence.json")) || Directory.GetFiles(SequenceFolder, "*.ply").Length > 0))
+                throw new CommandLineException($"--write-sequence: '{CommandLineWords.Shown(SequenceFolder)}' holds a sequence or .ply files already; name another folder.");
+        }
 
         void RequireDifferentFiles()
         {

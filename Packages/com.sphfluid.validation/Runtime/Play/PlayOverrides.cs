@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
@@ -10,6 +11,8 @@ namespace SphFluid.Validation
     {
         public static void Apply(PlayArguments arguments, IReadOnlyList<FluidSimulation> simulations)
         {
+            if (arguments.Sequence != null)
+                SetSequence(arguments.Sequence, simulations);
             foreach (FluidSimulation simulation in simulations)
             {
                 if (arguments.Method is FluidMethodKind method)
@@ -27,6 +30,29 @@ namespace SphFluid.Validation
                 else if (SurfaceOf(simulation) == "none")
                     WarnUndrawn(simulation);
             }
+        }
+
+        // One sequence is one liquid, of the spacing and in the domain that it was made with; the floor of the domain stays where it is.
+        static void SetSequence(string folder, IReadOnlyList<FluidSimulation> simulations)
+        {
+            if (simulations.Count != 1)
+                throw new CommandLineException($"--sequence plays one liquid, and the scene has {simulations.Count} Fluid Simulations that are enabled.");
+            FluidSimulation simulation = simulations[0];
+            if (!simulation.TryGetComponent(out FluidPlayback playback))
+                playback = simulation.gameObject.AddComponent<FluidPlayback>();
+            playback.Folder = Path.GetFullPath(folder);
+            playback.enabled = true;
+            if (!playback.Reload())
+                throw new CommandLineException($"--sequence: {playback.Problem?.Text} {playback.Problem?.Cure}");
+            float spacing = playback.SequenceSpacing;
+            Vector3 size = playback.SequenceDomainSize, before = simulation.DomainSize;
+            if (spacing == 0f || spacing == simulation.Spacing && size == before)
+                return;
+            Debug.Log(FormattableString.Invariant(
+                $"{FluidMessage.Prefix} '{simulation.name}': the sequence was made with a spacing of {spacing} m in a domain of {size.x} × {size.y} × {size.z} m, so the scene's {simulation.Spacing} m and {before.x} × {before.y} × {before.z} m give way to these."));
+            simulation.Spacing = spacing;
+            simulation.DomainSize = size;
+            simulation.transform.position += simulation.transform.rotation * new Vector3(0f, 0.5f * (size.y - before.y), 0f);
         }
 
         static void WarnUndrawn(FluidSimulation simulation) => Debug.LogWarning(

@@ -22,6 +22,7 @@ namespace SphFluid.Validation
         readonly InstrumentRecord instruments = new InstrumentRecord();
         readonly Dictionary<FluidSimulation, SurfaceCaps> surfaces = new Dictionary<FluidSimulation, SurfaceCaps>();
         readonly Dictionary<FluidSimulation, ColliderSides> sides = new Dictionary<FluidSimulation, ColliderSides>();
+        readonly PlaySequences sequences = new PlaySequences();
         PlayArguments arguments;
         long stepsBefore;
         bool watched, seen;
@@ -54,6 +55,8 @@ namespace SphFluid.Validation
                     sides[simulations[i]] = ColliderSides.Of(simulations[i], FluidSnapshot.Read(simulations[i]));
                 if (arguments.RecordFile != null && simulations[i].IsRunning)
                     Record(i, simulations[i]);
+                if (arguments.SequenceFolder != null && simulations[i].IsRunning)
+                    sequences.Write(i, simulations[i], arguments.SequenceFolder);
             }
             frames.Add(steps - stepsBefore, particles);
             stepsBefore = steps;
@@ -77,6 +80,7 @@ namespace SphFluid.Validation
                 Debug.LogError($"{FluidMessage.Prefix} No liquid was played: no Fluid Simulation was enabled in the scene. Add one: GameObject > Fluid > Tank.");
             try
             {
+                sequences.Finish();
                 var running = new List<FluidSimulation>();
                 foreach (FluidSimulation simulation in FluidSimulation.Active)
                 {

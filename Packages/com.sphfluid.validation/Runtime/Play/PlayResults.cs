@@ -118,6 +118,13 @@ namespace SphFluid.Validation
                     .Add("surface_skipped_particles", surface.SkippedParticles))
                 .Add("fluid_gpu_bytes", simulation.GpuBytes + PlaySurface.GpuBytesOf(simulation))
                 .Add("state_hash", snapshot.Hash);
+            if (simulation.IsPlayedBack && simulation.TryGetComponent(out FluidPlayback playback))
+                summary.Add("sequence", new JsonObject()
+                    .Add("source", playback.Source)
+                    .Add("frames", playback.FrameCount)
+                    .Add("frame", playback.CurrentFrame)
+                    .Add("left_out_particles", playback.LeftOutParticles)
+                    .Add("memory_bytes", playback.MemoryBytes));
             return simulation.MethodChoice == null ? summary : summary.Add("method_choice", PlayChoice.Of(simulation.MethodChoice));
         }
     }

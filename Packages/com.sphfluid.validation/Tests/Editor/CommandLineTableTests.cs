@@ -23,7 +23,7 @@ namespace SphFluid.Tests
         {
             ("play", w => PlayArguments.Parse(w), new[]
             {
-                ("--method", NoNames), ("--budget", NoMinutes), ("--surface", NoNames), ("--particles", NoCounts), ("--seed", NoSeeds), ("--state", NoFiles), ("--mesh", NoFiles), ("--record", NoFiles),
+                ("--method", NoNames), ("--budget", NoMinutes), ("--surface", NoNames), ("--particles", NoCounts), ("--seed", NoSeeds), ("--sequence", NoFolders), ("--write-sequence", NoFolders), ("--state", NoFiles), ("--mesh", NoFiles), ("--record", NoFiles),
             }),
             ("bench", w => BenchArguments.Parse(w), new[]
             {

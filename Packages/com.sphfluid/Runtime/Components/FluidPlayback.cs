@@ -174,16 +174,20 @@ namespace SphFluid
             seeks = stays = true;
         }
 
-        /// <summary>Opens the folder again in the next LateUpdate: for files that were changed or mended.</summary>
-        public void Reload() => isOpened = false;
-
-        void OnEnable() => Open();
+        /// <summary>Opens the folder now, again if it is open: for files that were changed or mended, and to know at once whether they can be played.</summary>
+        /// <returns>Whether they can; if not, <see cref="Problem"/> says why.</returns>
+        /// <exception cref="InvalidOperationException">The component or its object is disabled, or nothing is played because the game is not.</exception>
+        public bool Reload()
+        {
+            if (!isActiveAndEnabled || !Application.isPlaying) throw new InvalidOperationException($"'{name}' is disabled or not played, so no folder is opened. Enable it in play mode first.");
+            return TryOpen();
+        }
 
         void OnDisable() => Close();
 
         void LateUpdate()
         {
-            if (!isOpened || !opened.Equals(Options)) Open();
+            if ((!isOpened || !opened.Equals(Options)) && !TryOpen()) Problem?.Log();
             if (player == null) return;
             Advance();
             bool isUnseen = cullUnseen && !IsSeen;
@@ -192,7 +196,7 @@ namespace SphFluid
             if (!isUnseen) Show();
         }
 
-        void Open()
+        bool TryOpen()
         {
             Close();
             TryGetComponent(out simulation);
@@ -200,8 +204,8 @@ namespace SphFluid
             seeks = stays = true;
             SequencePlan plan = SequencePlan.TryMake(opened, this, out FluidMessage? problem);
             if (plan != null) player = new SequencePlayer(plan, this, simulation.Report);
-            if (problem is FluidMessage message && !problem.Equals(Problem)) message.Log();
             Problem = problem;
+            return plan != null;
         }
 
         void Close()

@@ -31,9 +31,10 @@ namespace SphFluid
             {
                 manifest = JsonUtility.FromJson<SequenceManifest>(text);
             }
-            catch (ArgumentException)
+            catch (Exception exception) when (exception is ArgumentException || exception is FormatException || exception is OverflowException || exception is InvalidOperationException ||
+                exception is InvalidCastException)
             {
-                throw new SequenceException("is no JSON");
+                throw new SequenceException("is no JSON that can be read");
             }
             if (manifest == null) throw new SequenceException("is empty");
             manifest.Check();
