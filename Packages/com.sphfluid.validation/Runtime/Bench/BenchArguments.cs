@@ -19,17 +19,20 @@ namespace SphFluid.Validation
         /// <summary>Surfaces alone: the thesis's against sparse ones.</summary>
         public const string SurfaceTable = "surface";
 
-        /// <summary>Every table.</summary>
+        /// <summary>A sequence of particle files, streamed.</summary>
+        public const string PlaybackTable = "playback";
+
+        /// <summary>Every table but that of playback, which has no GPU times.</summary>
         public const string AllTables = "all";
 
         const int MaximumSamples = 1000;
         const int MinimumParticles = 64;
 
-        static readonly string[] tables = { ThesisTable, SolverTable, SurfaceTable, AllTables };
+        static readonly string[] tables = { ThesisTable, SolverTable, SurfaceTable, AllTables, PlaybackTable };
 
         internal BenchArguments() : base("bench", "Build/bench")
         {
-            Options.Add("--table", "NAME", "what is measured; all is these three", ThesisTable, tables, flag => Table = flag.OneOf(tables));
+            Options.Add("--table", "NAME", "what is measured; all is the first three", ThesisTable, tables, flag => Table = flag.OneOf(tables));
             Options.Add("--particles", "LIST", "numbers of particles, with commas", "those of the table", flag => Particles = List(flag.Name, flag.Value(), MinimumParticles, FluidProfile.ParticleLimit));
             Options.Add("--grids", "LIST", "cells a side of marching cubes, with commas, or none", "those of the table", flag => Grids = Cells(flag.Name, flag.Value()));
             Options.Add("--repeat", "R", $"samples of each row, {MinimumSamples} or more", $"{MinimumSamples}",
@@ -39,7 +42,7 @@ namespace SphFluid.Validation
             Options.Add("--no-sweep", "without them", flag => SetSweep(!flag.On()));
         }
 
-        /// <summary>The table: <see cref="ThesisTable"/>, <see cref="SolverTable"/>, <see cref="SurfaceTable"/> or <see cref="AllTables"/>.</summary>
+        /// <summary>The table: <see cref="ThesisTable"/>, <see cref="SolverTable"/>, <see cref="SurfaceTable"/> <see cref="AllTables"/> or <see cref="PlaybackTable"/>.</summary>
         public string Table { get; private set; } = ThesisTable;
 
         /// <summary>Numbers of particles; null leaves them to the table and the device.</summary>
@@ -65,7 +68,7 @@ namespace SphFluid.Validation
 
         /// <summary>Whether a table is asked for.</summary>
         /// <param name="table">Its name.</param>
-        internal bool Includes(string table) => Table == table || Table == AllTables;
+        internal bool Includes(string table) => Table == table || Table == AllTables && table != PlaybackTable;
 
         void SetSweep(bool sweep) =>
             Sweep = Sweep.HasValue ? throw new CommandLineException("--sweep and --no-sweep exclude each other; give one.") : sweep;

@@ -35,7 +35,9 @@ namespace SphFluid.Validation
                 throw new FluidDeviceException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) has no GPU times in Unity's profiler. " +
                     "Run the benchmark with Direct3D 11 or 12.");
             }
-            Claim(Plans().Select(p => p.Layout.Format.File));
+            if (Plays && !Application.isPlaying)
+                throw new CommandLineException("--table playback plays a Fluid Simulation, which runs in play mode only. Enter play mode first, or use a built player.");
+            Claim(Plays ? new[] { PlaybackRow.Format.File } : Plans().Select(p => p.Layout.Format.File));
         }
 
         /// <summary>Least GPU time of a sample [ms].</summary>
@@ -52,8 +54,15 @@ namespace SphFluid.Validation
             return counts;
         }
 
+        bool Plays => arguments.Includes(BenchArguments.PlaybackTable);
+
         private protected override IEnumerator Run()
         {
+            if (Plays)
+            {
+                yield return MeasurePlayback();
+                yield break;
+            }
             var calibration = new DeviceCalibration(shaders);
             yield return calibration.Run();
             Forecast(calibration.SecondsPerStep, out int rows);
@@ -112,6 +121,18 @@ namespace SphFluid.Validation
                 using (var run = new BenchTableRun(table, sampler, arguments, Progress) { Forecast = forecast, Session = session })
                     yield return run.Run(shaders, plan, particles);
             }
+        }
+
+        IEnumerator MeasurePlayback()
+        {
+            var table = new ResultTable<PlaybackRow>(PlaybackRow.Format, Folder, SystemInfo.graphicsDeviceName);
+            foreach (int particles in arguments.Particles ?? new[] { PlaybackBench.UsualParticles })
+            {
+                using (var bench = new PlaybackBench(shaders, particles))
+                    yield return bench.Run(table, Progress);
+            }
+            foreach (PlaybackRow row in table.Rows)
+                Progress.Say(PlaybackRow.Format.Line(row));
         }
 
         void SayTable(BenchLayout layout, ResultTable<BenchRow> table)

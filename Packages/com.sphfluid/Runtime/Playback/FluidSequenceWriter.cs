@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.IO;
 using System.Runtime.InteropServices;
 using System.Text;
@@ -9,14 +10,17 @@ namespace SphFluid
 {
     /// <summary>
     /// Writes a liquid frame by frame into a folder that a <see cref="FluidPlayback"/> plays: a binary PLY file a frame with positions, velocities and ids, and sequence.json
-    /// with times and checks when it is disposed. It waits for the GPU in each frame: for tools and for what is recorded once and played often.
+    /// with times and checks every few seconds and when it is disposed. It waits for the GPU in each frame: for tools and for what is recorded once and played often.
     /// </summary>
     public sealed class FluidSequenceWriter : IDisposable
     {
+        const double ManifestSeconds = 2.0;
+
         readonly string folder;
         readonly SequenceManifest manifest;
         readonly List<SequenceManifestFrame> frames = new List<SequenceManifestFrame>();
         readonly List<FluidParticle> particles = new List<FluidParticle>();
+        readonly Stopwatch sinceManifest = Stopwatch.StartNew();
         byte[] bytes = Array.Empty<byte>();
         bool isDisposed;
 
@@ -94,6 +98,7 @@ namespace SphFluid
                 bytes = length,
                 crc32 = FormattableString.Invariant($"{Crc32.Of(new ReadOnlySpan<byte>(bytes, 0, length)):x8}"),
             });
+            if (sinceManifest.Elapsed.TotalSeconds > ManifestSeconds) WriteManifest();
         }
 
         /// <summary>Writes sequence.json, unless there is no frame.</summary>
@@ -102,9 +107,18 @@ namespace SphFluid
         {
             if (isDisposed) return;
             isDisposed = true;
-            if (frames.Count == 0) return;
+            if (frames.Count > 0) WriteManifest();
+        }
+
+        // Beside the old one first: a program that is ended in the middle leaves one of them whole.
+        void WriteManifest()
+        {
             manifest.frames = frames.ToArray();
-            File.WriteAllText(ManifestFile, JsonUtility.ToJson(manifest, true));
+            string part = ManifestFile + ".part";
+            File.WriteAllText(part, JsonUtility.ToJson(manifest, true));
+            File.Delete(ManifestFile);
+            File.Move(part, ManifestFile);
+            sinceManifest.Restart();
         }
 
         static SequenceParticle[] Live(IReadOnlyList<FluidParticle> frame)

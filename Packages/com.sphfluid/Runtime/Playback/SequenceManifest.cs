@@ -11,11 +11,17 @@ namespace SphFluid
         public const string FileName = "sequence.json", FormatName = "sphfluid-sequence";
         public const int Version = 1;
 
+        [Tooltip("Always sphfluid-sequence.")]
         public string format = "";
+        [Tooltip("Version of the format.")]
         public int version;
+        [Tooltip("What the sequence was made by, for people.")]
         public string source = "";
+        [Tooltip("Particle spacing in metres.")]
         public double spacing;
+        [Tooltip("Edge lengths of the domain in metres.")]
         public float[] domainSize;
+        [Tooltip("The frames in the order of their times.")]
         public SequenceManifestFrame[] frames;
 
         /// <summary>Edge lengths of the domain [m].</summary>
@@ -60,10 +66,15 @@ namespace SphFluid
     [Serializable]
     internal sealed class SequenceManifestFrame
     {
+        [Tooltip("Name of the file in the folder.")]
         public string file = "";
+        [Tooltip("Time in seconds.")]
         public double time;
+        [Tooltip("Number of particles.")]
         public long particles;
+        [Tooltip("Length of the file.")]
         public long bytes;
+        [Tooltip("CRC-32 of the whole file, eight hexadecimal digits.")]
         public string crc32 = "";
 
         /// <summary>The check of the whole file.</summary>

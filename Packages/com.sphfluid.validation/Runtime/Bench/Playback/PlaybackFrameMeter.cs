@@ -1,0 +1,67 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using UnityEngine;
+
+namespace SphFluid.Validation
+{
+    /// <summary>Takes what the playback and the simulation of an object take of each LateUpdate: begins before the one and ends when the other says that it is done.</summary>
+    [AddComponentMenu("")]
+    [DefaultExecutionOrder(39)]
+    sealed class PlaybackFrameMeter : MonoBehaviour
+    {
+        readonly Stopwatch clock = new Stopwatch();
+        FluidPlayback playback;
+        FluidSimulation simulation;
+        long before, steps;
+
+        /// <summary>Frames, whatever they showed.</summary>
+        public int Frames { get; private set; }
+
+        /// <summary>Milliseconds of each frame that showed other particles; place for what is measured is made before.</summary>
+        public List<double> Milliseconds { get; } = new List<double>(4096);
+
+        /// <summary>Least managed bytes of a frame that showed other particles, and of one in which they stayed.</summary>
+        public long LeastShowing { get; private set; }
+
+        /// <inheritdoc cref="LeastShowing"/>
+        public long LeastStaying { get; private set; }
+
+        /// <summary>Frames in which the particles stayed because the next ones were not read yet.</summary>
+        public int Held { get; private set; }
+
+        /// <summary>Forgets what was measured.</summary>
+        public void Clear()
+        {
+            Milliseconds.Clear();
+            Frames = Held = 0;
+            LeastShowing = LeastStaying = long.MaxValue;
+        }
+
+        void Start()
+        {
+            playback = GetComponent<FluidPlayback>();
+            simulation = GetComponent<FluidSimulation>();
+            simulation.Updated += _ => End();
+        }
+
+        void LateUpdate()
+        {
+            clock.Restart();
+            before = GC.GetAllocatedBytesForCurrentThread();
+        }
+
+        void End()
+        {
+            long made = GC.GetAllocatedBytesForCurrentThread() - before;
+            double took = clock.Elapsed.TotalMilliseconds;
+            Frames++;
+            if (playback.IsBuffering) Held++;
+            bool shows = simulation.StepCount != steps;
+            steps = simulation.StepCount;
+            if (shows) Milliseconds.Add(took);
+            if (shows) LeastShowing = Math.Min(LeastShowing, made);
+            else LeastStaying = Math.Min(LeastStaying, made);
+        }
+    }
+}
