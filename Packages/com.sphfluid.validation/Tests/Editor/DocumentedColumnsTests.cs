@@ -33,6 +33,7 @@ namespace SphFluid.Tests
             yield return Table("shard-runs.csv", ShardRunRow.Format.Names);
             yield return Table("thesis.csv and sweep.csv", new ThesisLayout("thesis", new[] { "BLOCK" }).Format.Names);
             yield return Table("solver.csv", new SolverLayout(new[] { "PART" }).Format.Names);
+            yield return Table("playback.csv", PlaybackRow.Format.Names);
             yield return Table("surface.csv", new SurfaceLayout(new[] { "PART" }).Format.Names);
             yield return Table("Record", PlayRecorder.RecordColumns.Prepend("frame"));
         }

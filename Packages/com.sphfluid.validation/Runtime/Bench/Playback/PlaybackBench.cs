@@ -103,7 +103,6 @@ namespace SphFluid.Validation
             (row.Budget, row.Memory) = (playback.MemoryBudget, playback.MemoryBytes / (double)(1 << 20));
             yield return Stream(row, meter);
             yield return Jump(row, playback, simulation);
-            row.Garbage = row.Showing - meter.LeastStaying;
             Object.DestroyImmediate(holder);
         }
 
@@ -122,7 +121,6 @@ namespace SphFluid.Validation
             row.Held = meter.Held;
             row.MainMedian = Median(meter.Milliseconds);
             row.MainMost = meter.Milliseconds.Max();
-            row.Showing = meter.LeastShowing;
         }
 
         static IEnumerator Jump(PlaybackRow row, FluidPlayback playback, FluidSimulation simulation)

@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 using UnityEngine;
@@ -13,19 +12,13 @@ namespace SphFluid.Validation
         readonly Stopwatch clock = new Stopwatch();
         FluidPlayback playback;
         FluidSimulation simulation;
-        long before, steps;
+        long steps;
 
         /// <summary>Frames, whatever they showed.</summary>
         public int Frames { get; private set; }
 
         /// <summary>Milliseconds of each frame that showed other particles; place for what is measured is made before.</summary>
         public List<double> Milliseconds { get; } = new List<double>(4096);
-
-        /// <summary>Least managed bytes of a frame that showed other particles, and of one in which they stayed.</summary>
-        public long LeastShowing { get; private set; }
-
-        /// <inheritdoc cref="LeastShowing"/>
-        public long LeastStaying { get; private set; }
 
         /// <summary>Frames in which the particles stayed because the next ones were not read yet.</summary>
         public int Held { get; private set; }
@@ -35,7 +28,6 @@ namespace SphFluid.Validation
         {
             Milliseconds.Clear();
             Frames = Held = 0;
-            LeastShowing = LeastStaying = long.MaxValue;
         }
 
         void Start()
@@ -45,23 +37,15 @@ namespace SphFluid.Validation
             simulation.Updated += _ => End();
         }
 
-        void LateUpdate()
-        {
-            clock.Restart();
-            before = GC.GetAllocatedBytesForCurrentThread();
-        }
+        void LateUpdate() => clock.Restart();
 
         void End()
         {
-            long made = GC.GetAllocatedBytesForCurrentThread() - before;
             double took = clock.Elapsed.TotalMilliseconds;
             Frames++;
             if (playback.IsBuffering) Held++;
-            bool shows = simulation.StepCount != steps;
+            if (simulation.StepCount != steps) Milliseconds.Add(took);
             steps = simulation.StepCount;
-            if (shows) Milliseconds.Add(took);
-            if (shows) LeastShowing = Math.Min(LeastShowing, made);
-            else LeastStaying = Math.Min(LeastStaying, made);
         }
     }
 }

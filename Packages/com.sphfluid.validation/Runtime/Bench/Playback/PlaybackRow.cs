@@ -15,7 +15,6 @@ namespace SphFluid.Validation
             .Count("held_frames", r => r.Held)
             .Number("main_ms_median", r => r.MainMedian)
             .Number("main_ms_max", r => r.MainMost)
-            .Count("garbage_bytes", r => r.Garbage)
             .Count("seeks", r => r.Seeks)
             .Number("seek_ms_median", r => r.SeekMedian)
             .Number("seek_ms_max", r => r.SeekMost)
@@ -38,15 +37,6 @@ namespace SphFluid.Validation
 
         /// <summary>Time of the playback and the simulation on the main thread, a frame that shows other particles [ms].</summary>
         public double MainMedian, MainMost;
-
-        /// <summary>
-        /// Managed memory that the main thread takes in a frame that shows other particles, beyond that of one in which they stay: the least of each, as what others do now
-        /// and then is not the playback's.
-        /// </summary>
-        public long Garbage;
-
-        /// <summary>The former alone.</summary>
-        public long Showing;
 
         /// <summary>Number of jumps.</summary>
         public long Seeks;
