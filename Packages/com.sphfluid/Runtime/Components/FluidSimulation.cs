@@ -319,6 +319,7 @@ namespace SphFluid
         /// <returns>False while the liquid does not run; <see cref="StatusMessage"/> says why.</returns>
         public bool TryGetBuffers(out FluidBuffers buffers)
         {
+            if (IsPlayedBack) run.Prepare();
             buffers = run == null ? default : new FluidBuffers(run.Solver, LocalToWorld);
             return run != null;
         }
@@ -326,7 +327,11 @@ namespace SphFluid
         /// <summary>Waits for the GPU and reads the particles, in simulation space, sorted by cell, without those that left the domain; for tools and tests.</summary>
         /// <param name="particles">Receives the particles.</param>
         /// <returns>False when stopped.</returns>
-        public bool TryReadParticles(List<FluidParticle> particles) => FluidReports.TryReadParticles(Solver, particles);
+        public bool TryReadParticles(List<FluidParticle> particles)
+        {
+            if (IsPlayedBack) run.Prepare();
+            return FluidReports.TryReadParticles(Solver, particles);
+        }
 
         /// <summary>Spacing at which the liquid volumes hold as near to a number of particles as the lattice allows [m].</summary>
         /// <param name="count">Requested number of particles, 1 or more.</param>

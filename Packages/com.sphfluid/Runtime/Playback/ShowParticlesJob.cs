@@ -1,3 +1,4 @@
+using System;
 using Unity.Burst;
 using Unity.Collections;
 using Unity.Jobs;
@@ -49,45 +50,50 @@ namespace SphFluid
 
         public NativeArray<int> Counts;
 
+        int shown, outside, notFinite;
+
         public void Execute()
         {
-            for (int i = 0; i < CountLength; i++) Counts[i] = 0;
-            if (Share > 0f) Merge();
+            shown = outside = notFinite = 0;
+            ReadOnlySpan<SequenceParticle> from = From.AsReadOnlySpan().Slice(0, FromCount);
+            Span<FluidParticle> particles = Particles.AsSpan();
+            if (Share > 0f) Merge(from, To.AsReadOnlySpan().Slice(0, ToCount), particles);
             else
-                for (int i = 0; i < FromCount; i++) Add(From[i].Position, From[i].Velocity, From[i].Id, false);
-            if (Counts[Shown] == 0) Particles[0] = new FluidParticle { Removed = 1f };
+                foreach (SequenceParticle particle in from) Add(particles, particle.Position, particle.Velocity, particle.Id, false);
+            if (shown == 0) particles[0] = new FluidParticle { Removed = 1f };
+            (Counts[Shown], Counts[Outside], Counts[NotFinite]) = (shown, outside, notFinite);
         }
 
-        void Merge()
+        void Merge(ReadOnlySpan<SequenceParticle> from, ReadOnlySpan<SequenceParticle> to, Span<FluidParticle> particles)
         {
             int a = 0, b = 0;
-            while (a < FromCount || b < ToCount)
+            while (a < from.Length || b < to.Length)
             {
-                if (b == ToCount || a < FromCount && From[a].Id < To[b].Id)
+                if (b == to.Length || a < from.Length && from[a].Id < to[b].Id)
                 {
-                    SequenceParticle particle = From[a++];
-                    if (Share < 0.5f) AddAlone(particle, Share * Duration);
+                    if (Share < 0.5f) AddAlone(particles, from[a], Share * Duration);
+                    a++;
                 }
-                else if (a == FromCount || To[b].Id < From[a].Id)
+                else if (a == from.Length || to[b].Id < from[a].Id)
                 {
-                    SequenceParticle particle = To[b++];
-                    if (Share >= 0.5f) AddAlone(particle, (Share - 1f) * Duration);
+                    if (Share >= 0.5f) AddAlone(particles, to[b], (Share - 1f) * Duration);
+                    b++;
                 }
-                else AddBetween(From[a++], To[b++]);
+                else AddBetween(particles, from[a++], to[b++]);
             }
         }
 
-        void AddAlone(in SequenceParticle particle, float time) =>
-            Add(particle.Position + time * particle.Velocity, particle.Velocity, particle.Id, IsInside(particle.Position));
+        void AddAlone(Span<FluidParticle> particles, in SequenceParticle particle, float time) =>
+            Add(particles, particle.Position + time * particle.Velocity, particle.Velocity, particle.Id, IsInside(particle.Position));
 
-        void AddBetween(in SequenceParticle from, in SequenceParticle to)
+        void AddBetween(Span<FluidParticle> particles, in SequenceParticle from, in SequenceParticle to)
         {
             Vector3 way = new Vector3(Nearest(to.Position.x - from.Position.x, Period.x), Nearest(to.Position.y - from.Position.y, Period.y),
                 Nearest(to.Position.z - from.Position.z, Period.z));
             bool isInside = IsInside(from.Position) && IsInside(to.Position);
             if (Blend == SequenceBlend.Linear)
             {
-                Add(from.Position + Share * way, way / Duration, from.Id, isInside);
+                Add(particles, from.Position + Share * way, way / Duration, from.Id, isInside);
                 return;
             }
             // The basis functions of cubic Hermite interpolation and their derivatives; that of the first position is one less that of the second.
@@ -95,24 +101,26 @@ namespace SphFluid
             float atFrom = s3 - 2f * s2 + s, atTo = s3 - s2, travelled = 3f * s2 - 2f * s3;
             Vector3 position = from.Position + travelled * way + Duration * (atFrom * from.Velocity + atTo * to.Velocity);
             Vector3 velocity = (6f * (s - s2) / Duration) * way + (3f * s2 - 4f * s + 1f) * from.Velocity + (3f * s2 - 2f * s) * to.Velocity;
-            Add(position, velocity, from.Id, isInside);
+            Add(particles, position, velocity, from.Id, isInside);
         }
 
-        void Add(Vector3 position, Vector3 velocity, uint id, bool staysInside)
+        void Add(Span<FluidParticle> particles, Vector3 position, Vector3 velocity, uint id, bool staysInside)
         {
             if (!IsNumber(position.x + position.y + position.z + velocity.x + velocity.y + velocity.z))
             {
-                Counts[NotFinite] += 1;
+                notFinite++;
                 return;
             }
-            if (staysInside) position = new Vector3(Held(position.x, Half.x, Period.x), Held(position.y, Half.y, Period.y), Held(position.z, Half.z, Period.z));
             if (!IsInside(position))
             {
-                Counts[Outside] += 1;
-                return;
+                if (!staysInside)
+                {
+                    outside++;
+                    return;
+                }
+                position = new Vector3(Held(position.x, Half.x, Period.x), Held(position.y, Half.y, Period.y), Held(position.z, Half.z, Period.z));
             }
-            Particles[Counts[Shown]] = new FluidParticle(position, velocity, id);
-            Counts[Shown] += 1;
+            particles[shown++] = new FluidParticle(position, velocity, id);
         }
 
         bool IsInside(Vector3 p) => Mathf.Abs(p.x) <= Half.x && Mathf.Abs(p.y) <= Half.y && Mathf.Abs(p.z) <= Half.z;

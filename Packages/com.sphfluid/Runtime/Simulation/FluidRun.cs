@@ -109,9 +109,11 @@ namespace SphFluid
             FollowBodies(spec);
             if (spec.Playback.TryTake(spec.DomainSize, Solver.Settings.PeriodLength, Solver.StepCount == 0, out PlayedFrame frame))
                 Solver.Show(frame.Particles, frame.Count, frame.Time, frame.IsJump);
-            Execute(0);
             Know();
         }
+
+        /// <summary>Finds the neighbours of particles that are shown, if nobody who draws or measures has done so: where nobody does, a frame is an upload and no more.</summary>
+        public void Prepare() => Execute(0);
 
         void Advance(in FluidSpec spec, float? frameTime)
         {

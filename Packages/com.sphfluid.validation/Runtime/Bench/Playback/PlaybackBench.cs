@@ -106,15 +106,17 @@ namespace SphFluid.Validation
             Object.DestroyImmediate(holder);
         }
 
-        // As many frames as the sequence has, each begun at its time or when the last one is done.
+        // As many frames as the sequence has, each begun a thirtieth of a second after the one before, or when that is done.
         static IEnumerator Stream(PlaybackRow row, PlaybackFrameMeter meter)
         {
             meter.Clear();
             var clock = Stopwatch.StartNew();
+            double due = 0.0;
             while (meter.Frames < Frames)
             {
-                double due = meter.Frames / Rate - clock.Elapsed.TotalSeconds;
-                if (due > 0.0) Thread.Sleep(TimeSpan.FromSeconds(due));
+                double left = due - clock.Elapsed.TotalSeconds;
+                if (left > 0.0) Thread.Sleep(TimeSpan.FromSeconds(left));
+                due = Math.Max(due, clock.Elapsed.TotalSeconds) + 1.0 / Rate;
                 yield return null;
             }
             row.Rate = Frames / clock.Elapsed.TotalSeconds;
