@@ -19,13 +19,17 @@ public sealed partial class DocumentedOutputTests
     public void Play()
     {
         folder = Directory.CreateTempSubdirectory("documented-").FullName;
-        PlayerProcess run = PlayerProcess.Run(
-            "play", "--project", FuzzProject.Repository, "--assemblies", Path.Combine(FuzzProject.Repository, "Build/ScriptAssemblies"),
-            "--executeMethod", "SphFluid.Validation.CommandLine.Play", "--scene", "Packages/com.sphfluid/Samples~/DamBreak/DamBreak.unity",
-            "--size", "64x36", "--fps", "30", "--seconds", "0.1", "--out", folder, "--",
-            "--particles", "1000", "--state", Path.Combine(folder, "state.ply"), "--mesh", Path.Combine(folder, "mesh.ply"));
+        PlayerProcess run = PlayerProcess.Run([.. Words(folder), "--",
+            "--particles", "1000", "--state", Path.Combine(folder, "state.ply"), "--mesh", Path.Combine(folder, "mesh.ply"), "--write-sequence", Path.Combine(folder, "sequence")]);
         if (run.ExitCode != 0) Assert.Fail(run.Output + run.Errors);
     }
+
+    private static string[] Words(string output) =>
+    [
+        "play", "--project", FuzzProject.Repository, "--assemblies", Path.Combine(FuzzProject.Repository, "Build/ScriptAssemblies"),
+        "--executeMethod", "SphFluid.Validation.CommandLine.Play", "--scene", "Packages/com.sphfluid/Samples~/DamBreak/DamBreak.unity",
+        "--size", "64x36", "--fps", "30", "--seconds", "0.1", "--out", output,
+    ];
 
     [OneTimeTearDown]
     public void Clean() => Directory.Delete(folder, recursive: true);
@@ -44,8 +48,22 @@ public sealed partial class DocumentedOutputTests
         using JsonDocument summary = JsonDocument.Parse(File.ReadAllText(Path.Combine(folder, "summary.json")));
         IEnumerable<string> keys = summary.RootElement.EnumerateObject().Select(p => p.Name);
         IEnumerable<string> caps = summary.RootElement.GetProperty("cap_hits").EnumerateObject().Select(p => p.Name);
-        // The scene's method is not Automatic.
-        Assert.That(keys.Concat(caps), Is.EqualTo(Names("summary.json").Where(n => n != "method_choice")));
+        // The scene's method is not Automatic, and its liquid is not played from files.
+        Assert.That(keys.Concat(caps), Is.EqualTo(Names("summary.json").Where(n => n is not ("method_choice" or "sequence"))));
+    }
+
+    [Test]
+    public void ASequenceIsPlayedAndSaidSoInTheSummary()
+    {
+        string played = Path.Combine(folder, "played");
+        PlayerProcess run = PlayerProcess.Run([.. Words(played), "--no-images", "--", "--sequence", Path.Combine(folder, "sequence"), "--surface", "none"]);
+        Assert.That(run.ExitCode, Is.Zero, run.Output + run.Errors);
+        using JsonDocument summary = JsonDocument.Parse(File.ReadAllText(Path.Combine(played, "summary.json")));
+        JsonElement sequence = summary.RootElement.GetProperty("sequence");
+        Assert.That(sequence.EnumerateObject().Select(p => p.Name), Is.EqualTo(new[] { "source", "frames", "frame", "left_out_particles", "memory_bytes" }));
+        using JsonDocument simulated = JsonDocument.Parse(File.ReadAllText(Path.Combine(folder, "summary.json")));
+        Assert.That(summary.RootElement.GetProperty("particles").GetInt32(), Is.EqualTo(simulated.RootElement.GetProperty("particles").GetInt32()));
+        Assert.That(summary.RootElement.GetProperty("steps").GetInt32(), Is.EqualTo(sequence.GetProperty("frames").GetInt32()), "a frame of the sequence for each of the scene");
     }
 
     [TestCase("State", "state.ply")]
