@@ -113,6 +113,15 @@ internal static class Verbs
                 ("--scene Packages/com.sphfluid/Samples~/WaveTank/WaveTank.unity --seconds 4 --ranks 8", "a scene whose paddle moves, for eight processes"),
             ],
         },
+        Measured("peers", "cases of the chart computed by another program, PySPH, as CSV and a picture") with
+        {
+            Notes =
+            [
+                "writes DIR/peers.csv after every run and at the end peers-compared.csv, peers.svg and peers.png",
+                "PySPH computes on the CPU with all cores; Debian: apt-get install python3-pysph", Resumed,
+            ],
+            Examples = [("--quick", "each case once, coarse"), ("--case couette dam-break", "two cases at all spacings")],
+        },
         new("figures", "pictures of what the thesis's printed forms do") { Own = OfPackage("figures"), Examples = [("--out Build/figures", "all of them")] },
         new("check", "conformance checks that need no GPU")
         {

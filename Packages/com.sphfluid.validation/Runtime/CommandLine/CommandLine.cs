@@ -124,6 +124,12 @@ namespace SphFluid.Validation
             }
         }
 
+        /// <summary>
+        /// Gives cases of the chart to PySPH and compares its errors and times with the chart's: the flags --quick, --case, --python, --chart, --out and
+        /// --slice; see <see cref="PeerArguments"/>. The program ends with it. A wrong flag, or PySPH that is missing, ends it with exit code 2.
+        /// </summary>
+        public static void Peers() => Measure("peers", (words, progress) => new PeerSession(PeerArguments.Parse(words), progress));
+
         internal static void Prepare(PlayArguments arguments)
         {
             bool begun = false;

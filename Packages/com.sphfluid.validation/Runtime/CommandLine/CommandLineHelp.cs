@@ -6,8 +6,8 @@ namespace SphFluid.Validation
     /// <summary>The flags of the package's verbs, for programs that print help.</summary>
     public static class CommandLineHelp
     {
-        /// <summary>The verbs: play, bench, chart, choose, stability, leaks, surfaces, merge, budgets, export and figures.</summary>
-        public static IReadOnlyList<string> Verbs { get; } = new[] { "play", "bench", "chart", "choose", "stability", "leaks", "surfaces", "merge", "budgets", "export", "figures" };
+        /// <summary>The verbs: play, bench, chart, choose, stability, leaks, surfaces, merge, budgets, peers, export and figures.</summary>
+        public static IReadOnlyList<string> Verbs { get; } = new[] { "play", "bench", "chart", "choose", "stability", "leaks", "surfaces", "merge", "budgets", "peers", "export", "figures" };
 
         /// <summary>The flags of a verb, as its parser reads them.</summary>
         /// <param name="verb">One of <see cref="Verbs"/>.</param>
@@ -26,6 +26,7 @@ namespace SphFluid.Validation
                 case "merge": return new MergeArguments().Options;
                 case "budgets": return new BudgetArguments().Options;
                 case "export": return new ExportArguments().Options;
+                case "peers": return new PeerArguments().Options;
                 case "figures": return new FigureArguments(Array.Empty<string>()).Options;
                 default: throw new ArgumentException($"'{verb}' is none of {string.Join(", ", Verbs)}.", nameof(verb));
             }

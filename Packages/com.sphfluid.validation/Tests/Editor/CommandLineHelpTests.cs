@@ -21,6 +21,7 @@ namespace SphFluid.Tests
             ["merge"] = w => MergeArguments.Parse(w),
             ["budgets"] = w => BudgetArguments.Parse(w),
             ["export"] = w => ExportArguments.Parse(w),
+            ["peers"] = w => PeerArguments.Parse(w),
             ["figures"] = w => FigureArguments.Parse(w, new[] { "clumps" }),
         };
 

@@ -45,6 +45,7 @@ namespace SphFluid.Tests
                 ("--scene", NoFiles), ("--engine", NoNames), ("--scheme", NoNames), ("--seconds", NoShares), ("--frame-rate", NoShares), ("--spacing", NoShares),
                 ("--particles", NoCounts), ("--ranks", NoCounts), ("--out", NoFolders),
             }),
+            ("peers", w => PeerArguments.Parse(w), new[] { ("--case", NoNames), ("--python", NoFolders), ("--chart", NoFolders), ("--slice", NoMinutes), ("--out", NoFolders) }),
             ("figures", w => FigureArguments.Parse(w, new[] { "clumps" }), new[] { ("--only", NoNames), ("--out", NoFolders) }),
         };
 

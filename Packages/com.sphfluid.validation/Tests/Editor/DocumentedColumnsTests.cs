@@ -27,6 +27,8 @@ namespace SphFluid.Tests
             yield return Table("limits.csv", LimitRow.Format.Names);
             yield return Table("leaks.csv", LeakResult.Format.Names);
             yield return Table("budgets.csv", BudgetRow.Format.Names);
+            yield return Table("peers.csv", PeerRow.Format.Names);
+            yield return Table("peers-compared.csv", PeerComparison.Format.Names);
             yield return Table("surface-quality.csv", SurfaceQuality.Format.Names);
             yield return Table("shard.csv and shards.csv", ShardManifest.Format.Names);
             yield return Table("shard-plan.csv", SweepPlan.Format.Names);
