@@ -112,33 +112,34 @@ class Case(Application):
         self.scheme.setup_properties(arrays)
 
     def pre_step(self, solver):
+        """Keeps the state at the step nearest to a sample's time. The time that this takes is no part of the run's."""
+        now = time.perf_counter()
         if self.due - solver.t < 0.5 * solver.dt:
-            self.sample(solver)
+            self.sample(solver, now)
         elif self.case['patches'] and self.probe_due - solver.t < 0.5 * solver.dt:
             self.read_patches(solver)
+        self.paused += time.perf_counter() - now
 
-    def sample(self, solver):
-        """Keeps the state at the step nearest to a sample's time; the time that takes is no part of the run's."""
+    def sample(self, solver, now):
+        if not self.samples:
+            self.begun = now
         if self.case['patches']:
             self.read_patches(solver)
-        begin = time.perf_counter()
-        if self.case['patches']:
             self.pressures.append(np.mean(self.probed, axis=0) if self.samples else np.full(len(self.case['patches']), np.nan))
             self.probed = []
         fluid = solver.particles[0]
         state = np.array([fluid.get(name) for name in COLUMNS], dtype=np.float32).T
         state = state[np.argsort(fluid.get('gid'))]
-        self.samples.append((solver.t, f'sample-{len(self.samples):05d}.npy'))
-        np.save(os.path.join(self.folder, self.samples[-1][1]), state)
+        file = f'sample-{len(self.samples):05d}.npy'
+        self.samples.append((solver.t, file, solver.count, now - self.begun - self.paused))
+        np.save(os.path.join(self.folder, file), state)
         interval = self.case['sampleInterval']
         self.due = interval * (np.floor((solver.t + 0.5 * solver.dt) / interval) + 1)
-        self.paused += time.perf_counter() - begin
         if not np.isfinite(state).all():
             solver.set_final_time(solver.t)
 
     def read_patches(self, solver):
         """Pressures by Shepard's interpolation at points a spacing apart, as dam_break_3d.py reads its probes."""
-        begin = time.perf_counter()
         if self.probe is None:
             points = [patch_points(p, self.dx) for p in self.case['patches']]
             x, y, z = np.concatenate(points).T
@@ -148,7 +149,6 @@ class Case(Application):
             self.probe.update()
         self.probed.append([part.mean() for part in np.split(self.probe.interpolate('p'), self.ends)])
         self.probe_due = solver.t + self.case['sampleInterval'] / PROBES_PER_SAMPLE
-        self.paused += time.perf_counter() - begin
 
 
 class FreeSurface(Case):
@@ -333,12 +333,11 @@ def run(folder):
     solver = application.solver
     set_up, others, own, begin = time.perf_counter() - begin, busy_seconds(), own_seconds(), time.perf_counter()
     application.solve()
-    wall = time.perf_counter() - begin
-    others = None if others is None else max(0.0, (busy_seconds() - others - own_seconds() + own) / wall)
-    wall -= application.paused
+    now = time.perf_counter()
+    others = None if others is None else max(0.0, (busy_seconds() - others - own_seconds() + own) / (now - begin))
     if solver.t > application.samples[-1][0]:
-        application.sample(solver)
-    write(os.path.join(folder, 'samples.csv'), ('time_s', 'file'), *application.samples)
+        application.sample(solver, now)
+    write(os.path.join(folder, 'samples.csv'), ('time_s', 'file', 'steps', 'wall_s'), *application.samples)
     if application.pressures:
         np.save(os.path.join(folder, 'pressures.npy'), np.array(application.pressures, dtype=np.float32))
     write(os.path.join(folder, 'run.csv'), *zip(*{
@@ -348,7 +347,6 @@ def run(folder):
         'evaluations': 2 if application.integrator is EPECIntegrator else 1,
         'steps': solver.count,
         'end_s': solver.t,
-        'wall_s': wall,
         'set_up_s': set_up,
         'other_cores': '' if others is None else others,
     }.items()))

@@ -13,7 +13,6 @@ namespace SphFluid.Validation
             .Count("evaluations", f => f.Evaluations, (f, v) => f.Evaluations = v)
             .Count("steps", f => f.Steps, (f, v) => f.Steps = v)
             .Number("end_s", f => f.End, (f, v) => f.End = v)
-            .Number("wall_s", f => f.WallSeconds, (f, v) => f.WallSeconds = v)
             .Number("set_up_s", f => f.SetUpSeconds, (f, v) => f.SetUpSeconds = v)
             .Number("other_cores", f => f.OtherCores, (f, v) => f.OtherCores = v);
 
@@ -35,17 +34,11 @@ namespace SphFluid.Validation
         /// <summary>Time that was reached [s].</summary>
         public double End = double.NaN;
 
-        /// <summary>Time by the clock that the steps took, without the start and the samples [s].</summary>
-        public double WallSeconds = double.NaN;
-
         /// <summary>Time before the first step: particles, and code that is generated and compiled where none is kept from an earlier run [s].</summary>
         public double SetUpSeconds = double.NaN;
 
         /// <summary>Processor cores that other programs kept busy meanwhile, in the mean; not a number where the system does not say.</summary>
         public double OtherCores = double.NaN;
-
-        /// <summary>Time by the clock per simulated second [ms/s].</summary>
-        public double WallMsPerSecond => 1000.0 * WallSeconds / End;
 
         /// <summary>Mean length of a step [s].</summary>
         public double TimeStep => End / Math.Max(1L, Steps);

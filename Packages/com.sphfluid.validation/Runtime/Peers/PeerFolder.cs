@@ -20,13 +20,16 @@ namespace SphFluid.Validation
 
         sealed class Listed
         {
-            public double Time;
+            public double Time, Wall;
             public string File;
+            public long Steps;
         }
 
         static readonly TableFormat<Listed> samplesFormat = new TableFormat<Listed>("samples.csv")
             .Number("time_s", s => s.Time, (s, v) => s.Time = v)
-            .Text("file", s => s.File, (s, v) => s.File = v);
+            .Text("file", s => s.File, (s, v) => s.File = v)
+            .Count("steps", s => s.Steps, (s, v) => s.Steps = v)
+            .Number("wall_s", s => s.Wall, (s, v) => s.Wall = v);
 
         /// <summary>A new folder among the system's temporary files.</summary>
         /// <exception cref="IOException">It cannot be made.</exception>
@@ -73,6 +76,15 @@ namespace SphFluid.Validation
         {
             List<PeerFacts> facts = ReadAll(PeerFacts.Format, () => new PeerFacts());
             return facts.Count == 1 ? facts[0] : throw new InvalidDataException($"'{PathOf(PeerFacts.Format.FileName)}' has {facts.Count} lines instead of one.");
+        }
+
+        /// <summary>Times of a step by the clock, from sample to sample and without what the samples took.</summary>
+        /// <exception cref="InvalidDataException">There are no samples.</exception>
+        public StepTimes ReadTimes()
+        {
+            List<Listed> listed = ReadAll(samplesFormat, () => new Listed());
+            return StepTimes.Of(listed.Zip(listed.Skip(1), (from, to) => 1000.0 * (to.Wall - from.Wall)).ToList(),
+                listed.Zip(listed.Skip(1), (from, to) => checked((int)(to.Steps - from.Steps))).ToList());
         }
 
         /// <summary>The states, each read when it comes to it.</summary>

@@ -28,6 +28,8 @@ namespace SphFluid.Validation
             .Count("evaluations", r => r.Facts.Evaluations, (r, v) => r.Facts.Evaluations = v)
             .Number("set_up_s", r => r.Facts.SetUpSeconds, (r, v) => r.Facts.SetUpSeconds = v)
             .Number("other_cores", r => r.Facts.OtherCores, (r, v) => r.Facts.OtherCores = v)
+            .Number("wall_ms_low", r => r.WallMsLow, (r, v) => r.WallMsLow = v)
+            .Number("wall_ms_high", r => r.WallMsHigh, (r, v) => r.WallMsHigh = v)
             .Text("version", r => r.Facts.Version, (r, v) => r.Facts.Version = v);
 
         /// <summary>Name of the case.</summary>
@@ -48,8 +50,14 @@ namespace SphFluid.Validation
         /// <summary>Seed of the start's jitter.</summary>
         public int Seed;
 
-        /// <summary>Time by the clock per simulated second [ms/s].</summary>
+        /// <summary>Time by the clock per simulated second, the median over parts of the run as with our methods [ms/s].</summary>
         public double WallMsPerSecond;
+
+        /// <summary>Lower quartile of the run's parts, as <see cref="WallMsPerSecond"/> [ms/s].</summary>
+        public double WallMsLow;
+
+        /// <summary>Upper quartile of the run's parts [ms/s].</summary>
+        public double WallMsHigh;
 
         /// <summary>Mean length of a step [s].</summary>
         public double TimeStep;
@@ -75,11 +83,13 @@ namespace SphFluid.Validation
         /// <summary>The lines of a run: one for each error, the main one first; one without an error when it has none.</summary>
         /// <param name="point">What was run.</param>
         /// <param name="facts">What the program told of it.</param>
+        /// <param name="times">Times of its steps.</param>
         /// <param name="result">What the case's metric found.</param>
-        public static PeerRow[] Of(PeerPoint point, PeerFacts facts, CaseResult result)
+        public static PeerRow[] Of(PeerPoint point, PeerFacts facts, in StepTimes times, CaseResult result)
         {
             ValidationCase validationCase = point.Peer.Case;
             IReadOnlyList<CaseError> errors = result.Errors.Count > 0 ? result.Errors : new[] { new CaseError(validationCase.ErrorName, double.NaN) };
+            (double median, double low, double high) = (times.Median / facts.TimeStep, times.Low / facts.TimeStep, times.High / facts.TimeStep);
             bool unmeasured = double.IsNaN(errors[0].Value) || double.IsInfinity(errors[0].Value);
             return errors.Select(error => new PeerRow
             {
@@ -89,7 +99,9 @@ namespace SphFluid.Validation
                 SoundSpeedRatio = point.Parameters.SoundSpeedRatio,
                 Particles = result.Particles,
                 Seed = point.Parameters.Seed,
-                WallMsPerSecond = facts.WallMsPerSecond,
+                WallMsPerSecond = median,
+                WallMsLow = low,
+                WallMsHigh = high,
                 TimeStep = facts.TimeStep,
                 Error = error.Value,
                 ErrorName = error.Name,

@@ -24,7 +24,7 @@ namespace SphFluid.Validation
                 CaseResult result = PeerSample.Evaluate(point.Setup, metric, folder.ReadSamples(point.Setup));
                 if (!result.Failed && facts.End < WholeRun * point.Setup.Duration)
                     result.Failure = FormattableString.Invariant($"it had done {facts.Steps} steps at {facts.End:G3} s: they became too short");
-                done(PeerRow.Of(point, facts, result));
+                done(PeerRow.Of(point, facts, folder.ReadTimes(), result));
             }
         }
     }

@@ -149,13 +149,25 @@ namespace SphFluid.Tests
         [Test]
         public void FactsAreRead()
         {
-            File.WriteAllText(folder.PathOf("run.csv"), PeerFacts.Format.FirstLine + "\nPySPH 1.0b1,2.6,301,2,400,0.5,2.5,21.25,\n");
+            File.WriteAllText(folder.PathOf("run.csv"), PeerFacts.Format.FirstLine + "\nPySPH 1.0b1,2.6,301,2,400,0.5,21.25,\n");
             PeerFacts facts = folder.ReadFacts();
 
-            Assert.That(facts.WallMsPerSecond, Is.EqualTo(5000.0).Within(1e-9));
             Assert.That(facts.TimeStep, Is.EqualTo(0.00125).Within(1e-12));
             Assert.That((facts.Version, facts.BoundaryParticles, facts.Evaluations), Is.EqualTo(("PySPH 1.0b1", 301L, 2L)));
             Assert.That(facts.OtherCores, Is.NaN);
+        }
+
+        [Test]
+        public void AMomentOfABusyMachineDoesNotMoveTheTime()
+        {
+            // Twenty samples of ten steps of 2 ms each; three of the stretches between them took five times as long.
+            IEnumerable<string> lines = Enumerable.Range(0, 21).Select(i =>
+                FormattableString.Invariant($"{0.1 * i},sample-{i:00000}.npy,{10 * i},{0.02 * i + 0.08 * Math.Min(3, i)}"));
+            File.WriteAllLines(folder.PathOf("samples.csv"), lines.Prepend("time_s,file,steps,wall_s"));
+            StepTimes times = folder.ReadTimes();
+
+            Assert.That(times.Median, Is.EqualTo(2.0).Within(1e-6));
+            Assert.That(times.Mean, Is.EqualTo((20 * 20.0 + 3 * 80.0) / 200.0).Within(1e-6));
         }
 
         [Test]

@@ -42,11 +42,11 @@ namespace SphFluid.Tests
 
         public static void WriteSamples(PeerFolder folder, IReadOnlyList<double> times, Func<double, float[,]> stateAt)
         {
-            var lines = new List<string> { "time_s,file" };
+            var lines = new List<string> { "time_s,file,steps,wall_s" };
             for (int i = 0; i < times.Count; i++)
             {
                 NpyFile.Write(folder.PathOf($"sample-{i:00000}.npy"), stateAt(times[i]));
-                lines.Add(FormattableString.Invariant($"{times[i]:R},sample-{i:00000}.npy"));
+                lines.Add(FormattableString.Invariant($"{times[i]:R},sample-{i:00000}.npy,{10 * i},{0.5 * i}"));
             }
             File.WriteAllLines(folder.PathOf("samples.csv"), lines);
         }
