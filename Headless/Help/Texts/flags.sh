@@ -1,5 +1,5 @@
 # Written by ./run help --update from the flags that the parsers read; run reads it.
-verbs='play bench chart choose stability leaks surfaces merge budgets export figures check model mutate docs devices publish build help'
+verbs='play bench chart choose stability leaks surfaces merge budgets export peers figures check model mutate docs devices publish build help'
 declare -A all_flags=(
     [play]='--scene --seconds --fps --size --out --device --no-images --open --validate --method --budget --surface --particles --seed --sequence --write-sequence --state --mesh --record'
     [bench]='--device --validate --table --particles --grids --repeat --out --sweep --no-sweep --scene --phases --against --fps --size --method --surface --seed'
@@ -11,6 +11,7 @@ declare -A all_flags=(
     [merge]='--device --validate --errors-only --out'
     [budgets]='--device --validate --budget --particles --repeat --out'
     [export]='--device --validate --scene --engine --scheme --seconds --frame-rate --spacing --particles --ranks --strict --out'
+    [peers]='--device --validate --quick --case --python --chart --out --slice'
     [figures]='--only --out'
     [check]='--only --update'
     [model]='--state --radius'
@@ -27,6 +28,7 @@ declare -A player_values=(
     [merge]='--device'
     [budgets]='--device'
     [export]='--device'
+    [peers]='--device'
 )
 declare -A player_switches=(
     [play]='--no-images --open --validate'
@@ -39,4 +41,5 @@ declare -A player_switches=(
     [merge]='--validate'
     [budgets]='--validate'
     [export]='--validate'
+    [peers]='--validate'
 )
