@@ -101,16 +101,16 @@ namespace SphFluid
             meter.MeasuredAt += Receive;
             detectors = new FluidDetectors(solver.Settings, simulation.Profile.KinematicViscosity);
             colliderChanges = simulation.Collision.Changes + solver.BirthCount;
-            Take(detectors.Check());
+            Take(IsJudged ? detectors.Check() : Array.Empty<FluidFinding>());
         }
 
         void Measure()
         {
-            // A collider that moved since the last measurement has done work, as force zones do, and liquid that was born brings energy. What is played has any.
+            // A collider that moved since the last measurement has done work, as force zones do, and liquid that was born brings energy.
             long changes = simulation.Collision.Changes + meter.Solver.BirthCount;
             commands ??= new CommandBuffer { name = "Fluid Diagnostics" };
             commands.Clear();
-            meter.Record(commands, changes != colliderChanges || meter.Solver.State.Zones?.Count > 0 || simulation.IsPlayedBack);
+            meter.Record(commands, changes != colliderChanges || meter.Solver.State.Zones?.Count > 0);
             Graphics.ExecuteCommandBuffer(commands);
             colliderChanges = changes;
         }
@@ -121,7 +121,7 @@ namespace SphFluid
             if (moment.WorkDone) detectors.Rebase();
             Statistics = statistics;
             MeasurementCount++;
-            Take(detectors.Note(statistics, meter.Solver.Counters));
+            Take(IsJudged ? detectors.Note(statistics, meter.Solver.Counters) : Array.Empty<FluidFinding>());
             Measured?.Invoke(statistics);
         }
 
@@ -137,6 +137,9 @@ namespace SphFluid
                 Found?.Invoke(finding);
             }
         }
+
+        // What goes wrong is a matter of steps, and a liquid that is played has none.
+        bool IsJudged => !simulation.IsPlayedBack;
 
         // True of every thin liquid that the method calms: worth showing, no warning.
         static bool IsReported(FluidFailure failure) => failure != FluidFailure.NumericalViscosity;

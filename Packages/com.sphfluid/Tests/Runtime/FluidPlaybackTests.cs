@@ -327,7 +327,12 @@ namespace SphFluid.Tests
             yield return RecordSplash();
             Open(spacing: 0.025f, domain: 0.6f);
             FluidWhitewater whitewater = simulation.gameObject.AddComponent<FluidWhitewater>();
+            FluidDiagnostics diagnostics = simulation.gameObject.AddComponent<FluidDiagnostics>();
+            diagnostics.Interval = 1;
             for (int i = 0; i < 40; i++) yield return null;
+            Assert.That(diagnostics.MeasurementCount, Is.GreaterThan(10));
+            Assert.That(diagnostics.Statistics.MaxSpeed, Is.GreaterThan(1f));
+            Assert.That(simulation.Messages.Where(m => m.Issue == FluidIssue.Diagnosis), Is.Empty);
             long born = whitewater.Flow.ReadCounts().Born;
             int alive = (int)whitewater.Flow.ReadCounts().Particles;
             Assert.That(alive, Is.GreaterThan(100));
@@ -425,6 +430,26 @@ namespace SphFluid.Tests
             public BeginMeter Begin { get; set; }
 
             void LateUpdate() => Begin.Made = GC.GetAllocatedBytesForCurrentThread() - Begin.Before;
+        }
+
+        [UnityTest]
+        public IEnumerator UnseenNothingIsReadAndTimeGoesOn()
+        {
+            yield return First;
+            WriteDrift(100, Frame);
+            Open();
+            playback.CullUnseen = true;
+            for (int i = 0; i < 5; i++) yield return null;
+            Assert.That(playback.Player.Reads, Is.Zero);
+            Assert.That((playback.CurrentFrame, playback.Time), Is.EqualTo((-1, 4f * Frame)));
+            Camera camera = rig.NewObject("Camera").AddComponent<Camera>();
+            camera.cullingMask = ~0;
+            camera.transform.position = new Vector3(0f, 0f, -3f);
+            yield return null;
+            Assert.That(playback.CurrentFrame, Is.EqualTo(5));
+            camera.transform.position = new Vector3(0f, 0f, 3f);
+            for (int i = 0; i < 3; i++) yield return null;
+            Assert.That((playback.CurrentFrame, playback.Time), Is.EqualTo((5, 8f * Frame)));
         }
 
         [UnityTest]

@@ -189,6 +189,31 @@ namespace SphFluid.Tests
             Assert.That(Read(new SequenceReader(SequenceFolder.Open(files.Folder, 0.0)), 0, 2).Select(p => p.Id), Is.EqualTo(new[] { 2u, 4u }));
         }
 
+        [Test]
+        public void ReadingAFileMakesNoGarbageForItsParticles()
+        {
+            long Made(int count)
+            {
+                using (var sequence = new SequenceFiles())
+                using (var slot = new SequenceSlot(count))
+                {
+                    sequence.Write(new[] { 0.0 }, _ => ParticleSets.Random(count, Domain, 1f, 2), Domain, 0.02f);
+                    var reader = new SequenceReader(SequenceFolder.Open(sequence.Folder, 0.0));
+                    long least = long.MaxValue;
+                    for (int turn = 0; turn < 5; turn++)
+                    {
+                        long before = GC.GetAllocatedBytesForCurrentThread();
+                        reader.Read(0, slot);
+                        least = Math.Min(least, GC.GetAllocatedBytesForCurrentThread() - before);
+                    }
+                    return least;
+                }
+            }
+            long small = Made(1);
+            TestContext.WriteLine($"{small} bytes to open a file");
+            Assert.That(Made(20011), Is.EqualTo(small));
+        }
+
         void WriteSequence() => files.Write(Times, i => Frame(i), Domain, 0.02f);
 
         static FluidParticle[] Frame(int number) => ParticleSets.Random(Counts[number], Domain, 2f, 20 + number);
