@@ -68,7 +68,7 @@ class Case(Application):
         self.half = 0.5 * np.array(case['domainSize'])
         self.obstacles = [lattice(o['low'], o['high'], self.dx) for o in case['obstacles']]
         self.solids = (['boundary'] if case['walls'] else []) + (['obstacle'] if self.obstacles else [])
-        self.samples, self.due, self.paused = [], 0.0, 0.0
+        self.samples, self.used, self.due, self.paused = [], [], 0.0, 0.0
         self.probe, self.probed, self.probe_due, self.pressures = None, [], 0.0, []
         super().__init__(fname='case', output_dir=os.path.join(folder, 'pysph'))
 
@@ -132,6 +132,7 @@ class Case(Application):
         state = state[np.argsort(fluid.get('gid'))]
         file = f'sample-{len(self.samples):05d}.npy'
         self.samples.append((solver.t, file, solver.count, now - self.begun - self.paused))
+        self.used.append((now, busy_seconds(), own_seconds()))
         np.save(os.path.join(self.folder, file), state)
         interval = self.case['sampleInterval']
         self.due = interval * (np.floor((solver.t + 0.5 * solver.dt) / interval) + 1)
@@ -315,6 +316,13 @@ def own_seconds():
     return used.user + used.system
 
 
+def other_cores(used):
+    """Cores that other programs kept busy, the median from sample to sample of (time, all programs' processor time, this one's)."""
+    if len(used) < 2 or used[0][1] is None:
+        return ''
+    return max(0.0, np.median([(b[1] - a[1] - b[2] + a[2]) / (b[0] - a[0]) for a, b in zip(used, used[1:])]))
+
+
 def write(path, names, *rows):
     with open(path, 'w', newline='') as file:
         writer = csv.writer(file, lineterminator='\n')
@@ -331,12 +339,10 @@ def run(folder):
     arguments = ['--quiet', '--disable-output', '--loglevel', 'none', '--max-steps', str(case['mostSteps'])]
     application.setup(arguments)
     solver = application.solver
-    set_up, others, own, begin = time.perf_counter() - begin, busy_seconds(), own_seconds(), time.perf_counter()
+    set_up = time.perf_counter() - begin
     application.solve()
-    now = time.perf_counter()
-    others = None if others is None else max(0.0, (busy_seconds() - others - own_seconds() + own) / (now - begin))
     if solver.t > application.samples[-1][0]:
-        application.sample(solver, now)
+        application.sample(solver, time.perf_counter())
     write(os.path.join(folder, 'samples.csv'), ('time_s', 'file', 'steps', 'wall_s'), *application.samples)
     if application.pressures:
         np.save(os.path.join(folder, 'pressures.npy'), np.array(application.pressures, dtype=np.float32))
@@ -348,7 +354,7 @@ def run(folder):
         'steps': solver.count,
         'end_s': solver.t,
         'set_up_s': set_up,
-        'other_cores': '' if others is None else others,
+        'other_cores': other_cores(application.used),
     }.items()))
 
 

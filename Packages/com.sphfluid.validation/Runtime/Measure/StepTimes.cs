@@ -45,8 +45,9 @@ namespace SphFluid.Validation
         /// <summary>Of submissions that had some steps each: times of 2, 2 and 8 ms with 1, 1 and 4 steps are 2 ms a step.</summary>
         /// <param name="milliseconds">Time of each submission [ms].</param>
         /// <param name="steps">Steps of each.</param>
+        /// <param name="mostParts">Parts into which the run is divided at most.</param>
         /// <exception cref="ArgumentException">There are not as many times as submissions.</exception>
-        public static StepTimes Of(IReadOnlyList<double> milliseconds, IReadOnlyList<int> steps)
+        public static StepTimes Of(IReadOnlyList<double> milliseconds, IReadOnlyList<int> steps, int mostParts = MostParts)
         {
             if (milliseconds.Count != steps.Count)
                 throw new ArgumentException($"There are {milliseconds.Count} times of {steps.Count} submissions.", nameof(milliseconds));
@@ -54,7 +55,7 @@ namespace SphFluid.Validation
             if (all == 0)
                 return None;
             var means = new List<double>();
-            double part = (double)all / Math.Min(MostParts, steps.Count), time = 0.0;
+            double part = (double)all / Math.Min(mostParts, steps.Count), time = 0.0;
             long count = 0, done = 0;
             for (int i = 0; i < steps.Count; i++)
             {

@@ -37,7 +37,7 @@ namespace SphFluid.Validation
         /// <summary>Time before the first step: particles, and code that is generated and compiled where none is kept from an earlier run [s].</summary>
         public double SetUpSeconds = double.NaN;
 
-        /// <summary>Processor cores that other programs kept busy meanwhile, in the mean; not a number where the system does not say.</summary>
+        /// <summary>Processor cores that other programs kept busy meanwhile, the median from sample to sample; not a number where the system does not say.</summary>
         public double OtherCores = double.NaN;
 
         /// <summary>Mean length of a step [s].</summary>

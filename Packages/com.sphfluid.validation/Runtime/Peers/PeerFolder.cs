@@ -35,7 +35,7 @@ namespace SphFluid.Validation
         /// <exception cref="IOException">It cannot be made.</exception>
         public PeerFolder()
         {
-            Name = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "sphfluid-peer-" + Guid.NewGuid().ToString("N"));
+            Name = Path.Combine(Path.GetTempPath(), "sphfluid-peer-" + Guid.NewGuid().ToString("N"));
             Directory.CreateDirectory(Name);
         }
 
@@ -78,13 +78,13 @@ namespace SphFluid.Validation
             return facts.Count == 1 ? facts[0] : throw new InvalidDataException($"'{PathOf(PeerFacts.Format.FileName)}' has {facts.Count} lines instead of one.");
         }
 
-        /// <summary>Times of a step by the clock, from sample to sample and without what the samples took.</summary>
+        /// <summary>Times of a step by the clock, without what the samples took. Each stretch between two samples is a part.</summary>
         /// <exception cref="InvalidDataException">There are no samples.</exception>
         public StepTimes ReadTimes()
         {
             List<Listed> listed = ReadAll(samplesFormat, () => new Listed());
-            return StepTimes.Of(listed.Zip(listed.Skip(1), (from, to) => 1000.0 * (to.Wall - from.Wall)).ToList(),
-                listed.Zip(listed.Skip(1), (from, to) => checked((int)(to.Steps - from.Steps))).ToList());
+            List<double> milliseconds = listed.Zip(listed.Skip(1), (from, to) => 1000.0 * (to.Wall - from.Wall)).ToList();
+            return StepTimes.Of(milliseconds, listed.Zip(listed.Skip(1), (from, to) => checked((int)(to.Steps - from.Steps))).ToList(), milliseconds.Count);
         }
 
         /// <summary>The states, each read when it comes to it.</summary>
@@ -113,7 +113,7 @@ namespace SphFluid.Validation
                 Directory.Delete(Name, true);
         }
 
-        internal string PathOf(string file) => System.IO.Path.Combine(Name, file);
+        internal string PathOf(string file) => Path.Combine(Name, file);
 
         static FluidSnapshot StateOf(string file, int count)
         {

@@ -50,13 +50,13 @@ namespace SphFluid.Validation
         /// <summary>Seed of the start's jitter.</summary>
         public int Seed;
 
-        /// <summary>Time by the clock per simulated second, the median over parts of the run as with our methods [ms/s].</summary>
+        /// <summary>Time by the clock per simulated second, the median of the stretches between samples [ms/s].</summary>
         public double WallMsPerSecond;
 
-        /// <summary>Lower quartile of the run's parts, as <see cref="WallMsPerSecond"/> [ms/s].</summary>
+        /// <summary>Lower quartile of the stretches, as <see cref="WallMsPerSecond"/> [ms/s].</summary>
         public double WallMsLow;
 
-        /// <summary>Upper quartile of the run's parts [ms/s].</summary>
+        /// <summary>Upper quartile of the stretches [ms/s].</summary>
         public double WallMsHigh;
 
         /// <summary>Mean length of a step [s].</summary>
