@@ -82,6 +82,35 @@ namespace SphFluid.Tests
             Assert.That(Parse("player", "--").Budget, Is.Null);
         }
 
+        [Test]
+        public void ReadsTheFoldersOfSequences()
+        {
+            PlayArguments arguments = Parse("player", "--", "--sequence", "a", "--write-sequence", "b");
+            Assert.That((arguments.Sequence, arguments.SequenceFolder), Is.EqualTo(("a", "b")));
+            Assert.That(Parse("player", "--").Sequence, Is.Null);
+        }
+
+        [TestCase("--method", "standard")]
+        [TestCase("--budget", "2")]
+        [TestCase("--particles", "100")]
+        [TestCase("--seed", "0")]
+        public void WhatAPlayedLiquidDoesNotStartByIsRefused(string flag, string value)
+        {
+            var exception = Assert.Throws<CommandLineException>(() => Parse("player", "--", "--sequence", "a", flag, value));
+            Assert.That(exception.Message, Does.StartWith(flag + " changes how a liquid starts"));
+        }
+
+        [Test]
+        public void AFolderWithASequenceIsNotWrittenOver()
+        {
+            using (var files = new SequenceFiles())
+            {
+                Parse("player", "--", "--write-sequence", files.Folder);
+                System.IO.File.WriteAllText(files["sequence.json"], "{}");
+                Assert.That(() => Parse("player", "--", "--write-sequence", files.Folder), Throws.TypeOf<CommandLineException>().With.Message.Contains("holds a sequence"));
+            }
+        }
+
         static PlayArguments Parse(params string[] words) => PlayArguments.Parse(words);
     }
 }
