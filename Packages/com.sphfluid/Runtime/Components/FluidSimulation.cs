@@ -183,7 +183,7 @@ namespace SphFluid
         /// </summary>
         /// <param name="stream">Receives the save; about 28 bytes a particle.</param>
         /// <exception cref="ArgumentNullException">There is no stream.</exception>
-        /// <exception cref="InvalidOperationException">The liquid does not run.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run, or is played from files.</exception>
         public void Save(Stream stream)
         {
             if (stream == null) throw new ArgumentNullException(nameof(stream));
@@ -243,7 +243,7 @@ namespace SphFluid
         /// <param name="rotation">World rotation.</param>
         /// <param name="velocity">World velocity [m/s].</param>
         /// <returns>Number of particles that are tried with the next steps; <see cref="FluidCounters.Blocked"/> counts those that find no place.</returns>
-        /// <exception cref="InvalidOperationException">The liquid does not run, or its method has a fixed number of particles.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played from files, or its method has a fixed number of particles.</exception>
         public int AddLiquid(Vector3 centre, Vector3 size, Quaternion rotation, Vector3 velocity = default) =>
             ExchangingRun().AddLiquid(Spec, Matrix4x4.TRS(centre, rotation, size), velocity);
 
@@ -251,7 +251,7 @@ namespace SphFluid
         /// <param name="volume">A volume, enabled or not. One that is enabled while the liquid runs adds its liquid by itself, unless this did before.</param>
         /// <returns>Number of particles that are tried with the next steps; <see cref="FluidCounters.Blocked"/> counts those that find no place.</returns>
         /// <exception cref="ArgumentNullException">There is no volume.</exception>
-        /// <exception cref="InvalidOperationException">The liquid does not run, its method has a fixed number of particles, or the volume cannot be filled.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played from files, its method has a fixed number of particles, or the volume cannot be filled.</exception>
         public int AddLiquid(FluidVolume volume)
         {
             if (volume == null) throw new ArgumentNullException(nameof(volume));
@@ -265,14 +265,14 @@ namespace SphFluid
         /// <param name="centre">World position [m].</param>
         /// <param name="size">Edge lengths [m].</param>
         /// <param name="rotation">World rotation.</param>
-        /// <exception cref="InvalidOperationException">The liquid does not run, or its method has a fixed number of particles.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played from files, or its method has a fixed number of particles.</exception>
         public void RemoveLiquid(Vector3 centre, Vector3 size, Quaternion rotation) =>
             ExchangingRun().Flows.Remove(DrainZone.Box(OwnSpec.WorldToLocal * Matrix4x4.TRS(centre, rotation, 0.5f * size)));
 
         /// <summary>Removes the liquid in a sphere with the next steps.</summary>
         /// <param name="centre">World position [m].</param>
         /// <param name="radius">Radius [m].</param>
-        /// <exception cref="InvalidOperationException">The liquid does not run, or its method has a fixed number of particles.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played from files, or its method has a fixed number of particles.</exception>
         public void RemoveLiquid(Vector3 centre, float radius) =>
             ExchangingRun().Flows.Remove(DrainZone.Capsule(OwnSpec.WorldToLocal * Matrix4x4.TRS(centre, Quaternion.identity, radius * Vector3.one), 0f));
 
@@ -285,7 +285,7 @@ namespace SphFluid
         /// <param name="deltaVelocity">The velocity [m/s], world space; those of several calls add up. Where impulses, explosions and bursts that may reach the same
         /// liquid add up to more than a fifth of the speed of sound in a frame, they are weakened to that, and a message says so once.</param>
         /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the velocity is more than a fifth of the speed of sound, or 16 impulses wait already: this one is not taken.</exception>
-        /// <exception cref="InvalidOperationException">The liquid does not run, or its method has no force zones.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played from files, or its method has no force zones.</exception>
         public void AddImpulse(Vector3 centre, float radius, Vector3 deltaVelocity) => PushedRun().Zones.Push(new ZonePush(centre, radius, deltaVelocity), name);
 
         /// <summary>Drives the liquid in a sphere apart, over the next frame with steps; less within a support radius of the sphere's surface and of its centre.</summary>
@@ -293,7 +293,7 @@ namespace SphFluid
         /// <param name="radius">Radius [m].</param>
         /// <param name="speed">Velocity away from the centre, besides the one that the liquid has [m/s]; negative: towards it. It adds up with others as <see cref="AddImpulse"/> says.</param>
         /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the speed is more than a fifth of the speed of sound, or 16 impulses wait already: this one is not taken.</exception>
-        /// <exception cref="InvalidOperationException">The liquid does not run, or its method has no force zones.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played from files, or its method has no force zones.</exception>
         public void AddExplosion(Vector3 centre, float radius, float speed) => PushedRun().Zones.Push(new ZonePush(centre, radius, speed), name);
 
         /// <summary>
