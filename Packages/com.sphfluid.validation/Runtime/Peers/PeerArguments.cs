@@ -9,7 +9,7 @@ namespace SphFluid.Validation
 
         internal PeerArguments() : base("peers", "Build/peers")
         {
-            AddQuick("each case once, at half of its resolution: below three minutes on two CPU cores");
+            AddQuick("each case once, at half of its resolution");
             AddChoice("--case", "these cases", "all of these", cases, PeerCase.All, c => c.Case.Name);
             Options.Add("--python", "FILE", "the Python that has PySPH", PySph.DefaultPython, flag => Python = flag.Value());
             Options.Add("--chart", "DIR", "the chart with whose methods it is compared", "this device's newest", flag => Chart = flag.Value());
