@@ -71,13 +71,14 @@ namespace SphFluid
             jumps |= isJump;
             this.waits = waits;
             loader.Want(new SequenceWalk(direction > 0 ? place.From : place.To, direction, Sequence.Frames.Count, loop));
-            while (loader.TryTakeFailure(out SequenceFailure failure)) Report(failure);
         }
 
         /// <inheritdoc/>
         public bool TryTake(Vector3 domainSize, Vector3 period, bool isNew, out PlayedFrame frame)
         {
             frame = default;
+            // Not while a liquid is about to start, which forgets the messages before it.
+            while (loader.TryTakeFailure(out SequenceFailure failure)) Report(failure);
             PlaybackPlace at = Playable(place);
             if (!TryFind(at.From, out SequenceSlot from) || !TryFind(at.To, out SequenceSlot to)) return false;
             if (!isNew && !jumps && ShownFrame >= 0 && at.From == shown.From && at.To == shown.To && at.Share == shown.Share) return false;

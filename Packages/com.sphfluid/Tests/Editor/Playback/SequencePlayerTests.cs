@@ -122,6 +122,20 @@ namespace SphFluid.Tests
             Assert.That(messages.Count, Is.EqualTo(1));
         }
 
+        // A liquid that starts forgets the messages before it, and the frames around the first may have been read by then.
+        [Test]
+        public void WhatCannotBeReadIsNamedWhenFramesAreTaken()
+        {
+            System.IO.File.WriteAllBytes(files["frame-00001.ply"], new byte[5]);
+            reader.Gate.Set();
+            MoveTo(0.0);
+            Assert.That(SpinWait.SpinUntil(() => player.Reads >= 3, 5000), Is.True, "those around are tried");
+            MoveTo(1.0);
+            Assert.That(messages, Is.Empty);
+            TryTake(out _);
+            Assert.That(messages.Single().ToString(), Does.Contain("frame-00001.ply' was cut"));
+        }
+
         void MoveTo(double time, bool isJump = false) => player.MoveTo(time, 1, FluidPlaybackLoop.None, isJump, false);
 
         bool TryTake(out PlayedFrame frame) => player.TryTake(Vector3.one, Vector3.zero, false, out frame);
