@@ -14,7 +14,7 @@ namespace SphFluid.Tests
         [SetUp]
         public void MakeFolder()
         {
-            folder = Path.Combine(Path.GetTempPath(), "sphfluid-" + Guid.NewGuid().ToString("N"));
+            folder = TestFolder.Fresh();
             Directory.CreateDirectory(folder);
         }
 

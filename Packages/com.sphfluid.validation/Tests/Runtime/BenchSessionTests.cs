@@ -25,7 +25,7 @@ namespace SphFluid.Tests
             if (!SystemInfo.supportsGpuRecorder)
                 Assert.Ignore($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) has no GPU times.");
             said.Clear();
-            folder = Path.Combine(Path.GetTempPath(), "sphfluid-bench-" + Guid.NewGuid().ToString("N"));
+            folder = TestFolder.Fresh();
         }
 
         [TearDown]

@@ -1,4 +1,3 @@
-using System;
 using System.Collections;
 using System.Collections.Generic;
 using System.IO;
@@ -20,15 +19,14 @@ namespace SphFluid.Tests
         public void SetUp()
         {
             rig = new SimulationRig();
-            folder = Path.Combine(Path.GetTempPath(), "sphfluid-play-" + Guid.NewGuid().ToString("N"));
+            folder = TestFolder.Fresh();
         }
 
         [TearDown]
         public void TearDown()
         {
             rig.Dispose();
-            if (Directory.Exists(folder))
-                Directory.Delete(folder, true);
+            TestFolder.Delete(folder);
         }
 
         [UnityTest]

@@ -81,13 +81,13 @@ namespace SphFluid
             if (isDisposed) throw new InvalidOperationException("The sequence is finished. Begin another one.");
             if (!(time > (frames.Count > 0 ? frames[frames.Count - 1].time : double.NegativeInfinity)) || double.IsInfinity(time))
                 throw new InvalidOperationException(FormattableString.Invariant($"The time {time} s is not after that of the frame before. Write each moment once, in order."));
-            SequenceParticle[] live = Live(frame);
+            StoredParticle[] live = Live(frame);
             byte[] header = Encoding.ASCII.GetBytes($"ply\nformat binary_little_endian 1.0\nelement vertex {live.Length}\nproperty float x\nproperty float y\nproperty float z\n" +
                 "property float vx\nproperty float vy\nproperty float vz\nproperty uint id\nend_header\n");
-            int length = header.Length + SequenceParticle.Stride * live.Length;
+            int length = header.Length + StoredParticle.Stride * live.Length;
             if (bytes.Length < length) bytes = new byte[length];
             header.CopyTo(bytes, 0);
-            MemoryMarshal.AsBytes(new ReadOnlySpan<SequenceParticle>(live)).CopyTo(new Span<byte>(bytes, header.Length, length - header.Length));
+            MemoryMarshal.AsBytes(new ReadOnlySpan<StoredParticle>(live)).CopyTo(new Span<byte>(bytes, header.Length, length - header.Length));
             string name = FormattableString.Invariant($"frame-{frames.Count:00000}.ply");
             using (FileStream stream = File.Create(Path.Combine(folder, name))) stream.Write(bytes, 0, length);
             frames.Add(new SequenceManifestFrame
@@ -121,13 +121,13 @@ namespace SphFluid
             sinceManifest.Restart();
         }
 
-        static SequenceParticle[] Live(IReadOnlyList<FluidParticle> frame)
+        static StoredParticle[] Live(IReadOnlyList<FluidParticle> frame)
         {
-            var live = new SequenceParticle[frame.Count];
+            var live = new StoredParticle[frame.Count];
             int count = 0;
             for (int i = 0; i < live.Length; i++)
-                if (!frame[i].IsRemoved) live[count++] = new SequenceParticle { Position = frame[i].Position, Velocity = frame[i].VelT0, Id = frame[i].Id };
-            if (count > (int.MaxValue - PlyHeader.MostBytes) / SequenceParticle.Stride)
+                if (!frame[i].IsRemoved) live[count++] = StoredParticle.Of(frame[i]);
+            if (count > (int.MaxValue - PlyHeader.MostBytes) / StoredParticle.Stride)
                 throw new ArgumentException($"{count} particles are more than a file of 2 GiB holds. Use a coarser spacing.", nameof(frame));
             Array.Resize(ref live, count);
             try

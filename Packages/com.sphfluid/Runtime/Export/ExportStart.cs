@@ -7,7 +7,7 @@ namespace SphFluid
     /// <summary>What of a liquid is exported at its start: particles, constants and colliders.</summary>
     internal sealed class ExportStart
     {
-        ExportStart(in ExportConstants constants, ExportParticle[] particles, CollisionScene collision)
+        ExportStart(in ExportConstants constants, StoredParticle[] particles, CollisionScene collision)
         {
             Constants = constants;
             Particles = particles;
@@ -17,7 +17,7 @@ namespace SphFluid
         public ExportConstants Constants { get; }
 
         /// <summary>The particles in the order of their numbers.</summary>
-        public ExportParticle[] Particles { get; }
+        public StoredParticle[] Particles { get; }
 
         /// <summary>The colliders, gathered.</summary>
         public CollisionScene Collision { get; }
@@ -100,11 +100,11 @@ namespace SphFluid
             return null;
         }
 
-        static ExportParticle[] Rows(IReadOnlyList<FluidParticle> particles)
+        static StoredParticle[] Rows(IReadOnlyList<FluidParticle> particles)
         {
-            var rows = new ExportParticle[particles.Count];
+            var rows = new StoredParticle[particles.Count];
             for (int i = 0; i < rows.Length; i++)
-                rows[i] = new ExportParticle { Position = particles[i].Position, Velocity = particles[i].VelT0, Id = particles[i].Id };
+                rows[i] = StoredParticle.Of(particles[i]);
             return rows;
         }
     }

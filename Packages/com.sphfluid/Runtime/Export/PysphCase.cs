@@ -33,7 +33,7 @@ namespace SphFluid
         /// </summary>
         public static int Layers(FluidExportScheme scheme) => scheme == FluidExportScheme.Edac ? 3 : 2;
 
-        public ExportParticle[] Liquid { get; set; } = Array.Empty<ExportParticle>();
+        public StoredParticle[] Liquid { get; set; } = Array.Empty<StoredParticle>();
         public WallParticle[] Walls { get; set; } = Array.Empty<WallParticle>();
         public IReadOnlyList<ExportBody> Bodies { get; set; } = Array.Empty<ExportBody>();
         public IReadOnlyList<ExportInstrument> Instruments { get; set; } = Array.Empty<ExportInstrument>();
@@ -50,7 +50,7 @@ namespace SphFluid
         public long Write(string path)
         {
             ExportFolder folder = ExportFolder.Open(path);
-            folder.Write("liquid.npy", stream => NpyFile.Write(stream, ExportParticle.Columns, Liquid));
+            folder.Write("liquid.npy", stream => NpyFile.Write(stream, StoredParticle.Columns, Liquid));
             if (Walls.Length > 0) folder.Write("walls.npy", stream => NpyFile.Write(stream, WallParticle.Columns, Walls));
             for (int i = 0; i < Bodies.Count; i++)
             {

@@ -7,7 +7,7 @@ namespace SphFluid
     {
         /// <summary>Sorts particles by their numbers where they are not, in place and without garbage (heap sort, Williams 1964).</summary>
         /// <exception cref="SequenceException">Two have the same number.</exception>
-        public static void Sort(Span<SequenceParticle> particles)
+        public static void Sort(Span<StoredParticle> particles)
         {
             if (!AreSorted(particles))
             {
@@ -23,16 +23,16 @@ namespace SphFluid
                     throw new SequenceException($"has two particles with the id {particles[i].Id}", "Give each particle a number of its own, the same in all frames.");
         }
 
-        static bool AreSorted(ReadOnlySpan<SequenceParticle> particles)
+        static bool AreSorted(ReadOnlySpan<StoredParticle> particles)
         {
             for (int i = 1; i < particles.Length; i++)
                 if (particles[i].Id < particles[i - 1].Id) return false;
             return true;
         }
 
-        static void Sink(Span<SequenceParticle> heap, int place, int length)
+        static void Sink(Span<StoredParticle> heap, int place, int length)
         {
-            SequenceParticle sinking = heap[place];
+            StoredParticle sinking = heap[place];
             while (true)
             {
                 int child = 2 * place + 1;

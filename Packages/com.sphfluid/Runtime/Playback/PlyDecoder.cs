@@ -13,14 +13,14 @@ namespace SphFluid
         /// <param name="header">Its header.</param>
         /// <param name="particles">Receives as many as the header says.</param>
         /// <exception cref="SequenceException">The file is cut, or something in it is no number.</exception>
-        public static void Decode(ReadOnlySpan<byte> file, PlyHeader header, Span<SequenceParticle> particles)
+        public static void Decode(ReadOnlySpan<byte> file, PlyHeader header, Span<StoredParticle> particles)
         {
             int place = header.DataStart;
             if (header.Encoding == PlyEncoding.Ascii) DecodeText(file, header, place, particles);
             else DecodeBinary(file, header, place, particles);
         }
 
-        static void DecodeBinary(ReadOnlySpan<byte> file, PlyHeader header, int place, Span<SequenceParticle> particles)
+        static void DecodeBinary(ReadOnlySpan<byte> file, PlyHeader header, int place, Span<StoredParticle> particles)
         {
             bool big = header.Encoding == PlyEncoding.BigEndian;
             foreach (PlyElement element in header.Before) place = Skip(file, header, element, place, big);
@@ -29,12 +29,12 @@ namespace SphFluid
             if (header.VertexIsLast && bytes < file.Length - place) throw Longer();
             if (header.IsPlain && BitConverter.IsLittleEndian)
             {
-                MemoryMarshal.Cast<byte, SequenceParticle>(file.Slice(place, (int)bytes)).CopyTo(particles);
+                MemoryMarshal.Cast<byte, StoredParticle>(file.Slice(place, (int)bytes)).CopyTo(particles);
                 return;
             }
             for (int i = 0; i < particles.Length; i++)
             {
-                SequenceParticle particle = default;
+                StoredParticle particle = default;
                 particle.Id = (uint)i;
                 for (int p = 0; p < header.Vertex.Properties; p++)
                 {
@@ -65,13 +65,13 @@ namespace SphFluid
         static ReadOnlySpan<byte> Rest(ReadOnlySpan<byte> file, int place, int least) =>
             file.Length - place >= least ? file.Slice(place) : throw new SequenceException("was cut: it ends before its particles");
 
-        static void DecodeText(ReadOnlySpan<byte> file, PlyHeader header, int place, Span<SequenceParticle> particles)
+        static void DecodeText(ReadOnlySpan<byte> file, PlyHeader header, int place, Span<StoredParticle> particles)
         {
             ReadOnlySpan<byte> text = file.Slice(place);
             foreach (PlyElement element in header.Before) SkipText(ref text, header, element);
             for (int i = 0; i < particles.Length; i++)
             {
-                SequenceParticle particle = default;
+                StoredParticle particle = default;
                 particle.Id = (uint)i;
                 for (int p = 0; p < header.Vertex.Properties; p++)
                 {
@@ -136,7 +136,7 @@ namespace SphFluid
 
         static int Bits(ReadOnlySpan<byte> at, bool big) => big ? BinaryPrimitives.ReadInt32BigEndian(at) : BinaryPrimitives.ReadInt32LittleEndian(at);
 
-        static void Set(ref SequenceParticle particle, int field, double number)
+        static void Set(ref StoredParticle particle, int field, double number)
         {
             if (field < 3) particle.Position[field] = (float)number;
             else if (field < 6) particle.Velocity[field - 3] = (float)number;

@@ -55,7 +55,7 @@ namespace SphFluid
         /// <summary>Whether particles have numbers.</summary>
         public bool HasIds => Has(Id, 1);
 
-        /// <summary>Whether particles lie in the file as <see cref="SequenceParticle"/> does in memory.</summary>
+        /// <summary>Whether particles lie in the file as <see cref="StoredParticle"/> does in memory.</summary>
         public bool IsPlain { get; private set; }
 
         /// <summary>Bytes of a number.</summary>

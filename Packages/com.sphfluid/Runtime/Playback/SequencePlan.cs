@@ -61,7 +61,7 @@ namespace SphFluid
         /// <inheritdoc/>
         public long MostParticles => Sequence.MostParticles;
 
-        long FrameBytes => Sequence.MostParticles * SequenceParticle.Stride;
+        long FrameBytes => Sequence.MostParticles * StoredParticle.Stride;
 
         // The file as it is read, and the particles as they are shown.
         long FixedBytes => Sequence.MostBytes + Sequence.MostParticles * FluidParticle.Stride;

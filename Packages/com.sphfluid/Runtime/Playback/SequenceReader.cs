@@ -44,7 +44,7 @@ namespace SphFluid
             if (asked.Crc != null && header.Vertex.Count != asked.Particles)
                 throw new SequenceException($"has {header.Vertex.Count} particles where {SequenceManifest.FileName} says {asked.Particles}");
             if (sequence.HasIds && !header.HasIds) throw new SequenceException("has particles without ids, and other frames have them", "Write the property id in all frames or in none.");
-            Span<SequenceParticle> particles = slot.Resize(header.Vertex.Count);
+            Span<StoredParticle> particles = slot.Resize(header.Vertex.Count);
             PlyDecoder.Decode(file, header, particles);
             Place(particles);
             if (sequence.HasIds) ParticleIds.Sort(particles);
@@ -71,12 +71,12 @@ namespace SphFluid
             }
         }
 
-        void Place(Span<SequenceParticle> particles)
+        void Place(Span<StoredParticle> particles)
         {
             if (axes == FluidSequenceAxes.AsUnity && scale == 1f) return;
             for (int i = 0; i < particles.Length; i++)
             {
-                ref SequenceParticle particle = ref particles[i];
+                ref StoredParticle particle = ref particles[i];
                 (float px, float py, float pz) = (particle.Position.x, particle.Position.y, particle.Position.z);
                 (float vx, float vy, float vz) = (particle.Velocity.x, particle.Velocity.y, particle.Velocity.z);
                 if (axes == FluidSequenceAxes.RightHandedYUp) (pz, vz) = (-pz, -vz);

@@ -27,7 +27,7 @@ namespace SphFluid
         public const int Shown = 0, Outside = 1, NotFinite = 2, CountLength = 3;
 
         /// <summary>Particles of the frames, by ascending numbers.</summary>
-        [ReadOnly] public NativeArray<SequenceParticle> From, To;
+        [ReadOnly] public NativeArray<StoredParticle> From, To;
 
         public int FromCount, ToCount;
 
@@ -55,16 +55,16 @@ namespace SphFluid
         public void Execute()
         {
             shown = outside = notFinite = 0;
-            ReadOnlySpan<SequenceParticle> from = From.AsReadOnlySpan().Slice(0, FromCount);
+            ReadOnlySpan<StoredParticle> from = From.AsReadOnlySpan().Slice(0, FromCount);
             Span<FluidParticle> particles = Particles.AsSpan();
             if (Share > 0f) Merge(from, To.AsReadOnlySpan().Slice(0, ToCount), particles);
             else
-                foreach (SequenceParticle particle in from) Add(particles, particle.Position, particle.Velocity, particle.Id, false);
+                foreach (StoredParticle particle in from) Add(particles, particle.Position, particle.Velocity, particle.Id, false);
             if (shown == 0) particles[0] = new FluidParticle { Removed = 1f };
             (Counts[Shown], Counts[Outside], Counts[NotFinite]) = (shown, outside, notFinite);
         }
 
-        void Merge(ReadOnlySpan<SequenceParticle> from, ReadOnlySpan<SequenceParticle> to, Span<FluidParticle> particles)
+        void Merge(ReadOnlySpan<StoredParticle> from, ReadOnlySpan<StoredParticle> to, Span<FluidParticle> particles)
         {
             int a = 0, b = 0;
             while (a < from.Length || b < to.Length)
@@ -83,10 +83,10 @@ namespace SphFluid
             }
         }
 
-        void AddAlone(Span<FluidParticle> particles, in SequenceParticle particle, float time) =>
+        void AddAlone(Span<FluidParticle> particles, in StoredParticle particle, float time) =>
             Add(particles, particle.Position + time * particle.Velocity, particle.Velocity, particle.Id, IsInside(particle.Position));
 
-        void AddBetween(Span<FluidParticle> particles, in SequenceParticle from, in SequenceParticle to)
+        void AddBetween(Span<FluidParticle> particles, in StoredParticle from, in StoredParticle to)
         {
             Vector3 way = new Vector3(Nearest(to.Position.x - from.Position.x, Period.x), Nearest(to.Position.y - from.Position.y, Period.y),
                 Nearest(to.Position.z - from.Position.z, Period.z));

@@ -23,14 +23,14 @@ namespace SphFluid.Tests
             simulation = rig.Create("Tank");
             simulation.Boundaries = new FluidBoundaries { Friction = 1f };
             simulation.StopSimulation();
-            folder = Path.Combine(Path.GetTempPath(), "sphfluid-" + Guid.NewGuid().ToString("N"));
+            folder = TestFolder.Fresh();
         }
 
         [TearDown]
         public void TearDown()
         {
             rig.Dispose();
-            if (Directory.Exists(folder)) Directory.Delete(folder, true);
+            TestFolder.Delete(folder);
         }
 
         static FluidExportOptions Options(double seconds = 0.125) => new FluidExportOptions { Seconds = seconds, FrameRate = 64.0 };

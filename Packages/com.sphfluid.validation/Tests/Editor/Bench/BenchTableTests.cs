@@ -53,7 +53,7 @@ namespace SphFluid.Tests
         [Test]
         public void FilesAreReplacedWhole()
         {
-            string folder = Path.Combine(Path.GetTempPath(), "sphfluid-bench-" + Guid.NewGuid().ToString("N"));
+            string folder = TestFolder.Fresh();
             try
             {
                 new ThesisLayout("thesis", new[] { "First" }).Format.Write(folder, new BenchRow[0]);

@@ -21,7 +21,7 @@ namespace SphFluid.Tests
         [SetUp]
         public void SetUp()
         {
-            folder = Path.Combine(Path.GetTempPath(), "sphfluid-report-" + Guid.NewGuid().ToString("N"));
+            folder = TestFolder.Fresh();
             Directory.CreateDirectory(folder);
         }
 

@@ -14,7 +14,7 @@ namespace SphFluid.Tests
         [SetUp]
         public void SetUp()
         {
-            folder = Path.Combine(Path.GetTempPath(), "sphfluid-chart-" + Guid.NewGuid().ToString("N"));
+            folder = TestFolder.Fresh();
             Directory.CreateDirectory(folder);
         }
 

@@ -24,15 +24,11 @@ namespace SphFluid.Tests
             said.Clear();
             done.Clear();
             failure = null;
-            folder = Path.Combine(Path.GetTempPath(), "sphfluid-chart-" + Guid.NewGuid().ToString("N"));
+            folder = TestFolder.Fresh();
         }
 
         [TearDown]
-        public void TearDown()
-        {
-            if (Directory.Exists(folder))
-                Directory.Delete(folder, true);
-        }
+        public void TearDown() => TestFolder.Delete(folder);
 
         [Test]
         public void WritesEveryRunAndTheFilesAtTheEnd()

@@ -1,4 +1,3 @@
-using System;
 using System.IO;
 using System.Linq;
 using NUnit.Framework;
@@ -12,14 +11,10 @@ namespace SphFluid.Tests
         string project;
 
         [SetUp]
-        public void SetUp() => project = Path.Combine(Path.GetTempPath(), "sphfluid-choose-" + Guid.NewGuid().ToString("N"));
+        public void SetUp() => project = TestFolder.Fresh();
 
         [TearDown]
-        public void TearDown()
-        {
-            if (Directory.Exists(project))
-                Directory.Delete(project, true);
-        }
+        public void TearDown() => TestFolder.Delete(project);
 
         [Test]
         public void TheNewestOfTheDeviceThatHasTheCaseAnswers()

@@ -1,4 +1,3 @@
-using System;
 using System.IO;
 using NUnit.Framework;
 
@@ -10,13 +9,9 @@ namespace SphFluid.Tests
         private protected string folder;
 
         [SetUp]
-        public void NameFolder() => folder = Path.Combine(Path.GetTempPath(), "sphfluid-" + Guid.NewGuid().ToString("N"));
+        public void NameFolder() => folder = TestFolder.Fresh();
 
         [TearDown]
-        public void DeleteFolder()
-        {
-            if (Directory.Exists(folder))
-                Directory.Delete(folder, true);
-        }
+        public void DeleteFolder() => TestFolder.Delete(folder);
     }
 }

@@ -21,15 +21,11 @@ namespace SphFluid.Tests
             said.Clear();
             done.Clear();
             failure = null;
-            folder = Path.Combine(Path.GetTempPath(), "sphfluid-peers-" + Guid.NewGuid().ToString("N"));
+            folder = TestFolder.Fresh();
         }
 
         [TearDown]
-        public void TearDown()
-        {
-            if (Directory.Exists(folder))
-                Directory.Delete(folder, true);
-        }
+        public void TearDown() => TestFolder.Delete(folder);
 
         [Test]
         public void EveryRunHasItsLinesAndIsComparedWithAChart()

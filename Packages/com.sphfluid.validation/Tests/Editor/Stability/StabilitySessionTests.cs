@@ -20,15 +20,11 @@ namespace SphFluid.Tests
         {
             said.Clear();
             runs = 0;
-            folder = Path.Combine(Path.GetTempPath(), "sphfluid-stability-" + Guid.NewGuid().ToString("N"));
+            folder = TestFolder.Fresh();
         }
 
         [TearDown]
-        public void TearDown()
-        {
-            if (Directory.Exists(folder))
-                Directory.Delete(folder, true);
-        }
+        public void TearDown() => TestFolder.Delete(folder);
 
         // The borders between clamps are in the long plan alone.
         [TestCase("--map M5 M3 --method thesis standard --quick", "stability-m5.gp", "stability-m3.gp")]

@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     /// <summary>Charts of one case whose runs are made up, whole and in shards, below a folder of their own.</summary>
     sealed class ShardedCharts : IDisposable
     {
-        readonly string root = Path.Combine(Path.GetTempPath(), "sphfluid-shards-" + Guid.NewGuid().ToString("N"));
+        readonly string root = TestFolder.Fresh();
 
         /// <summary>What the sessions said.</summary>
         public List<string> Said { get; } = new List<string>();
@@ -70,8 +70,7 @@ namespace SphFluid.Tests
 
         public void Dispose()
         {
-            if (Directory.Exists(root))
-                Directory.Delete(root, true);
+            TestFolder.Delete(root);
         }
 
         IEnumerator Run(ChartRun run, Action<CaseResult> hand)

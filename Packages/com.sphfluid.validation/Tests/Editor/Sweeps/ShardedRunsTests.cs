@@ -16,14 +16,10 @@ namespace SphFluid.Tests
         string root;
 
         [SetUp]
-        public void SetUp() => root = Path.Combine(Path.GetTempPath(), "sphfluid-runs-" + Guid.NewGuid().ToString("N"));
+        public void SetUp() => root = TestFolder.Fresh();
 
         [TearDown]
-        public void TearDown()
-        {
-            if (Directory.Exists(root))
-                Directory.Delete(root, true);
-        }
+        public void TearDown() => TestFolder.Delete(root);
 
         [Test]
         public void EveryErrorOfRealRunsIsThatOfTheWhole()

@@ -202,11 +202,11 @@ namespace SphFluid
         // A rectangle that goes round a periodic domain has no edge there: the squares of particles beside the seam count whole.
         static float HalfEdge(Vector3 direction, float length, in FluidSolverSettings settings)
         {
+            Vector3 periods = settings.PeriodLength;
             for (int axis = 0; axis < 3; axis++)
             {
-                float period = settings.DomainSize[axis];
-                bool goesRound = ((int)settings.Boundaries.Periodic >> axis & 1) != 0 && Mathf.Abs(direction[axis]) > 0.9999f && length > period - 1e-3f * settings.Spacing;
-                if (goesRound) return 0.5f * (Mathf.Max(length, period) + settings.Spacing);
+                bool goesRound = periods[axis] > 0f && Mathf.Abs(direction[axis]) > 0.9999f && length > periods[axis] - 1e-3f * settings.Spacing;
+                if (goesRound) return 0.5f * (Mathf.Max(length, periods[axis]) + settings.Spacing);
             }
 
             return 0.5f * length;

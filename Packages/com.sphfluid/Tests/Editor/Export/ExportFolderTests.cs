@@ -12,13 +12,10 @@ namespace SphFluid.Tests
         string path;
 
         [SetUp]
-        public void SetUp() => path = Path.Combine(Path.GetTempPath(), "sphfluid-export-" + Guid.NewGuid().ToString("N"));
+        public void SetUp() => path = TestFolder.Fresh();
 
         [TearDown]
-        public void TearDown()
-        {
-            if (Directory.Exists(path)) Directory.Delete(path, true);
-        }
+        public void TearDown() => TestFolder.Delete(path);
 
         string[] Names() => Directory.GetFiles(path).Select(Path.GetFileName).OrderBy(n => n, StringComparer.Ordinal).ToArray();
 

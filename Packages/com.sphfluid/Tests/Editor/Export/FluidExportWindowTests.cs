@@ -16,7 +16,7 @@ namespace SphFluid.Tests
         [SetUp]
         public void SetUp()
         {
-            folder = Path.Combine(Path.GetTempPath(), "sphfluid-" + Guid.NewGuid().ToString("N"));
+            folder = TestFolder.Fresh();
             window = ScriptableObject.CreateInstance<FluidExportWindow>();
             window.Folder = folder;
         }
@@ -25,7 +25,7 @@ namespace SphFluid.Tests
         public void TearDown()
         {
             UnityEngine.Object.DestroyImmediate(window);
-            if (Directory.Exists(folder)) Directory.Delete(folder, true);
+            TestFolder.Delete(folder);
         }
 
         [Test]

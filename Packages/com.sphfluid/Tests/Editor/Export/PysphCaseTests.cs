@@ -19,18 +19,15 @@ namespace SphFluid.Tests
         string path;
 
         [SetUp]
-        public void SetUp() => path = Path.Combine(Path.GetTempPath(), "sphfluid-case-" + Guid.NewGuid().ToString("N"));
+        public void SetUp() => path = TestFolder.Fresh();
 
         [TearDown]
-        public void TearDown()
-        {
-            if (Directory.Exists(path)) Directory.Delete(path, true);
-        }
+        public void TearDown() => TestFolder.Delete(path);
 
         static PysphCase Case(string scene = "Dam Break", FluidExportScheme scheme = FluidExportScheme.WeaklyCompressible) =>
             new PysphCase("Tank", Constants, new FluidExportOptions { Scene = scene, Seconds = 0.5, FrameRate = 60.0, Ranks = 7, Scheme = scheme, Commit = "abc" })
             {
-                Liquid = new ExportParticle[3],
+                Liquid = new StoredParticle[3],
                 Walls = new WallParticle[2],
                 Bodies = new[] { new ExportBody("Paddle", new WallParticle[5], new[] { new BodyPose { Rotation = Quaternion.identity } }) },
             };

@@ -124,7 +124,7 @@ namespace SphFluid.Tests
             foreach (string format in Formats)
             {
                 byte[] file = SequenceFiles.Ply(Particles(257), format);
-                var particles = new SequenceParticle[257];
+                var particles = new StoredParticle[257];
                 long made = long.MaxValue;
                 for (int turn = 0; turn < 3; turn++)
                 {
@@ -142,7 +142,7 @@ namespace SphFluid.Tests
         public void ParticlesAreSortedByTheirNumbers([ValueSource(nameof(Counts))] int count)
         {
             var random = new System.Random(3);
-            SequenceParticle[] particles = Enumerable.Range(0, count).Select(i => new SequenceParticle { Id = (uint)(3 * i), Position = new Vector3(i, 0f, 0f) }).OrderBy(_ => random.Next()).ToArray();
+            StoredParticle[] particles = Enumerable.Range(0, count).Select(i => new StoredParticle { Id = (uint)(3 * i), Position = new Vector3(i, 0f, 0f) }).OrderBy(_ => random.Next()).ToArray();
             ParticleIds.Sort(particles);
             for (int i = 0; i < count; i++) Assert.That((particles[i].Id, particles[i].Position.x), Is.EqualTo(((uint)(3 * i), (float)i)));
         }
@@ -150,18 +150,18 @@ namespace SphFluid.Tests
         [Test]
         public void TwoParticlesWithOneNumberAreNamed()
         {
-            var particles = new[] { new SequenceParticle { Id = 5 }, new SequenceParticle { Id = 3 }, new SequenceParticle { Id = 5 } };
+            var particles = new[] { new StoredParticle { Id = 5 }, new StoredParticle { Id = 3 }, new StoredParticle { Id = 5 } };
             Assert.That(() => ParticleIds.Sort(particles), Throws.TypeOf<SequenceException>().With.Message.Contains("the id 5"));
         }
 
         static FluidParticle[] Particles(int count) => ParticleSets.Random(count, new Vector3(1f, 2f, 3f), 4f, 11)
             .Select((p, i) => new FluidParticle(p.Position, p.VelT0, (uint)(7 * i + 3))).ToArray();
 
-        static SequenceParticle[] Decode(byte[] file, out PlyHeader header)
+        static StoredParticle[] Decode(byte[] file, out PlyHeader header)
         {
             header = new PlyHeader();
             header.Read(file);
-            var particles = new SequenceParticle[Math.Min(header.Vertex.Count, 100000)];
+            var particles = new StoredParticle[Math.Min(header.Vertex.Count, 100000)];
             PlyDecoder.Decode(file, header, particles);
             return particles;
         }
@@ -174,7 +174,7 @@ namespace SphFluid.Tests
 
         static void Check(byte[] file, IReadOnlyList<FluidParticle> written, bool hasVelocities, bool hasIds)
         {
-            SequenceParticle[] read = Decode(file, out PlyHeader header);
+            StoredParticle[] read = Decode(file, out PlyHeader header);
             Assert.That((header.HasVelocities, header.HasIds, read.Length), Is.EqualTo((hasVelocities, hasIds, written.Count)));
             for (int i = 0; i < read.Length; i++)
             {

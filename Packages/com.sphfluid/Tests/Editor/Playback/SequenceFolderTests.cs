@@ -67,7 +67,7 @@ namespace SphFluid.Tests
         {
             File.WriteAllBytes(files["a.ply"], SequenceFiles.Ply(new[] { new FluidParticle(new Vector3(1f, 2f, 3f), new Vector3(10f, 20f, 30f), 4u) }));
             ParticleSequence sequence = SequenceFolder.Open(files.Folder, 1.0);
-            SequenceParticle read = Read(new SequenceReader(sequence, axes, 0.5f), 0, 1)[0];
+            StoredParticle read = Read(new SequenceReader(sequence, axes, 0.5f), 0, 1)[0];
             Assert.That(read.Position, Is.EqualTo(0.5f * new Vector3(x, y, z)));
             Assert.That(read.Velocity, Is.EqualTo(5f * new Vector3(x, y, z)));
         }
@@ -218,7 +218,7 @@ namespace SphFluid.Tests
 
         static FluidParticle[] Frame(int number) => ParticleSets.Random(Counts[number], Domain, 2f, 20 + number);
 
-        static SequenceParticle[] Read(ISequenceReader reader, int frame, int capacity)
+        static StoredParticle[] Read(ISequenceReader reader, int frame, int capacity)
         {
             using (var slot = new SequenceSlot(capacity))
             {
@@ -230,7 +230,7 @@ namespace SphFluid.Tests
         static void CheckFrame(ParticleSequence sequence, int frame, Func<Vector3, Vector3> place)
         {
             FluidParticle[] written = Frame(frame);
-            SequenceParticle[] read = Read(new SequenceReader(sequence), frame, 257);
+            StoredParticle[] read = Read(new SequenceReader(sequence), frame, 257);
             Assert.That(read.Length, Is.EqualTo(written.Length));
             for (int i = 0; i < read.Length; i++)
                 Assert.That(read[i].Position.Equals(place(written[i].Position)) && read[i].Velocity.Equals(written[i].VelT0) && read[i].Id == written[i].Id, $"{i} of frame {frame}");

@@ -23,7 +23,7 @@ namespace SphFluid.Tests
                 Gate.Wait();
                 Order.Add(frame);
                 if (Bad.Contains(frame)) throw frame % 2 == 0 ? (Exception)new SequenceException("is bad", "Mend it.") : new IOException("No disk.");
-                slot.Resize(1)[0] = new SequenceParticle { Id = (uint)frame };
+                slot.Resize(1)[0] = new StoredParticle { Id = (uint)frame };
             }
         }
 

@@ -18,7 +18,7 @@ namespace SphFluid.Tests
         public void CubicMotionIsMetExactly([ValueSource(nameof(Counts))] int count, [Values(0.25f, 0.5f, 0.875f)] float share)
         {
             const float duration = 0.5f;
-            SequenceParticle[] from = At(0.0, count), to = At(duration, count), expected = At(share * duration, count);
+            StoredParticle[] from = At(0.0, count), to = At(duration, count), expected = At(share * duration, count);
             FluidParticle[] shown = Show(from, to, share, duration, out int[] counts);
             Assert.That(counts, Is.EqualTo(new[] { count, 0, 0 }));
             for (int i = 0; i < count; i++)
@@ -34,7 +34,7 @@ namespace SphFluid.Tests
         {
             double Error(double duration)
             {
-                SequenceParticle At(double t) => new SequenceParticle
+                StoredParticle At(double t) => new StoredParticle
                 {
                     Position = new Vector3((float)Math.Cos(t), (float)Math.Sin(t), 0f),
                     Velocity = new Vector3((float)-Math.Sin(t), (float)Math.Cos(t), 0f),
@@ -49,7 +49,7 @@ namespace SphFluid.Tests
         [Test]
         public void AtAFrameItsParticlesAreShownToTheBit([ValueSource(nameof(Counts))] int count)
         {
-            SequenceParticle[] from = At(0.3, count);
+            StoredParticle[] from = At(0.3, count);
             if (count > 0) from[0].Velocity = new Vector3(-0f, 0f, -0f);
             FluidParticle[] shown = Show(from, At(0.9, 3), 0f, 0.6f, out int[] counts);
             Assert.That(counts[ShowParticlesJob.Shown], Is.EqualTo(count));
@@ -67,7 +67,7 @@ namespace SphFluid.Tests
         [TestCase(0.75f, "2 3 4 7 8")]
         public void ThoseOfOneFrameOnlyAreThereUpToTheMiddle(float share, string expected)
         {
-            SequenceParticle Of(uint id, float x) => new SequenceParticle { Id = id, Position = new Vector3(x, 0f, 0f), Velocity = new Vector3(2f, 0f, 0f) };
+            StoredParticle Of(uint id, float x) => new StoredParticle { Id = id, Position = new Vector3(x, 0f, 0f), Velocity = new Vector3(2f, 0f, 0f) };
             var from = new[] { Of(1, 0f), Of(2, 0f), Of(4, 0f), Of(6, 0f) };
             var to = new[] { Of(2, 2f), Of(3, 2f), Of(4, 2f), Of(7, 2f), Of(8, 2f) };
             FluidParticle[] shown = Show(from, to, share, 1f, out int[] counts);
@@ -78,8 +78,8 @@ namespace SphFluid.Tests
         [Test]
         public void WithoutVelocitiesTheyGoStraight()
         {
-            var from = new[] { new SequenceParticle { Position = new Vector3(1f, 2f, 3f) } };
-            var to = new[] { new SequenceParticle { Position = new Vector3(2f, 0f, 3f) } };
+            var from = new[] { new StoredParticle { Position = new Vector3(1f, 2f, 3f) } };
+            var to = new[] { new StoredParticle { Position = new Vector3(2f, 0f, 3f) } };
             FluidParticle shown = Show(from, to, 0.25f, 0.5f, out _, SequenceBlend.Linear)[0];
             Assert.That(shown.Position, Is.EqualTo(new Vector3(1.25f, 1.5f, 3f)));
             Assert.That(shown.VelT0, Is.EqualTo(new Vector3(2f, -4f, 0f)));
@@ -88,7 +88,7 @@ namespace SphFluid.Tests
         [Test]
         public void WhatIsOutsideOrNoNumberIsCountedAndLeftOut([Values(0f, 0.5f)] float share)
         {
-            SequenceParticle Of(uint id, Vector3 position, Vector3 velocity = default) => new SequenceParticle { Id = id, Position = position, Velocity = velocity };
+            StoredParticle Of(uint id, Vector3 position, Vector3 velocity = default) => new StoredParticle { Id = id, Position = position, Velocity = velocity };
             var particles = new[]
             {
                 Of(0, Vector3.zero), Of(1, new Vector3(10.01f, 0f, 0f)), Of(2, new Vector3(float.NaN, 0f, 0f)), Of(3, Vector3.zero, new Vector3(0f, float.PositiveInfinity, 0f)),
@@ -102,8 +102,8 @@ namespace SphFluid.Tests
         [Test]
         public void InterpolationCarriesNobodyThroughAFace()
         {
-            var from = new[] { new SequenceParticle { Position = new Vector3(9.9f, 0f, 0f), Velocity = new Vector3(5f, 0f, 0f) } };
-            var to = new[] { new SequenceParticle { Position = new Vector3(9.9f, 0f, 0f), Velocity = new Vector3(-5f, 0f, 0f) } };
+            var from = new[] { new StoredParticle { Position = new Vector3(9.9f, 0f, 0f), Velocity = new Vector3(5f, 0f, 0f) } };
+            var to = new[] { new StoredParticle { Position = new Vector3(9.9f, 0f, 0f), Velocity = new Vector3(-5f, 0f, 0f) } };
             FluidParticle shown = Show(from, to, 0.5f, 1f, out int[] counts)[0];
             Assert.That(counts, Is.EqualTo(new[] { 1, 0, 0 }));
             Assert.That(shown.Position.x, Is.EqualTo(10f));
@@ -113,22 +113,22 @@ namespace SphFluid.Tests
         [TestCase(0.75f, -9.75f)]
         public void ThroughAPeriodicFaceTheyGoTheShortWay(float share, float expected)
         {
-            var from = new[] { new SequenceParticle { Position = new Vector3(9.5f, 1f, 0f), Velocity = new Vector3(1f, 0f, 0f) } };
-            var to = new[] { new SequenceParticle { Position = new Vector3(-9.5f, 1f, 0f), Velocity = new Vector3(1f, 0f, 0f) } };
+            var from = new[] { new StoredParticle { Position = new Vector3(9.5f, 1f, 0f), Velocity = new Vector3(1f, 0f, 0f) } };
+            var to = new[] { new StoredParticle { Position = new Vector3(-9.5f, 1f, 0f), Velocity = new Vector3(1f, 0f, 0f) } };
             FluidParticle shown = Show(from, to, share, 1f, out _, SequenceBlend.Hermite, new Vector3(20f, 0f, 0f))[0];
             Assert.That(shown.Position.x, Is.EqualTo(expected).Within(1e-5f));
             Assert.That(shown.VelT0.x, Is.EqualTo(1f).Within(1e-5f));
         }
 
         // Cubics of time, another one for each particle and axis.
-        static SequenceParticle[] At(double t, int count)
+        static StoredParticle[] At(double t, int count)
         {
             var random = new System.Random(41);
             double Next() => random.NextDouble() - 0.5;
-            var particles = new SequenceParticle[count];
+            var particles = new StoredParticle[count];
             for (int i = 0; i < count; i++)
             {
-                var particle = new SequenceParticle { Id = (uint)(5 * i + 2) };
+                var particle = new StoredParticle { Id = (uint)(5 * i + 2) };
                 for (int axis = 0; axis < 3; axis++)
                 {
                     (double a, double b, double c, double d) = (Next(), Next(), Next(), Next());
@@ -142,11 +142,11 @@ namespace SphFluid.Tests
 
         static (int, int, int) Bits(Vector3 v) => (BitConverter.SingleToInt32Bits(v.x), BitConverter.SingleToInt32Bits(v.y), BitConverter.SingleToInt32Bits(v.z));
 
-        static FluidParticle[] Show(SequenceParticle[] from, SequenceParticle[] to, float share, float duration, out int[] counts, SequenceBlend blend = SequenceBlend.Hermite,
+        static FluidParticle[] Show(StoredParticle[] from, StoredParticle[] to, float share, float duration, out int[] counts, SequenceBlend blend = SequenceBlend.Hermite,
             Vector3 period = default)
         {
-            using (var first = new NativeArray<SequenceParticle>(from, Allocator.TempJob))
-            using (var second = new NativeArray<SequenceParticle>(to, Allocator.TempJob))
+            using (var first = new NativeArray<StoredParticle>(from, Allocator.TempJob))
+            using (var second = new NativeArray<StoredParticle>(to, Allocator.TempJob))
             using (var shown = new NativeArray<FluidParticle>(Math.Max(1, Math.Max(from.Length, to.Length)), Allocator.TempJob))
             using (var counted = new NativeArray<int>(ShowParticlesJob.CountLength, Allocator.TempJob))
             {

@@ -3,22 +3,6 @@ using UnityEngine;
 
 namespace SphFluid
 {
-    /// <summary>A particle of an exported liquid: a row of liquid.npy.</summary>
-    [StructLayout(LayoutKind.Sequential)]
-    internal struct ExportParticle
-    {
-        /// <summary>The columns as NumPy has them.</summary>
-        public static readonly string[] Columns = { "x <f4", "y <f4", "z <f4", "u <f4", "v <f4", "w <f4", "id <u4" };
-
-        /// <summary>Position [m], simulation space.</summary>
-        public Vector3 Position;
-
-        /// <summary>Velocity [m/s], simulation space.</summary>
-        public Vector3 Velocity;
-
-        public uint Id;
-    }
-
     /// <summary>A particle of a wall: a row of walls.npy and of a body's file.</summary>
     [StructLayout(LayoutKind.Sequential)]
     internal struct WallParticle

@@ -1,0 +1,29 @@
+using System.Runtime.InteropServices;
+using UnityEngine;
+
+namespace SphFluid
+{
+    /// <summary>A particle as files have it, those of a sequence and of an exported liquid: 28 bytes, little endian. Simulation space.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct StoredParticle
+    {
+        /// <summary>Size of a particle in bytes.</summary>
+        public const int Stride = 28;
+
+        /// <summary>The columns as NumPy has them.</summary>
+        public static readonly string[] Columns = { "x <f4", "y <f4", "z <f4", "u <f4", "v <f4", "w <f4", "id <u4" };
+
+        /// <summary>Position [m].</summary>
+        public Vector3 Position;
+
+        /// <summary>Velocity [m/s].</summary>
+        public Vector3 Velocity;
+
+        /// <summary>Number, the same in all frames.</summary>
+        public uint Id;
+
+        /// <summary>A particle of a liquid, at rest or half a step after its last force.</summary>
+        /// <param name="particle">The particle.</param>
+        public static StoredParticle Of(in FluidParticle particle) => new StoredParticle { Position = particle.Position, Velocity = particle.VelT0, Id = particle.Id };
+    }
+}
