@@ -5,6 +5,10 @@ internal sealed class FxcBudget(string packageRoot)
 {
     public const int MaxMilliseconds = 2000, MaxVariants = 190, MaxSharedBytes = 16 * 1024;
 
+    /// <summary>How much longer than allowed a compilation fails: machines differ by this much even after scaling by the yardstick (4.0 to 4.2 s for one kernel
+    /// where the yardstick took 240 to 400 ms). In between it is a note.</summary>
+    public const double Uncertainty = 1.25;
+
     // What Unity imports with the product and compiles for a player; tests' kernels stay in the source tree.
     private const string Shipped = "Shaders/";
 
@@ -32,7 +36,10 @@ internal sealed class FxcBudget(string packageRoot)
     {
         var kernels = results.Where(r => r.Job.IsKernel).ToList();
         foreach (var result in results.Where(IsSlow))
-            report.Findings.Add($"{result.Job.Name}: FXC took {result.Milliseconds / 1000.0:F1} s of CPU time at 2.5 GHz, {Allowed(result) / 1000} are allowed: the first Play waits for it");
+        {
+            var texts = result.Milliseconds > Uncertainty * Allowed(result) ? report.Findings : report.Notes;
+            texts.Add($"{result.Job.Name}: FXC took {result.Milliseconds / 1000.0:F1} s of CPU time at 2.5 GHz, {Allowed(result) / 1000} are allowed: the first Play waits for it");
+        }
         foreach (var result in kernels.Where(r => r.SharedBytes > MaxSharedBytes && !largeGroups.ContainsKey(r.Job.Entry)))
             report.Findings.Add($"{result.Job.Name}: {result.SharedBytes} bytes of groupshared memory, Vulkan and OpenGL ES 3.1 promise {MaxSharedBytes}");
         var variants = kernels.Count(r => IsShipped(r.Job.File));

@@ -49,13 +49,15 @@ void GiveFaces(float3 position, float push, float3 cut)
 // Of the planes that a particle near triangles sees, those of the domain among them.
 void GivePlanes(NearWall wall, float3 position, float3 changes[WALL_PLANES])
 {
-    [unroll]
-    for (int k = 0; k < WALL_PLANES; k++)
+    [loop] // one copy of the loop over rectangles in the kernel, not three
+    for (uint k = 0u; k < uint(WALL_PLANES); k++)
     {
+        const float3 change = k == 0u ? changes[0] : k == 1u ? changes[1] : changes[2];
         [branch]
-        if (any(changes[k] != 0.0))
+        if (any(change != 0.0))
         {
-            GiveToPatches(position - wall.Planes[k].w * wall.Planes[k].xyz, wall.Planes[k].xyz, changes[k]);
+            const float4 plane = k == 0u ? wall.Planes[0] : k == 1u ? wall.Planes[1] : wall.Planes[2];
+            GiveToPatches(position - plane.w * plane.xyz, plane.xyz, change);
         }
     }
 }
