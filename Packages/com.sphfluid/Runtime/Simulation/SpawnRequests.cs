@@ -15,6 +15,7 @@ namespace SphFluid
             return new SpawnRequest
             {
                 DomainSize = spec.DomainSize,
+                Walls = FluidFaces.All & ~(spec.Boundaries.Open | FluidBoundaries.FacesOf(spec.Boundaries.Periodic)),
                 Spacing = spec.Spacing,
                 Shapes = shapes,
                 MaxParticles = spec.RunsElsewhere ? int.MaxValue : spec.HasProfile ? spec.Profile.MaxParticles : ProfileSpec.ParticleLimit,

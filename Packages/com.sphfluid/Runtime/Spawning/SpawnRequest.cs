@@ -13,6 +13,9 @@ namespace SphFluid
         /// <summary>Domain edge lengths [m]; the domain is centred on the origin of simulation space.</summary>
         public Vector3 DomainSize { get; set; }
 
+        /// <summary>Faces of the domain that are walls: neither open nor periodic.</summary>
+        public FluidFaces Walls { get; set; } = FluidFaces.All;
+
         /// <summary>Particle spacing dx [m].</summary>
         public float Spacing { get; set; }
 

@@ -40,6 +40,26 @@ namespace SphFluid.Tests
             Assert.That(result.Particles.Sum(p => p.Position.x), Is.EqualTo(0f).Within(1e-4f), "what is left over is shared by both faces");
         }
 
+        // The domain goes from -1 to 1 m.
+        [TestCase(-1f, 0.04f, 0.1f, FluidFaces.All, -0.95f, -0.05f)]
+        [TestCase(-1f, 0.06f, 0.1f, FluidFaces.All, -0.95f, 0.05f)]
+        [TestCase(-0.06f, 1f, 0.1f, FluidFaces.All, -0.05f, 0.95f)]
+        [TestCase(-1.3f, 0.06f, 0.1f, FluidFaces.All, -0.95f, 0.05f)]
+        [TestCase(-1f, 1f, 0.19f, FluidFaces.All, -0.855f, 0.855f)]
+        [TestCase(-1f, 1f, 0.19f, FluidFaces.LowX, -0.905f, 0.805f)]
+        [TestCase(-1f, 1f, 0.19f, FluidFaces.None, -0.95f, 0.95f)]
+        [TestCase(-1f, 1f, 0.1f, FluidFaces.All, -0.95f, 0.95f)]
+        public void NoLayerIsNearerThanHalfASpacingToAWall(float low, float high, float spacing, FluidFaces walls, float first, float last)
+        {
+            SpawnRequest request = Request(spacing, Box(0.5f * (low + high) * Vector3.right, new Vector3(high - low, spacing, spacing)));
+            request.Walls = walls;
+
+            List<FluidParticle> particles = FluidSpawner.Fill(request).Particles;
+
+            Assert.That(particles.Min(p => p.Position.x), Is.EqualTo(first).Within(1e-5f));
+            Assert.That(particles.Max(p => p.Position.x), Is.EqualTo(last).Within(1e-5f));
+        }
+
         [Test]
         public void TurnedBoxHoldsItsVolume()
         {
