@@ -100,8 +100,9 @@ namespace SphFluid.Validation
 
         /// <summary>
         /// Writes the liquids of a scene as cases of PySPH, with the motion of colliders while the scene plays without them: the flags --scene, --engine, --scheme,
-        /// --seconds, --frame-rate, --spacing, --particles, --ranks, --strict and --out; see <see cref="ExportArguments"/>. The program ends with it. A wrong flag ends
-        /// it with exit code 2. In the Unity Editor outside play mode colliders are exported where the scene has them.
+        /// --seconds, --frame-rate, --spacing, --particles, --ranks, --strict and --out; see <see cref="ExportArguments"/>. The program ends with it: with exit code 1
+        /// where a liquid could not be exported, which leaves the others written, and with 2 for a wrong flag. In the Unity Editor outside play mode colliders are
+        /// exported where the scene has them.
         /// </summary>
         public static void Export()
         {

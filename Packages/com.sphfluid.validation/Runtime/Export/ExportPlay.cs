@@ -92,47 +92,41 @@ namespace SphFluid.Validation
 
         bool TryPrepare(FluidSimulation[] simulations)
         {
-            try
+            if (simulations.Length == 0)
             {
-                if (simulations.Length == 0)
-                    throw new CommandLineException($"--scene: '{CommandLineWords.Shown(arguments.Scene)}' has no Fluid Simulation that is enabled.");
-                foreach (FluidSimulation simulation in simulations)
-                {
-                    if (arguments.Spacing is float spacing)
-                        simulation.Spacing = spacing;
-                    if (arguments.Particles is int count)
-                        simulation.Spacing = SpacingFor(simulation, count);
-                }
-                return true;
-            }
-            catch (CommandLineException exception)
-            {
-                fail(exception.Message, 2);
+                fail($"--scene: '{CommandLineWords.Shown(arguments.Scene)}' has no Fluid Simulation that is enabled.", 2);
                 return false;
             }
+            foreach (FluidSimulation simulation in simulations)
+            {
+                if (arguments.Spacing is float spacing)
+                    simulation.Spacing = spacing;
+                if (arguments.Particles is int count)
+                    Fit(simulation, count);
+            }
+            return true;
         }
 
-        static float SpacingFor(FluidSimulation simulation, int count)
+        // One that holds no liquid keeps its spacing: it is not exported, and the others are.
+        static void Fit(FluidSimulation simulation, int count)
         {
             try
             {
-                return simulation.SpacingForParticleCount(count);
+                simulation.Spacing = simulation.SpacingForParticleCount(count);
             }
             catch (Exception exception) when (exception is InvalidOperationException || exception is ArgumentException)
             {
-                throw new CommandLineException($"--particles: '{simulation.name}': {exception.Message}");
+                Console.Error.WriteLine($"export: --particles: '{simulation.name}' keeps its spacing: {exception.Message}");
             }
         }
 
-        // The exit code.
+        // The exit code: 1 where a liquid could not be exported; the others are written all the same.
         int Write(IReadOnlyList<FluidSimulation> simulations, IReadOnlyList<FluidExport> exports)
         {
             foreach (FluidExport export in exports)
                 foreach (FluidMessage message in export.Messages)
                     message.Log();
-            if (!exports.All(e => e.HasLiquid))
-                return 1;
-            if (arguments.Strict && exports.Any(e => e.LeavesOut))
+            if (arguments.Strict && exports.Any(e => e.LeavesOut || !e.HasLiquid))
             {
                 Console.Error.WriteLine("export: nothing is written, because --strict is given and the parts of the scene named above cannot be exported.");
                 return 1;
@@ -141,8 +135,9 @@ namespace SphFluid.Validation
             {
                 string[] folders = FluidExport.FoldersOf(simulations, arguments.OutputFolder);
                 for (int i = 0; i < exports.Count; i++)
-                    WriteOne(exports[i], folders[i]);
-                return 0;
+                    if (exports[i].HasLiquid)
+                        WriteOne(exports[i], folders[i]);
+                return exports.All(e => e.HasLiquid) ? 0 : 1;
             }
             catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException)
             {
