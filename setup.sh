@@ -12,7 +12,7 @@ dotnet_major=10
 run_packages=(libvulkan1 mesa-vulkan-drivers glslang-tools ffmpeg gnuplot-nox)
 test_packages=(vulkan-validationlayers spirv-tools spirv-cross vkd3d-compiler wine64 gcc-mingw-w64-x86-64 npm)
 # Runs exported cases in ./test; where the archive does not serve it, the tests that need it are skipped and counted.
-engine_packages=(python3-pysph python3-mpi4py python3-pyzoltan openmpi-bin)
+engine_packages=(python3-pysph python3-mpi4py python3-pyzoltan openmpi-bin python3-meshio)
 # Microsoft's HLSL compilers, used by ./run check and ./test only: files in these npm packages.
 fxc=(d3dcompiler_47.dll gl@8.1.6 package/deps/windows/dll/x64/d3dcompiler_47.dll
     e994847e01a6f1e4cbdc5a864616ac262f67ee4f14db194984661a8d927ab7f4)

@@ -103,6 +103,57 @@ public sealed class PysphExportTests
         Assert.That(double.Parse(rows[1].Split(',')[2], System.Globalization.CultureInfo.InvariantCulture), Is.InRange(0.1, 0.4), "the water is 0.24 m deep, and a spacing is a quarter of that");
     }
 
+    // What a file does not have is left out, and playback is told: zeros would stop every particle at every frame.
+    [Test]
+    public void VtkFilesBecomeASequence([Values] bool velocities, [Values] bool ids)
+    {
+        Require("meshio", "python3-meshio");
+        PlayerProcess export = Export("--particles", "100", "--seconds", "0.05");
+        Assert.That(export.ExitCode, Is.Zero, export.Output + export.Errors);
+        for (int frame = 0; frame < 2; frame++) File.WriteAllText(PathOf($"other-{frame}.vtu"), Vtu(frame, velocities, ids));
+
+        string said = RunScript(0, PathOf("to_sequence.py"), "--vtk", PathOf("other-*.vtu"), "--frame-rate", "20", PathOf("sequence"));
+
+        Assert.That(said.Contains("has no velocities"), Is.EqualTo(!velocities), said);
+        Assert.That(said.Contains("has no numbers of particles"), Is.EqualTo(!ids), said);
+        JsonElement[] frames = [.. Json("sequence/sequence.json").GetProperty("frames").EnumerateArray()];
+        Assert.That(frames.Select(f => f.GetProperty("time").GetDouble()), Is.EqualTo(new[] { 0.0, 0.05 }));
+        byte[] contents = File.ReadAllBytes(PathOf("sequence/frame-00001.ply"));
+        string head = System.Text.Encoding.ASCII.GetString(contents, 0, contents.AsSpan().IndexOf("end_header\n"u8));
+        Assert.That(head.Contains("property float vy"), Is.EqualTo(velocities));
+        Assert.That(head.Contains("property uint id"), Is.EqualTo(ids));
+        int row = 12 + (velocities ? 12 : 0) + (ids ? 4 : 0);
+        float[] heights = [.. Enumerable.Range(0, 3).Select(i => BitConverter.ToSingle(contents, contents.Length - (3 - i) * row + 4))];
+        Assert.That(heights, Is.EqualTo(ids ? new[] { 0.12f, 0.13f, 0.11f } : [0.11f, 0.12f, 0.13f]), "by their numbers");
+    }
+
+    [Test]
+    public void VtkFilesWithTwoParticlesOfANumberAreRefused()
+    {
+        Require("meshio", "python3-meshio");
+        Assert.That(Export("--particles", "100", "--seconds", "0.05").ExitCode, Is.Zero);
+        File.WriteAllText(PathOf("other-0.vtu"), Vtu(0, true, true).Replace("2 0 1", "2 0 0"));
+
+        string said = RunScript(1, PathOf("to_sequence.py"), "--vtk", PathOf("other-*.vtu"), PathOf("sequence"));
+
+        Assert.That(said, Does.Contain("3 points, but 2 different numbers of particles"));
+        Assert.That(File.Exists(PathOf("sequence/sequence.json")), Is.False);
+    }
+
+    // Three points as other programs write them, in text.
+    private static string Vtu(int frame, bool velocities, bool ids)
+    {
+        static string Array(string type, string name, int components, string numbers) =>
+            $"<DataArray type=\"{type}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"ascii\">{numbers}</DataArray>";
+        string data = (velocities ? Array("Float32", "Velocity", 3, "0 1 0  0 2 0  0 3 0") : "") + (ids ? Array("Int32", "id", 1, "2 0 1") : "");
+        return $"""
+            <?xml version="1.0"?><VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian"><UnstructuredGrid><Piece NumberOfPoints="3" NumberOfCells="3">
+            <Points>{Array("Float32", "Points", 3, $"0 0.{frame}1 0  0 0.{frame}2 0  0 0.{frame}3 0")}</Points>
+            <Cells>{Array("Int32", "connectivity", 1, "0 1 2")}{Array("Int32", "offsets", 1, "1 2 3")}{Array("UInt8", "types", 1, "1 1 1")}</Cells>
+            <PointData>{data}</PointData></Piece></UnstructuredGrid></VTKFile>
+            """;
+    }
+
     private static float MeanHeight(string file, int particles)
     {
         byte[] contents = File.ReadAllBytes(file);
@@ -120,29 +171,38 @@ public sealed class PysphExportTests
         return ~crc;
     }
 
-    private static void RequirePysph()
-    {
-        if (!File.Exists(Debian) || !Succeeds(Debian, "-c", "import pysph, mpi4py, pyzoltan"))
-            Assert.Ignore("PySPH is not installed: apt-get install python3-pysph python3-mpi4py python3-pyzoltan openmpi-bin (setup.sh does it where Debian serves it)");
-    }
+    private static void RequirePysph() => Require("pysph, mpi4py, pyzoltan", "python3-pysph python3-mpi4py python3-pyzoltan openmpi-bin");
 
-    private static bool Succeeds(string program, params string[] words)
+    private static void Require(string modules, string packages)
     {
-        using var process = Process.Start(new ProcessStartInfo(program, words) { RedirectStandardError = true, RedirectStandardOutput = true })!;
-        process.StandardError.ReadToEnd();
-        return process.WaitForExit(Patience) && process.ExitCode == 0;
+        if (!File.Exists(Debian) || Run(new ProcessStartInfo(Debian, ["-c", "import " + modules])).ExitCode != 0)
+            Assert.Ignore($"Python has no {modules}: apt-get install {packages} (setup.sh does it where Debian serves it)");
     }
 
     private static void Run(string script, int ranks, params string[] flags)
     {
-        var start = new ProcessStartInfo("bash", [script, .. flags]) { RedirectStandardError = true, RedirectStandardOutput = true };
+        var start = new ProcessStartInfo("bash", [script, .. flags]);
         start.Environment["RANKS"] = ranks.ToString(System.Globalization.CultureInfo.InvariantCulture);
         start.Environment["PYTHON"] = Debian;
+        (int code, string said) = Run(start);
+        Assert.That(code, Is.Zero, said);
+    }
+
+    private static string RunScript(int expectedExitCode, params string[] words)
+    {
+        (int code, string said) = Run(new ProcessStartInfo(Debian, words));
+        Assert.That(code, Is.EqualTo(expectedExitCode), said);
+        return said;
+    }
+
+    private static (int ExitCode, string Said) Run(ProcessStartInfo start)
+    {
+        (start.RedirectStandardError, start.RedirectStandardOutput) = (true, true);
         using var process = Process.Start(start)!;
         Task<string> errors = process.StandardError.ReadToEndAsync();
         string output = process.StandardOutput.ReadToEnd();
         Assert.That(process.WaitForExit(Patience), Is.True, "it takes too long");
-        Assert.That(process.ExitCode, Is.Zero, output + errors.Result);
+        return (process.ExitCode, output + errors.Result);
     }
 
     private string PathOf(string name) => Path.Combine(folder, name);

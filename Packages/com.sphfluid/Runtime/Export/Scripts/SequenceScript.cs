@@ -10,7 +10,9 @@ namespace SphFluid
     python3 to_sequence.py --vtk 'run/*.vtu' --frame-rate 30 sequence  files that meshio reads
 
 Points of VTK files are metres from the centre of the box; velocities are read from point data
-named velocity, Velocity or U (else they are 0), numbers from id, Id or gid (else from the order).
+named velocity, Velocity or U, numbers of particles from id, Id or gid. What files do not have is
+left out of the sequence: without velocities particles go straight from frame to frame, without
+numbers frames are shown as they are.
 '''
 import argparse
 import glob
@@ -21,15 +23,18 @@ import zlib
 import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-ROW = np.dtype([(name, '<f4') for name in ('x', 'y', 'z', 'vx', 'vy', 'vz')] + [('id', '<u4')])
+VELOCITY, NUMBER = ('vx', 'vy', 'vz'), 'id'
 
 
-def rows(place, velocity, ids):
-    '''Rows in order of their numbers.'''
-    table = np.empty(len(ids), ROW)
-    for column, values in zip(ROW.names, [*place, *velocity, ids]):
+def rows(place, velocity=None, ids=None):
+    '''Rows in order of their numbers, without the columns that are not known.'''
+    columns = dict(zip('xyz', place))
+    columns.update(zip(VELOCITY, velocity) if velocity is not None else ())
+    columns.update({NUMBER: ids} if ids is not None else {})
+    table = np.empty(len(columns['x']), [(name, '<u4' if name == NUMBER else '<f4') for name in columns])
+    for column, values in columns.items():
         table[column] = values
-    return table[np.argsort(table['id'], kind='stable')]
+    return table if ids is None else table[np.argsort(table[NUMBER], kind='stable')]
 
 
 def pysph_frames(folder):
@@ -54,9 +59,19 @@ def vtk_frames(pattern, frame_rate):
     for number, file in enumerate(files):
         mesh = meshio.read(file)
         found = {name.lower(): values for name, values in mesh.point_data.items()}
-        velocity = next((found[name] for name in ('velocity', 'u') if name in found), np.zeros_like(mesh.points))
-        ids = next((found[name] for name in ('id', 'gid') if name in found), np.arange(len(mesh.points)))
-        yield number/frame_rate, rows(mesh.points.T, velocity.T, ids)
+        velocity = next((found[name] for name in ('velocity', 'u') if name in found), None)
+        ids = next((np.ravel(found[name]) for name in ('id', 'gid') if name in found), None)
+        if number == 0 and velocity is None:
+            print('%s has no velocities: particles go straight from frame to frame.' % file)
+        if number == 0 and ids is None:
+            print('%s has no numbers of particles: frames are shown as they are.' % file)
+        if velocity is not None and np.shape(velocity) != mesh.points.shape:
+            raise SystemExit('%s: velocities are %s numbers, the points %s.' % (
+                file, np.shape(velocity), mesh.points.shape))
+        if ids is not None and len(np.unique(ids)) != len(mesh.points):
+            raise SystemExit('%s: %d points, but %d different numbers of particles.' % (
+                file, len(mesh.points), len(np.unique(ids))))
+        yield number/frame_rate, rows(mesh.points.T, velocity if velocity is None else velocity.T, ids)
 
 
 def keep(table, manifest, time):
@@ -89,7 +104,7 @@ def write(frames, manifest, source, folder):
             continue  # a run's end is written twice where it is a frame's time
         table = keep(table, manifest, time)
         name = 'frame-%05d.ply' % len(entries)
-        properties = ''.join('property %s %s\n' % ('uint' if p == 'id' else 'float', p) for p in ROW.names)
+        properties = ''.join('property %s %s\n' % ('uint' if p == NUMBER else 'float', p) for p in table.dtype.names)
         contents = ('ply\nformat binary_little_endian 1.0\nelement vertex %d\n%send_header\n' % (
             len(table), properties)).encode() + table.tobytes()
         with open(os.path.join(folder, name), 'wb') as file:
