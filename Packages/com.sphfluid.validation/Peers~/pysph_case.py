@@ -333,11 +333,12 @@ def write(path, names, *rows):
 def run(folder):
     with open(os.path.join(folder, 'case.json')) as file:
         case = json.load(file)
-    get_config().use_openmp = True
     begin = time.perf_counter()
     application = CASES[case['case']](folder, case)
-    arguments = ['--quiet', '--disable-output', '--loglevel', 'none', '--max-steps', str(case['mostSteps'])]
+    arguments = ['--openmp', '--quiet', '--disable-output', '--loglevel', 'none', '--max-steps', str(case['mostSteps'])]
     application.setup(arguments)
+    if not get_config().use_openmp:
+        raise SystemExit('PySPH would compute on one thread: its flag --openmp did nothing.')
     solver = application.solver
     set_up = time.perf_counter() - begin
     application.solve()
