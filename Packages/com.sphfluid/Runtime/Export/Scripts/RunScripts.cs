@@ -33,7 +33,7 @@ set -euo pipefail
 cd ""$SLURM_SUBMIT_DIR""
 rm -rf out # files of an earlier run would be taken for frames of this one
 export OMP_NUM_THREADS=$SLURM_CPUS_PER_TASK
-# Not srun: where it and MPI have no PMI in common, each process is a run of its own.
+# Not srun: it starts MPI only where both have a PMI in common.
 mpirun -n ""$SLURM_NTASKS"" ${PYTHON:-python3} case.py -d out
 ${PYTHON:-python3} to_sequence.py out sequence
 @READINGS@";
