@@ -27,6 +27,7 @@ static class EngineState
         Destruction.Clear();
         ScriptSchedule.Clear();
         CoroutineScheduler.Clear();
+        PlayableGraphs.Clear();
         SceneTable.Clear();
         PhysicsWorld.Clear();
         FrameClock.Reset();

@@ -34,6 +34,7 @@ static class PlaySession
         Application.SendQuitting();
         SceneTable.DestroyAll();
         Destruction.Clear();
+        PlayableGraphs.Clear();
         EngineState.IsPlaying = false;
     }
 }

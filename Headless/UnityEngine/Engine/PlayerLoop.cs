@@ -29,6 +29,7 @@ static class PlayerLoop
         ScriptSchedule.RunStarts();
         ScriptSchedule.RunInvokes();
         CoroutineScheduler.Run(WaitKind.NextFrame);
+        PlayableGraphs.Update();
         ScriptSchedule.LateUpdate();
         Destruction.Flush();
         Render();

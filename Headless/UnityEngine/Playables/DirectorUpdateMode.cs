@@ -1,0 +1,9 @@
+namespace UnityEngine.Playables;
+
+public enum DirectorUpdateMode
+{
+    DSPClock,
+    GameTime,
+    UnscaledGameTime,
+    Manual,
+}

@@ -1,0 +1,6 @@
+namespace UnityEngine.Playables;
+
+public interface IPlayable
+{
+    PlayableHandle GetHandle();
+}

@@ -1,0 +1,7 @@
+namespace UnityEngine.Playables;
+
+public enum PlayState
+{
+    Paused,
+    Playing,
+}
