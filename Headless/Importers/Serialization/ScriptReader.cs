@@ -87,6 +87,7 @@ public sealed class ScriptReader(IReferenceResolver references, Func<string, Ass
         if (node is YamlScalar scalar && (type.IsPrimitive || type.IsEnum || type == typeof(string))) return Scalars.Read(scalar, type, NameIn(where));
         if (type.IsPrimitive || type.IsEnum || type == typeof(string))
             return OtherKind(node, $"a {type.Name}", current, where);
+        if (type == typeof(PropertyName)) return node is YamlScalar name ? new PropertyName(name.Text) : OtherKind(node, "a name", current, where);
         if (node is YamlMap nested) return ReadNested(nested, type, current, place, depth + 1);
         return OtherKind(node, $"a {type.Name}", Absent(type, current, false, depth), where);
     }

@@ -27,7 +27,7 @@ public static class SerializationRules
     private static bool IsSingle(Type type)
     {
         if (type.IsPrimitive) return type != typeof(IntPtr) && type != typeof(UIntPtr);
-        if (type == typeof(string) || type.IsEnum || ValueReaders.Knows(type)) return true;
+        if (type == typeof(string) || type == typeof(PropertyName) || type.IsEnum || ValueReaders.Knows(type)) return true;
         if (typeof(UnityEngine.Object).IsAssignableFrom(type)) return true;
         if (type.IsAbstract || type.IsInterface || ElementType(type) is not null || type.IsArray) return false;
         return type.IsDefined(typeof(SerializableAttribute), false) && type.Namespace is not ("System" or "System.Collections.Generic");

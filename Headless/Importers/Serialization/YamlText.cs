@@ -26,6 +26,7 @@ internal static class YamlText
         float f => Of(f),
         double d => Of(d),
         string s => Of(s),
+        PropertyName n => Of(n.Name),
         char c => ((int)c).ToString(CultureInfo.InvariantCulture),
         Enum e => Convert.ToInt64(e, CultureInfo.InvariantCulture).ToString(CultureInfo.InvariantCulture),
         Vector2 v => Of(v),

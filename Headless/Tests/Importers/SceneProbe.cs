@@ -12,6 +12,7 @@ public sealed class SceneProbe : MonoBehaviour
     public SerializedSample? data;
     public Mesh? mesh;
     public TextAsset? text;
+    public ExposedReference<Transform> exposed;
 
     private void Awake() => Log.Add($"{name} awake, target {(target != null ? target.name : "none")}");
 

@@ -70,10 +70,12 @@ public sealed class SceneWriterTests : SceneFixture
         probe.prefab = Camera.main.gameObject;
         probe.text = AssetDatabase.LoadAssetAtPath<TextAsset>("Assets/Words.txt");
         probe.mesh = new Mesh { hideFlags = HideFlags.HideAndDontSave };
+        probe.exposed = new ExposedReference<Transform> { exposedName = "0123: a name", defaultValue = Camera.main.transform };
         probe.enabled = false;
         Reopen();
         probe = Object.FindObjectsByType<SceneProbe>(FindObjectsInactive.Include, FindObjectsSortMode.None).Single();
         Assert.That((probe.target, probe.prefab, probe.enabled), Is.EqualTo((Camera.main.transform, Camera.main.gameObject, false)));
+        Assert.That((probe.exposed.exposedName, probe.exposed.Resolve(null!)), Is.EqualTo((new PropertyName("0123: a name"), Camera.main.transform)));
         Assert.That(probe.text!.text, Is.EqualTo("words"));
         Assert.That(probe.mesh == null, "what is not to be saved");
     }

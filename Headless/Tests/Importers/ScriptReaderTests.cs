@@ -119,6 +119,19 @@ public sealed class ScriptReaderTests
         Assert.That(s.references, Is.EqualTo(new ScriptableObject?[] { other, null }));
     }
 
+    [TestCase("e4f0cf58ea8e6ce4ea3c8d7a1a1a4f3e")]
+    [TestCase("12345678")]
+    [TestCase("1e5")]
+    public void AnExposedReferenceHasANameAndADefault(string name)
+    {
+        SerializedSample s = Read($"exposed:\n  exposedName: {name}\n  defaultValue: {{fileID: 5}}\n");
+        Assert.That((s.exposed.exposedName, s.exposed.Resolve(null!)), Is.EqualTo((new PropertyName(name), other)));
+        s = Read("exposed:\n  exposedName: \n  defaultValue: {fileID: 0}\n");
+        Assert.That(PropertyName.IsNullOrEmpty(s.exposed.exposedName));
+        Assert.That(s.exposed.defaultValue == null);
+        Assert.That(reports, Is.Empty);
+    }
+
     [Test]
     public void ManagedReferences()
     {

@@ -47,6 +47,7 @@ public sealed class SerializedSample : ScriptableObject, ISerializationCallbackR
     public List<Section>? sections;
     public SerializedSample? reference;
     public List<ScriptableObject>? references;
+    public ExposedReference<SerializedSample> exposed;
     [SerializeReference] public IShape? shape;
     [SerializeReference] public List<IShape?>? shapes;
     [SerializeField] private int hidden;
