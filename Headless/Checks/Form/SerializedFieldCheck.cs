@@ -6,7 +6,7 @@ namespace Headless.Checks.Form;
 /// is held by the API check: a missing one is warning CS1591 there.)</summary>
 internal sealed class SerializedFieldCheck(ProjectPackages packages)
 {
-    private static readonly string[] unityBases = ["MonoBehaviour", "ScriptableObject"];
+    private static readonly string[] unityBases = ["MonoBehaviour", "ScriptableObject", "PlayableAsset"];
 
     public CheckReport Run()
     {

@@ -11,7 +11,7 @@ namespace Headless.Checks.Form;
 /// </summary>
 internal sealed class StrippingCheck(ProjectPackages packages)
 {
-    private static readonly string[] sceneTypes = ["MonoBehaviour", "ScriptableObject"];
+    private static readonly string[] sceneTypes = ["MonoBehaviour", "ScriptableObject", "PlayableAsset"];
 
     public CheckReport Run()
     {
