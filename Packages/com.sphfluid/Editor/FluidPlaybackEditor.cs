@@ -56,6 +56,7 @@ namespace SphFluid.Editor
             if (playback.Source.Length > 0) EditorGUILayout.LabelField("Made by", playback.Source);
             EditorGUILayout.LabelField("Memory", $"{playback.MemoryBytes / 1048576.0:0.0} MiB");
             if (playback.LeftOutParticles > 0) EditorGUILayout.LabelField("Left out", $"{playback.LeftOutParticles} particles");
+            if (playback.IsClockTaken) EditorGUILayout.LabelField("Time is set by", "a clip of a Timeline");
             if (playback.Clock != FluidPlaybackClock.SceneTime) return;
             if (GUILayout.Button(playback.IsPlaying ? "Pause" : "Play"))
             {

@@ -22,7 +22,7 @@ namespace SphFluid
         [SerializeField, Delayed, Tooltip("Folder of the particle files, absolute or from StreamingAssets: one with sequence.json, or with .ply files that are played in the order of their names.")]
         string folder = "";
 
-        [SerializeField, Tooltip("Time since the first frame in seconds. Past the end Loop decides. May be keyed by an animation or a Timeline, with Clock set to Manual.")]
+        [SerializeField, Tooltip("Time since the first frame in seconds. Past the end Loop decides. May be keyed by an animation, with Clock set to Manual; a Fluid Playback Clip of a Timeline sets it too.")]
         float time;
 
         [SerializeField, Tooltip("Scene Time: Time goes on by itself. Manual: an animation, a Timeline or a script sets it.")]
@@ -60,8 +60,8 @@ namespace SphFluid
         SequencePlayer player;
         PlaybackOptions opened;
         (PlaybackOptions options, DateTime written, SequencePlan plan) preview;
-        double playhead, before;
-        int direction = 1;
+        double playhead, before, takenRate;
+        int direction = 1, takers;
         bool isOpened, isPaused, seeks, stays, wasUnseen;
 
         /// <summary>Raised when a sequence that is not looped has come to its end, or backwards to its beginning.</summary>
@@ -73,8 +73,8 @@ namespace SphFluid
         /// <summary>Time since the first frame [s]; past the end <see cref="Loop"/> decides. Shown in the next LateUpdate, or held back until its frames are read.</summary>
         public float Time { get => time; set => time = value; }
 
-        /// <summary>Whether <see cref="Time"/> goes on by itself.</summary>
-        public FluidPlaybackClock Clock { get => clock; set => clock = value; }
+        /// <summary>Whether <see cref="Time"/> goes on by itself. Manual while a <see cref="FluidPlaybackClip"/> plays, and afterwards what it was set to.</summary>
+        public FluidPlaybackClock Clock { get => IsClockTaken ? FluidPlaybackClock.Manual : clock; set => clock = value; }
 
         /// <summary>Time of the sequence over the scene's; negative: backwards.</summary>
         public float Speed { get => speed; set => speed = value; }
@@ -107,7 +107,7 @@ namespace SphFluid
         public bool IsOpen => player != null;
 
         /// <summary>Whether time goes on by itself: not paused, not manual, and not at the end.</summary>
-        public bool IsPlaying => player != null && clock == FluidPlaybackClock.SceneTime && !isPaused && speed != 0f && !IsAtEnd;
+        public bool IsPlaying => player != null && Clock == FluidPlaybackClock.SceneTime && !isPaused && speed != 0f && !IsAtEnd;
 
         /// <summary>Whether a frame that is to be shown is not read yet, so that the last one stays.</summary>
         public bool IsBuffering => player != null && player.IsBuffering;
@@ -142,6 +142,12 @@ namespace SphFluid
         IFluidPlayback IFluidPlaybackSource.Playback => !enabled ? null : Application.isPlaying ? player : Preview();
 
         internal SequencePlayer Player => player;
+
+        /// <summary>Whether a clip of a Timeline sets the time.</summary>
+        internal bool IsClockTaken => takers > 0;
+
+        /// <summary>Time from the first frame to the last [s], in the Editor that of the folder when it was last looked at; 0 while it is not known.</summary>
+        internal double KnownDuration => (player?.Sequence ?? preview.plan?.Sequence)?.Duration ?? 0.0;
 
         PlaybackOptions Options => new PlaybackOptions
         {
@@ -181,6 +187,22 @@ namespace SphFluid
         {
             if (!isActiveAndEnabled || !Application.isPlaying) throw new InvalidOperationException($"'{name}' is disabled or not played, so no folder is opened. Enable it in play mode first.");
             return TryOpen();
+        }
+
+        /// <summary>From now on <see cref="Follow"/> sets the time, until each who took the clock has returned it.</summary>
+        internal void TakeClock() => takers++;
+
+        /// <summary>Lets time go on as <see cref="Clock"/> is set.</summary>
+        internal void ReturnClock() => takers--;
+
+        /// <summary>Sets the time to that of who took the clock.</summary>
+        /// <param name="to">Time since the first frame [s].</param>
+        /// <param name="rate">Time of the sequence over the scene's: faster steps than that are jumps.</param>
+        internal void Follow(double to, double rate)
+        {
+            time = (float)to;
+            playhead = to;
+            takenRate = rate;
         }
 
         void OnDisable() => Close();
@@ -231,10 +253,11 @@ namespace SphFluid
 
         void Show()
         {
+            double rate = IsClockTaken ? takenRate : speed;
             double duration = player.Sequence.Duration, wrapped = PlaybackTime.Wrap(playhead, duration, loop), now = PlaybackTime.Fold(playhead, duration, loop);
-            if (clock == FluidPlaybackClock.SceneTime) direction = speed < 0f == wrapped > duration ? 1 : -1;
+            if (Clock == FluidPlaybackClock.SceneTime) direction = speed < 0f == wrapped > duration ? 1 : -1;
             else if (now != before) direction = now > before ? 1 : -1;
-            bool isJump = seeks || now < before || now - before > Math.Max(LongestStep, MostFrames * UnityTime.deltaTime * Math.Abs((double)speed));
+            bool isJump = seeks || now < before || now - before > Math.Max(LongestStep, MostFrames * UnityTime.deltaTime * Math.Abs(rate));
             player.MoveTo(now, direction, loop, isJump, waitForFrames || UnityTime.captureDeltaTime > 0f);
             before = now;
             seeks = false;

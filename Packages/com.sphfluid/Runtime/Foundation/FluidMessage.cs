@@ -136,6 +136,9 @@ namespace SphFluid
 
         /// <summary>Particles of a sequence are outside of the domain, or not numbers, and are left out.</summary>
         PlaybackOutside,
+
+        /// <summary>A clip of a Timeline has no playback whose time it could set.</summary>
+        PlaybackClipUnbound,
     }
 
     /// <summary>One message to the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>

@@ -4,6 +4,8 @@ using NUnit.Framework;
 using SphFluid.Editor;
 using UnityEditor.SceneManagement;
 using UnityEngine;
+using UnityEngine.Playables;
+using UnityEngine.TestTools;
 
 namespace SphFluid.Tests
 {
@@ -82,6 +84,33 @@ namespace SphFluid.Tests
             playback.Folder = files.Folder;
             simulation.Method = method;
             Assert.That(Issues(), Is.Empty);
+        }
+
+        [Test]
+        public void AClipKnowsTheLengthAndChangesNothing()
+        {
+            Write(0.1f, 3);
+            playback.Folder = files.Folder;
+            FluidPlaybackClip clip = ScriptableObject.CreateInstance<FluidPlaybackClip>();
+            PlayableGraph graph = PlayableGraph.Create("Preview");
+            try
+            {
+                clip.CreatePlayable(graph, null);
+                Assert.That(clip.duration, Is.EqualTo(5.0), "a clip is without a playback when it is made, which nobody needs to hear of");
+                clip.Playback = new ExposedReference<FluidPlayback> { defaultValue = playback };
+                Playable playable = clip.CreatePlayable(graph, null);
+                Assert.That(clip.duration, Is.EqualTo(1.0));
+                ScriptPlayableOutput.Create(graph, "Track").SetSourcePlayable(playable);
+                playable.SetTime(0.5);
+                graph.Evaluate();
+                Assert.That((playback.Time, playback.Clock), Is.EqualTo((0f, FluidPlaybackClock.SceneTime)), "the scene would be changed by looking at it");
+            }
+            finally
+            {
+                graph.Destroy();
+                Object.DestroyImmediate(clip);
+            }
+            LogAssert.NoUnexpectedReceived();
         }
 
         [TestCase("/project/Assets/StreamingAssets/Floods/A", "Floods/A")]
