@@ -222,7 +222,7 @@ namespace SphFluid
         {
             Close();
             TryGetComponent(out simulation);
-            (opened, isOpened, playhead) = (Options, true, time);
+            (opened, isOpened) = (Options, true);
             seeks = stays = true;
             SequencePlan plan = SequencePlan.TryMake(opened, this, out FluidMessage? problem);
             if (plan != null) player = new SequencePlayer(plan, this, simulation.Report);

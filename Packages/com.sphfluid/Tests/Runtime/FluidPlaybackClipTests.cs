@@ -73,6 +73,22 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator AfterHoursTimesAreAsExactAsAtTheBeginning()
+        {
+            yield return First;
+            files.Write(new[] { 0.0, 8192.0, 8192.0 + Frame }, i => new[] { new FluidParticle(new Vector3(0.1f * i, 0f, 0f), new Vector3(0.1f / Frame, 0f, 0f), 5u) },
+                0.4f * Vector3.one, SimulationRig.Spacing);
+            Open();
+            Playable playable = Add(Clip());
+            foreach (double share in new[] { 0.3, 0.4, 0.61 })
+            {
+                ShowAt(playable, 8192.0 + share * Frame);
+                yield return null;
+                Assert.That(CentreX(), Is.EqualTo(0.1 + 0.1 * share).Within(1e-5), "a float has steps of a sixteenth here");
+            }
+        }
+
+        [UnityTest]
         public IEnumerator ItPlaysWithTheGamesTime()
         {
             yield return First;
@@ -128,6 +144,10 @@ namespace SphFluid.Tests
             else Assert.That(CentreX(), Is.GreaterThan(0.0515f), "it plays on");
             graph.Destroy();
             Assert.That(playback.Clock, Is.EqualTo(clock));
+            MakeGraph();
+            playable = Add(Clip());
+            ShowAt(playable, 60f * Frame);
+            Assert.That((playback.Clock, playback.Time), Is.EqualTo((FluidPlaybackClock.Manual, 60f * Frame)), "in another graph");
         }
 
         [UnityTest]
@@ -334,6 +354,8 @@ namespace SphFluid.Tests
             Assert.That(clip.duration, Is.EqualTo(5.0), "before a graph is made");
             Add(clip);
             Assert.That(clip.duration, Is.EqualTo(5.0), "before the sequence is open");
+            (clip.Start, clip.Speed) = (3f * Frame, -1f);
+            Assert.That(clip.duration, Is.EqualTo(5.0), "backwards");
             yield return null;
             foreach ((float start, float speed, double expected) in new[] { (0f, 1f, 8.0), (0f, 2f, 4.0), (2f, 0.5f, 12.0), (8f, -2f, 4.0), (3f, -1f, 3.0) })
             {
