@@ -19,7 +19,7 @@ namespace SphFluid
             var text = new StringBuilder();
             text.Append(choice.FitsBudget
                 ? Invariant($"{Name(choice.Pick)}, {Steps(choice.Pick)}: {Time(choice.Pick)} of the {choice.FrameBudget:0.##} ms allowed at {choice.FrameRate:0.#} frames a second.")
-                : Invariant($"{Name(choice.Pick)}, {Steps(choice.Pick)}: {Time(choice.Pick)}, more than the {choice.FrameBudget:0.##} ms allowed at {choice.FrameRate:0.#} frames a second. It is the cheapest way; the liquid keeps time, and frames take longer."));
+                : Invariant($"{Name(choice.Pick)}, {Steps(choice.Pick)}: {Time(choice.Pick)}, more than the {choice.FrameBudget:0.##} ms allowed at {choice.FrameRate:0.#} frames a second. No way is cheaper by more than a fifth; the liquid keeps time, and frames take longer."));
             int others = choice.FitsBudget ? choice.Rank : choice.Considered.Count;
             for (int i = 0; i < others; i++)
                 if (i != choice.Rank && Other(choice.Considered[i]) is string other) text.Append(' ').Append(other);

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>The rule by made-up costs: the first that fits, else the cheapest; a larger budget never picks one further down.</summary>
+    /// <summary>The rule by made-up costs: the first that fits, else the first about as cheap as the cheapest; of those that fit a larger budget never picks one further down.</summary>
     public sealed class MethodRuleTests
     {
         // As the profile asks 10 ms, softer 6 ms, fixed steps 4 ms.
@@ -25,6 +25,15 @@ namespace SphFluid.Tests
 
         [Test]
         public void OfEquallyCheapOnesTheMoreFaithful() => Assert.That(MethodRule.Pick(Of(5.0, 5.0, 5.0), 1.0), Is.Zero);
+
+        // Costs are good for some 25 per cent, which decides nothing where none fits.
+        [TestCase(1.0, 1)]
+        [TestCase(3.9, 1)]
+        [TestCase(4.0, 2)]
+        [TestCase(4.9, 2)]
+        [TestCase(5.0, 1)]
+        public void OfAboutEquallyCheapOnesTheMoreFaithfulUnlessOnlyAnotherFits(double budget, int expected) =>
+            Assert.That(MethodRule.Pick(Of(5.1, 5.0, 4.0), budget), Is.EqualTo(expected));
 
         [Test]
         public void WhatIsNotKnownIsNotPickedBeforeWhatIs()
