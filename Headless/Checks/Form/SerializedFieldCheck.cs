@@ -6,8 +6,6 @@ namespace Headless.Checks.Form;
 /// is held by the API check: a missing one is warning CS1591 there.)</summary>
 internal sealed class SerializedFieldCheck(ProjectPackages packages)
 {
-    private static readonly string[] unityBases = ["MonoBehaviour", "ScriptableObject", "PlayableAsset"];
-
     public CheckReport Run()
     {
         var report = new CheckReport("tooltips");
@@ -23,8 +21,7 @@ internal sealed class SerializedFieldCheck(ProjectPackages packages)
         return report;
     }
 
-    private static bool IsSerialized(TypeDeclarationSyntax type) =>
-        type.AttributeLists.Has("Serializable") || (type.BaseList?.Types.Any(b => unityBases.Contains(b.Type.ToString())) ?? false);
+    private static bool IsSerialized(TypeDeclarationSyntax type) => type.AttributeLists.Has("Serializable") || type.HasUnityBase();
 
     private static bool IsShown(FieldDeclarationSyntax field)
     {

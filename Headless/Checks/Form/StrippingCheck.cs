@@ -11,8 +11,6 @@ namespace Headless.Checks.Form;
 /// </summary>
 internal sealed class StrippingCheck(ProjectPackages packages)
 {
-    private static readonly string[] sceneTypes = ["MonoBehaviour", "ScriptableObject", "PlayableAsset"];
-
     public CheckReport Run()
     {
         var report = new CheckReport("code stripping");
@@ -23,7 +21,7 @@ internal sealed class StrippingCheck(ProjectPackages packages)
             var methods = roots.SelectMany(r => r.DescendantNodes().OfType<MethodDeclarationSyntax>()).ToList();
             if (!methods.Exists(m => m.AttributeLists.Has("RuntimeInitializeOnLoadMethod"))) continue;
             initialised++;
-            var inScenes = roots.Exists(r => r.DescendantNodes().OfType<ClassDeclarationSyntax>().Any(IsSceneType));
+            var inScenes = roots.Exists(r => r.DescendantNodes().OfType<ClassDeclarationSyntax>().Any(c => c.HasUnityBase()));
             var linked = roots.Exists(r => r.AttributeLists.Has("AlwaysLinkAssembly"));
             if (!inScenes && !linked)
                 report.Findings.Add($"{assembly.Name} is reached by [RuntimeInitializeOnLoadMethod] alone: players drop it without [assembly: AlwaysLinkAssembly]");
@@ -31,6 +29,4 @@ internal sealed class StrippingCheck(ProjectPackages packages)
         report.Figures = $"{initialised} assemblies with methods that run on load";
         return report;
     }
-
-    private static bool IsSceneType(ClassDeclarationSyntax type) => type.BaseList?.Types.Any(b => sceneTypes.Contains(b.Type.ToString())) ?? false;
 }
