@@ -59,9 +59,15 @@ namespace SphFluid
         {
             resolved = playback.Resolve(graph.GetResolver());
             ScriptPlayable<FluidPlaybackBehaviour> playable = ScriptPlayable<FluidPlaybackBehaviour>.Create(graph);
-            if (Application.isPlaying) playable.GetBehaviour().Begin(this, resolved);
-            else if (resolved != null) _ = ((IFluidPlaybackSource)resolved).Playback; // looks at the folder, for the duration
-            if (Application.isPlaying && resolved == null) Missing(owner).Log();
+            if (Application.isPlaying)
+            {
+                playable.GetBehaviour().Begin(this, resolved);
+                if (resolved == null) Missing(owner).Log();
+            }
+            else if (resolved != null)
+            {
+                _ = ((IFluidPlaybackSource)resolved).Playback; // looks at the folder, for the duration
+            }
             return playable;
         }
 
