@@ -19,7 +19,7 @@ namespace SphFluid.Tests
         }
 
         [TearDown]
-        public void RemoveFolder() => Directory.Delete(folder, true);
+        public void RemoveFolder() => TestFolder.Delete(folder);
 
         [Test]
         public void JsonHasArraysOfNumbers()

@@ -29,11 +29,7 @@ namespace SphFluid.Tests
         }
 
         [TearDown]
-        public void TearDown()
-        {
-            if (folder != null && Directory.Exists(folder))
-                Directory.Delete(folder, true);
-        }
+        public void TearDown() => TestFolder.Delete(folder);
 
         [UnityTest]
         public IEnumerator EveryRowHasItsSamples()

@@ -254,7 +254,7 @@ namespace SphFluid.Tests
         {
             string given = Environment.GetEnvironmentVariable("SPHFLUID_SAVE_FOLDER");
             int frames = int.Parse(Environment.GetEnvironmentVariable("SPHFLUID_SAVE_FRAMES") ?? "5", CultureInfo.InvariantCulture);
-            string folder = given ?? Path.Combine(Path.GetTempPath(), Path.GetRandomFileName());
+            string folder = given ?? TestFolder.Fresh();
             Directory.CreateDirectory(folder);
             if (!File.Exists(Path.Combine(folder, "hashes.txt"))) yield return SaveAndGoOn(folder, frames);
             else yield return RestoreAndCompare(folder, frames);
@@ -262,7 +262,7 @@ namespace SphFluid.Tests
             TearDown();
             SetUp();
             yield return RestoreAndCompare(folder, frames);
-            Directory.Delete(folder, true);
+            TestFolder.Delete(folder);
         }
 
         IEnumerator SaveAndGoOn(string folder, int frames)

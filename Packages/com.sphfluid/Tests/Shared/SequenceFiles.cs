@@ -13,12 +13,12 @@ namespace SphFluid.Tests
         public static readonly string[] AllProperties = { "float x", "float y", "float z", "float vx", "float vy", "float vz", "uint id" };
 
         /// <summary>An empty folder.</summary>
-        public string Folder { get; } = Directory.CreateDirectory(Path.Combine(Path.GetTempPath(), Path.GetRandomFileName())).FullName;
+        public string Folder { get; } = Directory.CreateDirectory(TestFolder.Fresh()).FullName;
 
         /// <summary>Path of a file in the folder.</summary>
         public string this[string name] => Path.Combine(Folder, name);
 
-        public void Dispose() => Directory.Delete(Folder, true);
+        public void Dispose() => TestFolder.Delete(Folder);
 
         /// <summary>A PLY file of particles.</summary>
         /// <param name="particles">The particles.</param>

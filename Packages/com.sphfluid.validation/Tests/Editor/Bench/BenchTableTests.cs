@@ -65,7 +65,7 @@ namespace SphFluid.Tests
             }
             finally
             {
-                Directory.Delete(folder, true);
+                TestFolder.Delete(folder);
             }
         }
 

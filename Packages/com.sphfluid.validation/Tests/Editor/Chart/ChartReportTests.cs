@@ -26,7 +26,7 @@ namespace SphFluid.Tests
         }
 
         [TearDown]
-        public void TearDown() => Directory.Delete(folder, true);
+        public void TearDown() => TestFolder.Delete(folder);
 
         static int IndexOfStandard => CaseMethod.All.ToList().FindIndex(m => m.Name == "standard");
 

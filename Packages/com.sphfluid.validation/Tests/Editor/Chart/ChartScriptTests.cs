@@ -19,7 +19,7 @@ namespace SphFluid.Tests
         }
 
         [TearDown]
-        public void TearDown() => Directory.Delete(folder, true);
+        public void TearDown() => TestFolder.Delete(folder);
 
         [Test]
         public void HasAPanelACaseAndWhatTheReaderNeeds()

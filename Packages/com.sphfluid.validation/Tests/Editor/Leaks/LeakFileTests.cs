@@ -14,12 +14,12 @@ namespace SphFluid.Tests
         [SetUp]
         public void MakeFolder()
         {
-            folder = Path.Combine(Path.GetTempPath(), "SphFluidLeaks" + System.Diagnostics.Process.GetCurrentProcess().Id);
+            folder = TestFolder.Fresh();
             Directory.CreateDirectory(folder);
         }
 
         [TearDown]
-        public void RemoveFolder() => Directory.Delete(folder, true);
+        public void RemoveFolder() => TestFolder.Delete(folder);
 
         [Test]
         public void ReadsFacesOfAnObjFile()

@@ -79,7 +79,7 @@ namespace SphFluid.Tests
         [Test]
         public void WritesALineForEachVariant()
         {
-            string folder = Path.Combine(Path.GetTempPath(), "SphFluidSurfaces" + System.Diagnostics.Process.GetCurrentProcess().Id);
+            string folder = TestFolder.Fresh();
             try
             {
                 var table = new ResultTable<SurfaceQuality>(SurfaceQuality.Format, folder, "a device");
@@ -95,7 +95,7 @@ namespace SphFluid.Tests
             }
             finally
             {
-                Directory.Delete(folder, true);
+                TestFolder.Delete(folder);
             }
         }
     }
