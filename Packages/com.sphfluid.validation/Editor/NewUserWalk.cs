@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using SphFluid.Editor;
 using UnityEditor;
 using UnityEditor.SceneManagement;
@@ -63,6 +64,6 @@ namespace SphFluid.Validation.Editor
             return saved && messages == 0;
         }
 
-        static IReadOnlyList<FluidSimulation> Liquids() => UnityEngine.Object.FindObjectsByType<FluidSimulation>(FindObjectsSortMode.None);
+        static IReadOnlyList<FluidSimulation> Liquids() => LoadedScenes.Find<FluidSimulation>().ToList();
     }
 }

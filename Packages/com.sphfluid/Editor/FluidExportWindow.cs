@@ -55,7 +55,8 @@ namespace SphFluid.Editor
         {
             lines.Clear();
             var options = new FluidExportOptions { Seconds = seconds, FrameRate = frameRate, Scheme = (FluidExportScheme)scheme, Ranks = ranks };
-            FluidSimulation[] simulations = FindObjectsByType<FluidSimulation>(FindObjectsSortMode.InstanceID).Where(s => s.isActiveAndEnabled).ToArray();
+            FluidSimulation[] simulations = SceneObjects.All<FluidSimulation>().Where(s => s.isActiveAndEnabled).ToArray();
+            Array.Sort(simulations, HierarchyOrder.Compare);
             if (simulations.Length == 0) lines.Add("No Fluid Simulation is enabled in the open scenes. Add one: GameObject > Fluid > Tank.");
             try
             {

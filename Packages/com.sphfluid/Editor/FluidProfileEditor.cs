@@ -34,7 +34,7 @@ namespace SphFluid.Editor
 
         /// <summary>Methods of the loaded simulations that use one of the profiles.</summary>
         internal static FluidMethodKind[] MethodsOf(IReadOnlyCollection<Object> profiles) =>
-            FindObjectsByType<FluidSimulation>(FindObjectsInactive.Include, FindObjectsSortMode.None)
+            SceneObjects.All<FluidSimulation>(FindObjectsInactive.Include)
                 .Where(s => s.Profile != null && profiles.Contains(s.Profile)).Select(s => s.ActiveMethod).Distinct().ToArray();
 
         /// <summary>Fields that none of the methods reads, in the order of the list of methods; none where no method is in use.</summary>

@@ -27,7 +27,7 @@ namespace SphFluid.Editor
         public static void ValidateScenes()
         {
             int simulations = 0, messages = 0;
-            foreach (FluidSimulation simulation in Object.FindObjectsByType<FluidSimulation>(FindObjectsSortMode.None))
+            foreach (FluidSimulation simulation in SceneObjects.All<FluidSimulation>())
             {
                 simulations++;
                 foreach (FluidMessage message in simulation.Validate())

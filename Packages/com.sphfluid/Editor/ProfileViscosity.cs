@@ -35,7 +35,7 @@ namespace SphFluid.Editor
         /// <summary>A line for each simulation of the loaded scenes that uses the profile.</summary>
         internal static string Find(FluidProfile profile)
         {
-            FluidSimulation[] users = UnityEngine.Object.FindObjectsByType<FluidSimulation>(FindObjectsInactive.Include, FindObjectsSortMode.None)
+            FluidSimulation[] users = SceneObjects.All<FluidSimulation>(FindObjectsInactive.Include)
                 .Where(s => s.Profile == profile).OrderBy(s => s.name, StringComparer.Ordinal).ToArray();
             if (users.Length == 0) return ViscosityText.Unused(profile);
             List<string> lines = users.Take(MostLines).Select(Line).ToList();

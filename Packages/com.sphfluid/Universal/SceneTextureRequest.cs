@@ -15,8 +15,8 @@ namespace SphFluid
             ConfigureInput(ScriptableRenderPassInput.Color | ScriptableRenderPassInput.Depth);
         }
 
-        // From 6000.3 on, without the render graph only where a project asks for it.
-#if !UNITY_6000_3_OR_NEWER || URP_COMPATIBILITY_MODE
+        // In 6000.3 without the render graph only where a project asks for it; from 6000.4 on never, whatever define is left over.
+#if !UNITY_6000_3_OR_NEWER || (URP_COMPATIBILITY_MODE && !UNITY_6000_4_OR_NEWER)
 #pragma warning disable CS0672 // the base is marked obsolete from 6000.0 on, and called all the same in compatibility mode
         public override void Execute(ScriptableRenderContext context, ref RenderingData renderingData)
         {

@@ -44,7 +44,7 @@ namespace SphFluid.Validation
         public static void WriteOpenScene(ExportArguments arguments, Action<string, int> fail)
         {
             var export = new ExportPlay(arguments, fail);
-            FluidSimulation[] simulations = UnityEngine.Object.FindObjectsByType<FluidSimulation>(FindObjectsSortMode.InstanceID);
+            FluidSimulation[] simulations = LoadedScenes.Find<FluidSimulation>().ToArray();
             if (!export.TryPrepare(simulations))
                 return;
             FluidExport[] exports = simulations.Select(s => FluidExport.Begin(s, export.Options)).ToArray();

@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using UnityEngine;
-using Object = UnityEngine.Object;
 
 namespace SphFluid.Validation
 {
@@ -71,14 +71,8 @@ namespace SphFluid.Validation
         }
 
         /// <summary>The components that show a simulation, disabled ones too.</summary>
-        public static IEnumerable<FluidView> ViewsOf(FluidSimulation simulation)
-        {
-            foreach (FluidView view in Object.FindObjectsByType<FluidView>(FindObjectsInactive.Include, FindObjectsSortMode.InstanceID))
-            {
-                if (view.Simulation == simulation)
-                    yield return view;
-            }
-        }
+        public static IEnumerable<FluidView> ViewsOf(FluidSimulation simulation) =>
+            LoadedScenes.Find<FluidView>(includeInactive: true).Where(v => v.Simulation == simulation);
 
         // Before a lattice is made: one of far too many sites would take minutes.
         static void SetParticles(FluidSimulation simulation, int count)

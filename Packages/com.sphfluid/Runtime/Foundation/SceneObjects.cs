@@ -19,11 +19,19 @@ namespace SphFluid
         /// </summary>
         public static T[] Find<T>(Component near) where T : Component
         {
-            if (near == null) return UnityEngine.Object.FindObjectsByType<T>(FindObjectsSortMode.None);
+            if (near == null) return All<T>();
             if (IsPrefabAsset(near)) return near.transform.root.GetComponentsInChildren<T>(true);
             Scene scene = near.gameObject.scene;
-            return IsLoaded(scene) ? UnityEngine.Object.FindObjectsByType<T>(FindObjectsSortMode.None) : FindIn<T>(scene);
+            return IsLoaded(scene) ? All<T>() : FindIn<T>(scene);
         }
+
+        /// <summary>Components of the loaded scenes in no order: sort by <see cref="HierarchyOrder"/> what hangs on one.</summary>
+        public static T[] All<T>(FindObjectsInactive inactive = FindObjectsInactive.Exclude) where T : Component =>
+#if UNITY_6000_4_OR_NEWER
+            UnityEngine.Object.FindObjectsByType<T>(inactive);
+#else
+            UnityEngine.Object.FindObjectsByType<T>(inactive, FindObjectsSortMode.None);
+#endif
 
         static bool IsLoaded(Scene scene)
         {

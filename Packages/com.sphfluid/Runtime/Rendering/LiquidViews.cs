@@ -93,7 +93,7 @@ namespace SphFluid
         // Shadows run on along a directional light without end. What other lights reach counts as seen.
         static bool IsShadowSeen(in ViewVolume volume, Bounds bounds)
         {
-            foreach (Light light in Object.FindObjectsByType<Light>(FindObjectsSortMode.None))
+            foreach (Light light in SceneObjects.All<Light>())
             {
                 if (!light.isActiveAndEnabled || light.shadows == LightShadows.None)
                     continue;
@@ -109,7 +109,7 @@ namespace SphFluid
         // Probes that are drawn while playing do not announce their cameras in every render pipeline.
         static bool IsMirrored(int layer)
         {
-            foreach (ReflectionProbe probe in Object.FindObjectsByType<ReflectionProbe>(FindObjectsSortMode.None))
+            foreach (ReflectionProbe probe in SceneObjects.All<ReflectionProbe>())
             {
                 if (probe.isActiveAndEnabled && probe.mode == ReflectionProbeMode.Realtime && (probe.cullingMask & (1 << layer)) != 0)
                     return true;

@@ -101,11 +101,10 @@ namespace SphFluid
         {
             Light found = null;
             float most = 0f;
-            foreach (Light light in Object.FindObjectsByType<Light>(FindObjectsSortMode.None))
+            foreach (Light light in SceneObjects.All<Light>())
             {
                 float brightness = light.intensity * light.color.maxColorComponent;
-                bool older = found == null || light.GetInstanceID() < found.GetInstanceID();
-                if (!IsUsable(light) || brightness < most || (brightness == most && !older))
+                if (!IsUsable(light) || brightness < most || (brightness == most && found != null && HierarchyOrder.Compare(light, found) > 0))
                     continue;
                 found = light;
                 most = brightness;

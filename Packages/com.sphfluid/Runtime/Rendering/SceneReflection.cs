@@ -57,7 +57,7 @@ namespace SphFluid
         static ReflectionProbe Find(Vector3 point)
         {
             ReflectionProbe best = null;
-            foreach (ReflectionProbe candidate in Object.FindObjectsByType<ReflectionProbe>(FindObjectsSortMode.InstanceID))
+            foreach (ReflectionProbe candidate in SceneObjects.All<ReflectionProbe>())
             {
                 if (Holds(candidate, point) && (best == null || IsBetter(candidate, best)))
                     best = candidate;
@@ -68,7 +68,12 @@ namespace SphFluid
         static bool Holds(ReflectionProbe candidate, Vector3 point) =>
             candidate.isActiveAndEnabled && candidate.texture != null && candidate.bounds.Contains(point);
 
-        static bool IsBetter(ReflectionProbe a, ReflectionProbe b) =>
-            a.importance > b.importance || (a.importance == b.importance && a.bounds.size.sqrMagnitude < b.bounds.size.sqrMagnitude);
+        static bool IsBetter(ReflectionProbe a, ReflectionProbe b)
+        {
+            if (a.importance != b.importance)
+                return a.importance > b.importance;
+            int bySize = a.bounds.size.sqrMagnitude.CompareTo(b.bounds.size.sqrMagnitude);
+            return bySize < 0 || (bySize == 0 && HierarchyOrder.Compare(a, b) < 0);
+        }
     }
 }

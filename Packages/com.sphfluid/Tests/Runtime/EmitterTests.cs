@@ -396,7 +396,7 @@ namespace SphFluid.Tests
             Assert.That(simulation.ParticleCount, Is.EqualTo(64));
             Assert.That(() => simulation.AddLiquid(Vector3.zero, Vector3.one, Quaternion.identity), Throws.InvalidOperationException);
             LogAssert.Expect(LogType.Error, new System.Text.RegularExpressions.Regex("holds no liquid"));
-            foreach (FluidVolume volume in Object.FindObjectsByType<FluidVolume>(FindObjectsSortMode.None)) volume.enabled = false;
+            foreach (FluidVolume volume in SceneObjects.All<FluidVolume>()) volume.enabled = false;
             LogAssert.Expect(LogType.Warning, new System.Text.RegularExpressions.Regex("fixed number of particles"));
             Assert.That(simulation.ResetSimulation(), Is.False, "it does not start in silence without any");
         }

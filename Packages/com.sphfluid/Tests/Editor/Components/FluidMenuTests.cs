@@ -141,7 +141,7 @@ namespace SphFluid.Tests
             FluidSimulation simulation = Only<FluidSimulation>();
             CheckEmitter(simulation);
             Assert.That(Bottom(simulation), Is.GreaterThanOrEqualTo(0f));
-            Assert.That(Object.FindObjectsByType<FluidVolume>(FindObjectsSortMode.None), Is.Empty);
+            Assert.That(SceneObjects.All<FluidVolume>(), Is.Empty);
         }
 
         [Test]
@@ -183,7 +183,7 @@ namespace SphFluid.Tests
         static GameObject[] Roots() => SceneManager.GetActiveScene().GetRootGameObjects();
 
         static T Only<T>(string name = null) where T : Component =>
-            Object.FindObjectsByType<T>(FindObjectsSortMode.None).Single(c => name == null || c.name == name);
+            SceneObjects.All<T>().Single(c => name == null || c.name == name);
 
         static float Bottom(FluidSimulation simulation) => simulation.transform.position.y - 0.5f * simulation.DomainSize.y;
 

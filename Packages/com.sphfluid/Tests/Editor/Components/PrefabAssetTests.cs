@@ -78,7 +78,7 @@ namespace SphFluid.Tests
         public void AnOpenPrefabIsCheckedLikeAScene()
         {
             FluidSimulation opened = Open().GetComponent<FluidSimulation>();
-            Assert.That(Object.FindObjectsByType<FluidSimulation>(FindObjectsSortMode.None), Has.No.Member(opened));
+            Assert.That(SceneObjects.All<FluidSimulation>(), Has.No.Member(opened));
             Assert.That(opened.Validate().Select(m => m.ToString()), Is.Empty);
             Assert.That(FluidScene.FindVolumes(opened).Select(v => v.name), Is.EqualTo(new[] { "Liquid" }));
             Assert.That(ViewRules.Check(opened), Is.Null);

@@ -52,6 +52,17 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void OfEquallyBrightLightsTheFirstInTheHierarchyCounts()
+        {
+            NewLight(LightType.Directional, 20f, Quaternion.Euler(90f, 0f, 0f));
+            Light later = NewLight(LightType.Directional, 20f, Quaternion.Euler(0f, 90f, 0f));
+            Assert.Less(Vector3.Distance(Vector3.up, Apply().GetVector("_FluidLightDirection")), 1e-5f);
+
+            later.transform.SetAsFirstSibling();
+            Assert.Less(Vector3.Distance(Vector3.left, Apply().GetVector("_FluidLightDirection")), 1e-5f, "whichever was made first");
+        }
+
+        [Test]
         public void SunOfTheLightingSettingsComesFirst()
         {
             NewLight(LightType.Directional, 20f, Quaternion.identity);

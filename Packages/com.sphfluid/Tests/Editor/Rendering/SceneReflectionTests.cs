@@ -52,6 +52,16 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void OfEqualProbesTheFirstInTheHierarchyIsTaken()
+        {
+            NewProbe(map, Vector3.zero, 4f, 0);
+            ReflectionProbe later = NewProbe(other, Vector3.zero, 4f, 0);
+            Assert.AreSame(map, Apply(1f).GetTexture("_FluidReflectionMap"));
+            later.transform.SetAsFirstSibling();
+            Assert.AreSame(other, Apply(1f).GetTexture("_FluidReflectionMap"), "whichever was made first");
+        }
+
+        [Test]
         public void SkyIsTakenWhereNoProbeIs()
         {
             NewProbe(other, new Vector3(5f, 0f, 0f), 2f, 0);
