@@ -106,11 +106,25 @@ float UnpairedFaces(float2 screen)
     return _FluidThickness.SampleLevel(sampler_PointClamp, ThicknessPlace(screen), 0.0).y;
 }
 
-// Where the nearest layer of water ends, metres along the camera's axis; negative where there is none.
+// What a texel of the thickness picture tells of the nearest layer's end, metres along the camera's axis; negative where there is no layer.
+float FirstLayerEndOf(float4 thickness)
+{
+    return thickness.w > -999.0 ? WaterEyeDepth(FluidWorldPosition(0.0)) - thickness.w : -1.0;
+}
+
 float FirstLayerEnd(float2 screen)
 {
-    float nearest = _FluidThickness.SampleLevel(sampler_PointClamp, ThicknessPlace(screen), 0.0).w;
-    return nearest > -999.0 ? WaterEyeDepth(FluidWorldPosition(0.0)) - nearest : -1.0;
+    return FirstLayerEndOf(_FluidThickness.SampleLevel(sampler_PointClamp, ThicknessPlace(screen), 0.0));
+}
+
+// Where the nearest layer begins and ends, metres along the camera's axis. Before further layers it begins at or behind the place that is told, which
+// holds the water of them all; where faces lack partners that place is the camera. Worked example: a film from 1.90 to 1.91 m gives (1.90, 1.91),
+// with a layer from 2.5 to 2.6 m behind it (1.80, 1.91).
+float2 FirstLayerSpan(float2 screen)
+{
+    float4 thickness = _FluidThickness.SampleLevel(sampler_PointClamp, ThicknessPlace(screen), 0.0);
+    float end = FirstLayerEndOf(thickness);
+    return float2(abs(thickness.y) < 0.5 ? end - thickness.x : 0.0, end);
 }
 
 // Whether a camera in the water sees a point of the picture that lies beyond the water's surface. The picture of the scene that the water refracts

@@ -40,15 +40,17 @@ DomainExit LeaveDomain(float3 world, float3 direction)
     return exit;
 }
 
-// Whether a point of a line lies before the end of the nearest layer as lines of sight have it; a little behind counts as well.
+// Whether a point of a line lies in the nearest layer as lines of sight have it; a little beside it counts as well.
 bool IsInLayer(WaterRay ray, float metres)
 {
     float2 screen = RayScreen(ray, metres);
-    return all(screen == saturate(screen)) && ray.front + ray.depthStep * metres < FirstLayerEnd(screen) + 0.5 * _MCCellSize.x;
+    float depth = ray.front + ray.depthStep * metres;
+    float2 span = FirstLayerSpan(screen) + float2(-0.5, 0.5) * _MCCellSize.x;
+    return all(screen == saturate(screen)) && depth > span.x && depth < span.y;
 }
 
-// How far a line runs in the nearest layer, whose thickness is known along lines of sight: ever longer steps go on while they stay in it, the last one
-// is halved, and what the thickness is there ends the line. Without steps, and where the layer has no far face, it is as long as the line of sight.
+// How far a line runs in the nearest layer, whose faces are known along lines of sight: ever longer steps go on while they stay in it, the last one
+// is halved, and the layer's far face there ends the line. Without steps, and where the layer has no far face, it is as long as "straight".
 float LayerLength(WaterRay ray, float straight, float toWall)
 {
     uint tries = (uint)_FluidRefractionSteps.x / 3u;
@@ -137,7 +139,7 @@ SeenThrough SeeThrough(float3 world, float3 view, float3 normal, float alongAxis
             float reach = LeaveDomain(mirrored.start, mirrored.direction).metres;
             MarchEnd second = March(mirrored, reach, 0.0, (uint)_FluidRefractionSteps.x);
             seen.screen = RayScreen(mirrored, second.metres);
-            seen.path = longest + second.metres;
+            seen.path = longest + min(second.metres, LayerLength(mirrored, 0.0, reach));
         }
         else if (GapBehind(ray, longest) > 2e-3 * ray.front)
         {

@@ -127,6 +127,33 @@ namespace SphFluid.Tests
             Assert.AreEqual(0.5f - 0.25f / (2f * WaterRig.HalfWidth), seen.r / Passing, 0.012f);
         }
 
+        // A film of 5 mm on a pane of a tank full of air, whose bumps let light graze the pane: what the pane mirrors has gone through the film
+        // twice, not through the tank.
+        [Test]
+        public void AFilmOnAPaneIsClear([Values] FluidWaterQuality quality, [Values(0.2f, 0.35f, 0.5f, 0.8f)] float bump)
+        {
+            rig.Look.Quality = quality;
+            rig.Look.Visibility = 8f;
+            rig.Look.ColorAtOneMetre = new Color(0.3f, 0.6f, 0.8f);
+            rig.ReplaceScene((x, y) => Color.white);
+            rig.Domain = new Bounds(Vector3.zero, Vector3.one);
+            rig.Eye = new Vector3(-1f, 0f, -2f);
+            rig.Surface = new UploadedSurface()
+                .Quad(new Vector3(0.495f, 0f, 0f), Vector3.up * 0.5f, Vector3.back * 0.5f, new Vector3(-Mathf.Cos(bump), 0f, -Mathf.Sin(bump)))
+                .Quad(new Vector3(0.5f, 0f, 0f), Vector3.back * 0.5f, Vector3.up * 0.5f, Vector3.right);
+            Color[] clear = rig.Render(block => block.SetVector("_FluidExtinction", Vector4.zero));
+            Color[] film = rig.Render();
+            int seen = 0;
+            for (int i = 0; i < film.Length; i++)
+            {
+                if (clear[i].a < 0.5f || clear[i].r < 0.1f)
+                    continue;
+                seen++;
+                Assert.Greater(film[i].r, 0.9f * clear[i].r, $"pixel {i % Size}, {i / Size}");
+            }
+            Assert.Greater(seen, 200, "pixels of the film");
+        }
+
         static void AssertShifted(float metres, Color seen) =>
             Assert.AreEqual(PlaceAt(Size / 2) - metres * Mathf.Sin(Turned) / (2f * WaterRig.HalfWidth), seen.r / Passing, 0.006f, "to the left");
 
