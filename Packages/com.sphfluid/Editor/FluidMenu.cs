@@ -15,7 +15,7 @@ namespace SphFluid.Editor
         const float TankEdge = 0.03f; // m: more than the spacing, so that the floor below is no wall that the liquid tests against
 
         static readonly Vector3 CubicMetre = new Vector3(1f, 1f, 1f);
-        static readonly Vector3 TankSize = new Vector3(1.6f, 0.9f, 0.8f); // m: about 15,000 particles
+        static readonly Vector3 TankSize = new Vector3(1.6f, 0.9f, 0.8f); // m: about 16,000 particles
 
         /// <summary>A glass tank with a block of water in a third of it.</summary>
         /// <param name="command">Where the menu was opened; its object becomes the parent.</param>

@@ -4,7 +4,7 @@ namespace SphFluid
 {
     /// <summary>
     /// A place where liquid leaves: this object's Box, Sphere or Capsule Collider, or without one a box of a size. Make the collider a trigger, or
-    /// the liquid collides with it. Thicker than the liquid goes between two sorts, about half a particle spacing. Method Standard.
+    /// the liquid collides with it. Thicker than the liquid goes between two sorts, about half a particle spacing. Methods Standard and Robust.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Drain")]
     [ManualPage("pouring", "drain")]

@@ -4,7 +4,7 @@ namespace SphFluid
 {
     /// <summary>
     /// A nozzle from which liquid flows along this transform's forward axis, in layers of particles that keep their distance: liquid of the
-    /// rest density leaves with the speed of the nozzle, to which the nozzle's own motion is added. Method Standard.
+    /// rest density leaves with the speed of the nozzle, to which the nozzle's own motion is added. Methods Standard and Robust.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Emitter")]
     [ManualPage("pouring", "pour")]

@@ -5,7 +5,7 @@ namespace SphFluid
 {
     /// <summary>
     /// A part of space in which liquid is pushed or dragged, whatever else acts on it. The force rises from the zone's surface inwards over one
-    /// support radius, as a step in force would make sound: a zone thinner than two never has its full strength. Method Standard.
+    /// support radius, as a step in force would make sound: a zone thinner than two never has its full strength. Methods Standard and Robust.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Force Zone")]
     [ManualPage("force-zones")]

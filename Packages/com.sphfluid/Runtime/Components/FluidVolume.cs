@@ -5,7 +5,7 @@ namespace SphFluid
     /// <summary>
     /// Liquid at the start: a box, a sphere or a mesh, moved, turned and scaled with this transform, or the hollow of the colliders
     /// round it. A simulation may have several; where they overlap, liquid is filled once and the first in the hierarchy gives the
-    /// velocity. Enabled while the liquid runs, a volume adds its liquid then (method Standard), where there is a place for it. Moved or changed while the liquid runs, a volume moves no liquid; disabled, it takes none away.
+    /// velocity. Enabled while the liquid runs, a volume adds its liquid then (methods Standard and Robust), where there is a place for it. Moved or changed while the liquid runs, a volume moves no liquid; disabled, it takes none away.
     /// </summary>
     [AddComponentMenu("SPH Fluid/Fluid Volume")]
     [ManualPage("filling", "add-liquid")]

@@ -164,7 +164,7 @@ namespace SphFluid
         /// <exception cref="InvalidOperationException">The method's number of particles is fixed.</exception>
         internal ParticleExchange Exchange => recorder.Exchange ??= stepper is IExchangingStepper exchanging
             ? new ParticleExchange(state, exchanging, particles.NextId)
-            : throw new InvalidOperationException($"The method {Kind} has a fixed number of particles: nothing is born or drained. Use the method Standard.");
+            : throw new InvalidOperationException($"The method {Kind} has a fixed number of particles: nothing is born or drained. Use the method Standard or Robust.");
 
         internal IFluidStepper Stepper => stepper;
 
@@ -212,7 +212,7 @@ namespace SphFluid
             recorder.Forget();
         }
 
-        /// <summary>Gives the solver force zones; the caller keeps them alive and disposes them. Method Standard only, others leave them out.</summary>
+        /// <summary>Gives the solver force zones; the caller keeps them alive and disposes them. Methods without force zones leave them out.</summary>
         internal void SetZones(ForceZones zones)
         {
             ThrowIfDisposed();

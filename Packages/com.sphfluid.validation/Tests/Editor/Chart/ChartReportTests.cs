@@ -134,6 +134,27 @@ namespace SphFluid.Tests
             Assert.That(() => ReportPage.Load().Fill(places.ToDictionary(p => p, p => "")), Throws.ArgumentException.With.Message.Contains("no place for 'surplus'"));
         }
 
+        // The page darkens and lightens the chart's colours for its two backgrounds; a method's hue stays.
+        [Test]
+        public void APageHasTheHuesOfTheChart()
+        {
+            string page = Html(Report("device", new FlatCase("one")));
+            MatchCollection colours = Regex.Matches(page, "--method-(\\d): (#[0-9a-f]{6});");
+            Assert.That(colours.Count, Is.GreaterThanOrEqualTo(2 * CaseMethod.All.Count), "a colour a method in light and in dark");
+            foreach (Match colour in colours)
+            {
+                float hue = Hue(colour.Groups[2].Value), chart = Hue(ChartStyle.Colour(int.Parse(colour.Groups[1].Value)).Split('\'')[1]);
+                Assert.That(Mathf.Abs(Mathf.DeltaAngle(360f * hue, 360f * chart)), Is.LessThan(20f), colour.Value);
+            }
+        }
+
+        static float Hue(string colour)
+        {
+            int rgb = Convert.ToInt32(colour.Substring(1), 16);
+            Color.RGBToHSV(new Color32((byte)(rgb >> 16), (byte)(rgb >> 8), (byte)rgb, 255), out float hue, out _, out _);
+            return hue;
+        }
+
         ChartReport Report(string device, params ValidationCase[] cases) => Report(device, cases, "energy grew");
 
         ChartReport Report(string device, ValidationCase[] cases, string reason)
