@@ -40,9 +40,13 @@ internal sealed class EngineSession : IDisposable
         return new EngineSession(opened, scripts) { Assemblies = loaded };
     }
 
-    /// <summary>Prints what the validation layer found, and accesses outside buffers that were checked; true when there are none.</summary>
+    /// <summary>
+    /// Prints the buffers that nobody released, what the validation layer found, and accesses outside buffers that were checked; true when
+    /// there are none of the latter two.
+    /// </summary>
     public static bool ReportValidation()
     {
+        GraphicsDevice.FindLeaks();
         IReadOnlyList<string> messages = GraphicsDevice.Device.ValidationMessages;
         foreach (string message in messages.Distinct()) Console.Error.WriteLine("[Validation] " + message);
         if (messages.Count > 0) Console.Error.WriteLine(Message.Of($"the validation layers had {messages.Count} message(s)."));

@@ -53,16 +53,22 @@ internal sealed class ModuleEditor(SpirVIndex index)
         Module.Instructions.Insert(index.FirstType(), new SpirVInstruction(SpirVOp.Decorate, operands));
 
     /// <summary>The input variable of a built-in; one is added, and named at the entry point, where there is none.</summary>
-    public uint BuiltInInput(uint builtIn)
+    public uint BuiltInInput(uint builtIn) => BuiltInInput(builtIn, UInt, out _);
+
+    /// <param name="type">Type of the one that is added.</param>
+    /// <param name="found">Type of the one that there is.</param>
+    public uint BuiltInInput(uint builtIn, uint type, out uint found)
     {
         foreach (SpirVInstruction variable in index.Variables)
         {
             if ((SpirVStorage)variable[2] == SpirVStorage.Input && index.Find(variable[1], SpirVDecoration.BuiltIn)?[2] == builtIn)
             {
+                found = index.Pointee(variable);
                 return variable[1];
             }
         }
-        uint id = Variable(SpirVStorage.Input, UInt);
+        found = type;
+        uint id = Variable(SpirVStorage.Input, type);
         Decorate(id, (uint)SpirVDecoration.BuiltIn, builtIn);
         SpirVInstruction entry = Entry;
         entry.Operands = [.. entry.Operands, id];

@@ -33,6 +33,7 @@ public sealed class SamplePlayTests
             "--executeMethod", "SphFluid.Validation.CommandLine.Play", "--scene", $"Packages/com.sphfluid/Samples~/{sample}/{sample}.unity", "--size", "160x90", "--fps", "30",
             "--seconds", seconds.ToString(System.Globalization.CultureInfo.InvariantCulture), "--out", output);
         if (run.ExitCode != 0) Assert.Fail(run.Output + run.Errors);
+        Assert.That(run.Output + run.Errors, Does.Not.Contain("GarbageCollector disposing"), "a buffer that nobody released");
         using JsonDocument summary = JsonDocument.Parse(File.ReadAllText(Path.Combine(output, "summary.json")));
         Assert.That(summary.RootElement.GetProperty("errors").GetInt32(), Is.Zero);
         Assert.That(Particles(summary.RootElement), Is.GreaterThan(leastParticles));

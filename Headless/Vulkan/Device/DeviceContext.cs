@@ -70,9 +70,15 @@ internal sealed unsafe class DeviceContext : IDisposable
         }
     }
 
-    /// <summary>The shader as it runs: with poisoned groupshared memory and checked indices where the device is to have them.</summary>
+    /// <summary>Whether the device is a rasterizer that runs on the CPU.</summary>
+    public bool OnProcessor => Adapter.Type == "Cpu";
+
+    /// <summary>
+    /// The shader as it runs: compiled once on a CPU, and with poisoned groupshared memory and checked indices where the device is to have them.
+    /// </summary>
     public ShaderBinary Instrument(ShaderBinary shader)
     {
+        shader = OnProcessor ? ConstantConditions.Apply(shader) : shader;
         shader = Bounds is null ? shader : BoundsCheck.Apply(shader, Bounds.Register);
         return Poisons ? SharedMemoryPoison.Apply(shader) : shader;
     }

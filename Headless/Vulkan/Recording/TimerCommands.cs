@@ -5,8 +5,6 @@ namespace Headless.Vulkan;
 /// <summary>Nested timer scopes; they may span submissions.</summary>
 internal sealed unsafe class TimerCommands(CommandStream stream)
 {
-    private const string Rasterizer = "Cpu";
-
     private readonly List<TimerScope> open = [];
     private readonly Queue<TimerScope> pending = new();
     private int lastId;
@@ -58,7 +56,7 @@ internal sealed unsafe class TimerCommands(CommandStream stream)
         }
 
         Submission submission = stream.Current;
-        bool between = stream.Context.Adapter.Type == Rasterizer && submission.Timestamps.IsDue(submission.CommandCount);
+        bool between = stream.Context.OnProcessor && submission.Timestamps.IsDue(submission.CommandCount);
         if (between)
         {
             Finish();

@@ -81,6 +81,14 @@ internal static class GraphicsDevice
     /// <summary>Called from finalizers: the buffer is freed at the end of the frame.</summary>
     public static void FreeLater(GpuBuffer buffer) => Unused.Enqueue(buffer);
 
+    /// <summary>Finds what scripts forgot to release without waiting for the garbage collector, as at the end of play.</summary>
+    public static void FindLeaks()
+    {
+        GC.Collect();
+        GC.WaitForPendingFinalizers();
+        CollectLeaks();
+    }
+
     /// <summary>Frees what scripts forgot to release, with Unity's warning.</summary>
     public static void CollectLeaks()
     {
