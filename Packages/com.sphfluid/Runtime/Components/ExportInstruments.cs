@@ -32,6 +32,7 @@ namespace SphFluid
             switch (instrument)
             {
                 case FluidGauge gauge:
+                    exported.Property = "height";
                     exported.Up = toSimulation.MultiplyVector(gauge.transform.up).normalized;
                     exported.Length = gauge.Length;
                     found.Add(exported);

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Text.RegularExpressions;
 using UnityEngine;
 
 namespace SphFluid
@@ -14,6 +15,10 @@ namespace SphFluid
     /// </summary>
     public sealed class FluidExport : IDisposable
     {
+        const int MostLetters = 40;
+
+        static readonly Regex DeviceName = new Regex("^(con|prn|aux|nul|com.|lpt.)$", RegexOptions.IgnoreCase | RegexOptions.CultureInvariant);
+
         readonly FluidSimulation simulation;
         readonly FluidExportOptions options;
         readonly ExportStart start;
@@ -90,7 +95,7 @@ namespace SphFluid
             for (int i = 0; i < folders.Length; i++)
             {
                 string name = Plain(simulations[i].name), path = Path.Combine(folder, name);
-                for (int number = 2; Array.IndexOf(folders, path, 0, i) >= 0; number++) path = Path.Combine(folder, $"{name}-{number}");
+                for (int number = 2; Array.FindIndex(folders, 0, i, f => string.Equals(f, path, StringComparison.OrdinalIgnoreCase)) >= 0; number++) path = Path.Combine(folder, $"{name}-{number}");
                 folders[i] = folders.Length == 1 ? folder : path;
             }
             return folders;
@@ -145,12 +150,14 @@ namespace SphFluid
             else start?.Collision.Dispose();
         }
 
+        // Letters and digits in one form, no more of them than every file system takes, and no name that Windows keeps for a device.
         static string Plain(string name)
         {
-            char[] letters = name.ToCharArray();
+            char[] letters = name.ToCharArray(0, Math.Min(name.Length, MostLetters));
             for (int i = 0; i < letters.Length; i++)
                 if (!char.IsLetterOrDigit(letters[i])) letters[i] = '-';
-            return letters.Length > 0 ? new string(letters) : "liquid";
+            string plain = new string(letters).Normalize();
+            return plain.Length == 0 || DeviceName.IsMatch(plain) ? $"liquid{plain}" : plain;
         }
 
         // Each once.

@@ -7,7 +7,7 @@ namespace SphFluid
     {
         public string Name;
 
-        /// <summary>What PySPH calls what is read: p, rho, u, v or w; null of a gauge.</summary>
+        /// <summary>What is read: p, rho, u, v or w, as PySPH calls it, of a probe; height of a gauge.</summary>
         public string Property;
 
         /// <summary>Place, or of a gauge its lower end [m], simulation space.</summary>

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
-using System.Text;
 using UnityEngine;
 
 namespace SphFluid
@@ -58,11 +57,11 @@ namespace SphFluid
                 folder.Write($"body-{i:000}.npy", stream => NpyFile.Write(stream, WallParticle.Columns, body.Particles));
                 folder.Write($"body-{i:000}-path.npy", stream => NpyFile.Write(stream, BodyPose.Columns, body.Path.ToArray()));
             }
-            folder.WriteText("case.py", Filled(CaseScript.Text));
+            folder.WriteText("case.py", CaseScript.Text);
             folder.WriteText("to_sequence.py", SequenceScript.Text);
-            if (Instruments.Count > 0) folder.WriteText("readings.py", Filled(ReadingScript.Text));
-            folder.WriteText("run.sh", Filled(RunScripts.Local));
-            folder.WriteText("job.sbatch", Filled(RunScripts.Slurm));
+            if (Instruments.Count > 0) folder.WriteText("readings.py", ReadingScript.Text);
+            folder.WriteText("run.sh", RunScripts.ForOneMachine(options.Ranks));
+            folder.WriteText("job.sbatch", RunScripts.ForSlurm(options.Ranks));
             folder.Close(Manifest());
             return folder.Bytes;
         }
@@ -76,70 +75,31 @@ namespace SphFluid
             seconds = options.Seconds,
             frameRate = options.FrameRate,
             spacing = Exact(constants.Spacing),
+            density = Exact(constants.Density),
+            viscosity = Exact(constants.Viscosity),
+            soundSpeed = Exact(constants.SoundSpeed),
+            gravity = Exact(constants.Gravity),
             domainSize = Exact(constants.DomainSize),
             position = Exact(constants.Position),
             rotation = new[] { Exact(constants.Rotation.x), Exact(constants.Rotation.y), Exact(constants.Rotation.z), Exact(constants.Rotation.w) },
             openFaces = Enum.GetValues(typeof(FluidFaces)).Cast<FluidFaces>().Where(f => IsOne(f) && (constants.Boundaries.Open & f) != 0).Select(f => $"{f}").ToList(),
+            periodicAxes = new[] { FluidAxes.X, FluidAxes.Y, FluidAxes.Z }.Where(a => (constants.Boundaries.Periodic & a) != 0).Select(a => $"{a}").ToList(),
             liquidParticles = Liquid.Length,
             wallParticles = Walls.Length,
             bodies = Bodies.Select(b => new ExportManifest.Body { name = b.Name, particles = b.Particles.Length, poses = b.Path.Count }).ToList(),
-            instruments = Instruments.Select(i => i.Name).ToList(),
+            readings = Instruments.Select(i => new ExportManifest.Reading
+            {
+                name = i.Name, property = i.Property, place = Exact(i.Place), up = Exact(i.Up), length = Exact(i.Length),
+            }).ToList(),
             notExported = Messages.Where(m => m.Issue == FluidIssue.NotExported)
                 .Select(m => new ExportManifest.Note { name = m.Source, text = m.Text, cure = m.Cure }).ToList(),
         };
 
-        string Filled(string template)
-        {
-            var values = new Dictionary<string, string>
-            {
-                ["TITLE"] = Plain($"{simulation} of the scene {options.Scene}"),
-                ["VERSION"] = FluidPackage.Version,
-                ["ENGINE"] = EngineVersion,
-                ["SPACING"] = Number(constants.Spacing),
-                ["DENSITY"] = Number(constants.Density),
-                ["VISCOSITY"] = Number(constants.Viscosity),
-                ["SOUND"] = Number(constants.SoundSpeed),
-                ["GRAVITY"] = Numbers(constants.Gravity),
-                ["SECONDS"] = options.Seconds.ToString("R", CultureInfo.InvariantCulture),
-                ["FRAMERATE"] = options.FrameRate.ToString("R", CultureInfo.InvariantCulture),
-                ["BOX"] = Numbers(constants.DomainSize),
-                ["PERIODIC"] = string.Join(", ", new[] { FluidAxes.X, FluidAxes.Y, FluidAxes.Z }.Select(a => (constants.Boundaries.Periodic & a) != 0 ? "True" : "False")),
-                ["SOLIDS"] = string.Join(", ", (Walls.Length > 0 ? new[] { "'walls'" } : Array.Empty<string>()).Concat(Bodies.Select((b, i) => $"'body{i}'"))),
-                ["SCHEME"] = Scheme.ToLowerInvariant(),
-                ["RANKS"] = options.Ranks.ToString(CultureInfo.InvariantCulture),
-                ["JOB"] = Plain(simulation).Replace(' ', '-'),
-                ["PROBES"] = string.Concat(Instruments.Where(i => i.Property != null).Select(i => $"    ({Quoted(i.Name)}, '{i.Property}', ({Numbers(i.Place)})),\n")),
-                ["GAUGES"] = string.Concat(Instruments.Where(i => i.Property == null)
-                    .Select(i => $"    ({Quoted(i.Name)}, ({Numbers(i.Place)}), ({Numbers(i.Up)}), {Number(i.Length)}),\n")),
-                ["READINGS"] = Instruments.Count > 0 ? "\"${PYTHON:-python3}\" readings.py out readings.csv\n" : "",
-            };
-            string text = template.Replace("\r\n", "\n");
-            foreach (KeyValuePair<string, string> value in values) text = text.Replace($"@{value.Key}@", value.Value);
-            return text;
-        }
-
         static bool IsOne(FluidFaces face) => face != FluidFaces.None && (face & (face - 1)) == 0;
-
-        static string Numbers(Vector3 v) => $"{Number(v.x)}, {Number(v.y)}, {Number(v.z)}";
-
-        // A float as one writes it: 0.025, not the double next to it.
-        static string Number(float value) => Exact(value).ToString("R", CultureInfo.InvariantCulture);
 
         static double[] Exact(Vector3 v) => new[] { Exact(v.x), Exact(v.y), Exact(v.z) };
 
+        // A float as one writes it: 0.025, not the double next to it.
         static double Exact(float value) => double.Parse(value.ToString("R", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
-
-        // In headings and names of jobs: letters, digits and a few signs.
-        static string Plain(string text) => new string(text.Select(c => char.IsLetterOrDigit(c) || " .-_".IndexOf(c) >= 0 ? c : '_').ToArray());
-
-        static string Quoted(string text)
-        {
-            var quoted = new StringBuilder("'");
-            foreach (char c in text)
-                if (c == '\'' || c == '\\') quoted.Append('\\').Append(c);
-                else if (c < ' ') quoted.Append("\\x").Append(((int)c).ToString("x2", CultureInfo.InvariantCulture));
-                else quoted.Append(c);
-            return quoted.Append('\'').ToString();
-        }
     }
 }

@@ -254,9 +254,14 @@ namespace SphFluid.Tests
                 export.Write(folder);
             }
 
-            string script = File.ReadAllText(Path.Combine(folder, "readings.py"));
-            Assert.That(script, Does.Contain("('Wall Probe', 'p', (0.1, 0, 0)),").And.Contain("('Pitot', 'w', (0, 0, 0)),").And.Contain("('Gauge', (0, -0.2, 0), (0, 1, 0), 0.4),"));
-            Assert.That(File.ReadAllText(Path.Combine(folder, "run.sh")), Does.Contain("readings.py"));
+            ExportManifest.Reading[] readings = Manifest().readings.ToArray();
+            Assert.That(readings.Select(r => (r.name, r.property)), Is.EqualTo(new[]
+            {
+                ("Wall Probe", "p"), ("Pitot", "u"), ("Pitot", "v"), ("Pitot", "w"), ("Gauge", "height"),
+            }));
+            Assert.That(readings[0].place, Is.EqualTo(new[] { 0.1, 0.0, 0.0 }));
+            Assert.That((readings[4].place[1], readings[4].up[1], readings[4].length), Is.EqualTo((-0.2, 1.0, 0.4)));
+            Assert.That(File.Exists(Path.Combine(folder, "readings.py")), Is.True);
         }
 
         [UnityTest]

@@ -1,20 +1,20 @@
 namespace SphFluid
 {
-    /// <summary>case.py: the liquid as an application of PySPH. Names between @ are replaced.</summary>
+    /// <summary>case.py: the liquid of manifest.json as an application of PySPH. The same for every case.</summary>
     internal static class CaseScript
     {
         public const string Text = @"#!/usr/bin/env python3
-'''@TITLE@
+'''The liquid of manifest.json as an application of PySPH.
 
     bash run.sh                processes by MPI (RANKS=8 bash run.sh), then sequence/ for Fluid Playback
     python3 case.py --openmp   one process with all cores; --help lists PySPH's options
     sbatch job.sbatch          the same on a cluster with Slurm
 
-Exported by SPH Fluid @VERSION@ for PySPH @ENGINE@, Debian's packages python3-pysph python3-mpi4py
-python3-pyzoltan openmpi-bin. SI units; the origin is the centre of the simulation's box, the
+Exported by SPH Fluid for PySPH, Debian's packages python3-pysph python3-mpi4py python3-pyzoltan
+openmpi-bin. The manifest holds versions, constants and what is not exported. SI units; the origin is the centre of the simulation's box, the
 axes are its edges. The schemes are PySPH's own with the settings of its authors' dam breaks:
 WCSPH as in pysph/examples/dam_break_3d.py, EDAC (--scheme edac) as in dam_break_2d.py.
-Density, viscosity and speed of sound are the profile's. What is not exported: manifest.json.
+Density, viscosity and speed of sound are the profile's.
 '''
 import json
 import os
@@ -31,20 +31,25 @@ from pysph.sph.integrator import EPECIntegrator
 from pysph.sph.scheme import SchemeChooser, WCSPHScheme
 from pysph.sph.wc.edac import EDACScheme
 
-dx = @SPACING@  # particle spacing [m]
+HERE = os.path.dirname(os.path.abspath(__file__))
+with open(os.path.join(HERE, 'manifest.json'), encoding='utf-8') as file:
+    given = json.load(file)
+
+dx = given['spacing']  # particle spacing [m]
 hdx = 1.3  # smoothing length h over dx
-rho0 = @DENSITY@  # kg/m3
-nu = @VISCOSITY@  # kinematic viscosity [m2/s]
-c0 = @SOUND@  # speed of sound [m/s]
-gravity = (@GRAVITY@)  # m/s2
-seconds, frame_rate = @SECONDS@, @FRAMERATE@  # 1/s
-box = (@BOX@)  # m
-periodic = (@PERIODIC@)
-solids = [@SOLIDS@]  # walls stay; bodyN goes through the poses of its path
+rho0 = given['density']  # kg/m3
+nu = given['viscosity']  # kinematic viscosity [m2/s]
+c0 = given['soundSpeed']  # m/s
+gravity = given['gravity']  # m/s2
+seconds, frame_rate = given['seconds'], given['frameRate']  # s, 1/s
+box = given['domainSize']  # m
+periodic = [axis in given['periodicAxes'] for axis in 'XYZ']
+solids = ['walls']*(given['wallParticles'] > 0)  # walls stay; bodyN goes through the poses of its path
+solids += ['body%d' % number for number in range(len(given['bodies']))]
 
 
 def read(name):
-    return np.load(os.path.join(os.path.dirname(os.path.abspath(__file__)), name))
+    return np.load(os.path.join(HERE, name))
 
 
 def particles(name, table):
@@ -74,7 +79,7 @@ class Case(Application):
         edac = EDACScheme(
             ['liquid'], solids, dim=3, c0=c0, nu=nu, rho0=rho0, h=hdx*dx, pb=0.0, gx=gx, gy=gy,
             gz=gz, eps=0.0, clamp_p=True)
-        return SchemeChooser(default='@SCHEME@', wcsph=wcsph, edac=edac)
+        return SchemeChooser(default=given['scheme'].lower(), wcsph=wcsph, edac=edac)
 
     def configure_scheme(self):
         h = hdx*dx

@@ -1,6 +1,6 @@
 namespace SphFluid
 {
-    /// <summary>readings.py: what the scene's probes and gauges read of PySPH's output. Names between @ are replaced.</summary>
+    /// <summary>readings.py: what the scene's probes and gauges read of PySPH's output. The same for every case.</summary>
     internal static class ReadingScript
     {
         public const string Text = @"#!/usr/bin/env python3
@@ -13,18 +13,19 @@ pysph/examples/dam_break_3d.py; a gauge's height is where the density of the low
 its line falls below half the rest density. Positions in metres from the centre of the box.
 '''
 import csv
+import json
+import os
 import sys
 
 import numpy as np
 from pysph.solver.utils import get_files, load
 from pysph.tools.interpolator import Interpolator
 
-dx, rho0 = @SPACING@, @DENSITY@
-# name, property, place, and of a gauge its direction and length
-probes = [
-@PROBES@]
-gauges = [
-@GAUGES@]
+with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), 'manifest.json'), encoding='utf-8') as file:
+    given = json.load(file)
+dx, rho0 = given['spacing'], given['density']
+probes = [reading for reading in given['readings'] if reading['property'] != 'height']
+gauges = [reading for reading in given['readings'] if reading['property'] == 'height']
 
 
 class Reader:
@@ -57,20 +58,21 @@ def height(density, length):
 
 
 def main(out='out', table='readings.csv'):
-    readers = [(name, prop, Reader(None if prop == 'p' else ['liquid'], [place], 'shepard')) for name, prop, place in probes]
+    readers = [(p['property'], Reader(None if p['property'] == 'p' else ['liquid'], [p['place']], 'shepard')) for p in probes]
     lines = []
-    for name, place, up, length in gauges:
-        steps = np.linspace(0, length, int(np.ceil(2*length/dx)) + 2)
-        lines.append((name, length, Reader(['liquid'], np.array(place) + steps[:, None]*np.array(up), 'sph')))
-    with open(table, 'w', newline='') as file:
+    for gauge in gauges:
+        steps = np.linspace(0, gauge['length'], int(np.ceil(2*gauge['length']/dx)) + 2)
+        points = np.array(gauge['place']) + steps[:, None]*np.array(gauge['up'])
+        lines.append((gauge['length'], Reader(['liquid'], points, 'sph')))
+    with open(table, 'w', newline='', encoding='utf-8', errors='backslashreplace') as file:
         writer = csv.writer(file)
-        writer.writerow(['time_s'] + ['%s.%s' % (name, prop) for name, prop, _ in probes] + [g[0] + '.height_m' for g in gauges])
+        writer.writerow(['time_s'] + ['%s.%s' % (p['name'], p['property']) for p in probes] + [g['name'] + '.height_m' for g in gauges])
         for frame in get_files(out, 'case'):
             data = load(frame)
             arrays = data['arrays']
             writer.writerow(
-                ['%.9g' % float(data['solver_data']['t'])] + ['%.9g' % reader.read(arrays, prop)[0] for _, prop, reader in readers] +
-                ['%.9g' % height(reader.read(arrays, 'rho'), length) for _, length, reader in lines])
+                ['%.9g' % float(data['solver_data']['t'])] + ['%.9g' % reader.read(arrays, prop)[0] for prop, reader in readers] +
+                ['%.9g' % height(reader.read(arrays, 'rho'), length) for length, reader in lines])
     print('readings of %d instruments in %s' % (len(probes) + len(gauges), table))
 
 

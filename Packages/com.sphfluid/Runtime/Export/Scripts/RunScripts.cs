@@ -1,9 +1,19 @@
+using System.Globalization;
+
 namespace SphFluid
 {
-    /// <summary>run.sh for one machine and job.sbatch for a cluster with Slurm. Names between @ are replaced.</summary>
+    /// <summary>run.sh for one machine and job.sbatch for a cluster with Slurm. The same for every case but for the number of processes.</summary>
     internal static class RunScripts
     {
-        public const string Local = @"#!/usr/bin/env bash
+        /// <summary>run.sh.</summary>
+        /// <param name="ranks">Processes that it starts unless it is told otherwise.</param>
+        public static string ForOneMachine(int ranks) => With(ranks, Local);
+
+        /// <summary>job.sbatch.</summary>
+        /// <param name="ranks">Processes that it asks for.</param>
+        public static string ForSlurm(int ranks) => With(ranks, Slurm);
+
+        const string Local = @"#!/usr/bin/env bash
 # Runs the case and makes sequence/ of it. RANKS: processes; PYTHON: the interpreter that has PySPH; flags go to case.py.
 set -euo pipefail
 cd ""$(dirname ""${BASH_SOURCE[0]}"")""
@@ -20,10 +30,11 @@ else
     ""$python"" case.py --openmp -d out ""$@""
 fi
 ""$python"" to_sequence.py out sequence
-@READINGS@";
+[[ ! -e readings.py ]] || ""$python"" readings.py out readings.csv
+";
 
-        public const string Slurm = @"#!/usr/bin/env bash
-#SBATCH --job-name=@JOB@
+        const string Slurm = @"#!/usr/bin/env bash
+#SBATCH --job-name=sphfluid
 #SBATCH --ntasks=@RANKS@
 #SBATCH --cpus-per-task=1
 #SBATCH --time=24:00:00
@@ -34,8 +45,11 @@ cd ""$SLURM_SUBMIT_DIR""
 rm -rf out # files of an earlier run would be taken for frames of this one
 export OMP_NUM_THREADS=$SLURM_CPUS_PER_TASK
 # Not srun: it starts MPI only where both have a PMI in common.
-mpirun -n ""$SLURM_NTASKS"" ${PYTHON:-python3} case.py -d out
-${PYTHON:-python3} to_sequence.py out sequence
-@READINGS@";
+mpirun -n ""$SLURM_NTASKS"" ""${PYTHON:-python3}"" case.py -d out
+""${PYTHON:-python3}"" to_sequence.py out sequence
+[[ ! -e readings.py ]] || ""${PYTHON:-python3}"" readings.py out readings.csv
+";
+
+        static string With(int ranks, string script) => script.Replace("@RANKS@", ranks.ToString(CultureInfo.InvariantCulture));
     }
 }

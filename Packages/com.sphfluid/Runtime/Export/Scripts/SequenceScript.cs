@@ -124,7 +124,7 @@ def main():
     parser.add_argument('--vtk', metavar='PATTERN', help='files of another engine')
     parser.add_argument('--frame-rate', type=float, help=""frames a second of --vtk (default: the case's)"")
     given = parser.parse_args()
-    with open(os.path.join(HERE, 'manifest.json')) as file:
+    with open(os.path.join(HERE, 'manifest.json'), encoding='utf-8') as file:
         manifest = json.load(file)
     if given.vtk:
         frames = vtk_frames(given.vtk, given.frame_rate or manifest['frameRate'])
