@@ -12,6 +12,8 @@ namespace SphFluid
     {
         public const string ManifestName = "manifest.json";
 
+        const int MostManifestBytes = 1 << 26;
+
         readonly string path;
         readonly List<ExportManifest.Entry> files = new List<ExportManifest.Entry>();
 
@@ -78,11 +80,11 @@ namespace SphFluid
             ExportManifest earlier = null;
             try
             {
-                earlier = JsonUtility.FromJson<ExportManifest>(File.ReadAllText(manifest));
+                earlier = JsonUtility.FromJson<ExportManifest>(BoundedFile.ReadText(manifest, MostManifestBytes));
             }
-            catch (ArgumentException)
+            catch (Exception exception) when (exception is ArgumentException || exception is IOException)
             {
-                // No JSON: not ours.
+                // No JSON, or no file: not ours.
             }
             if (earlier?.format != ExportManifest.FormatName)
                 throw new IOException($"The folder '{path}' holds a {ManifestName} that no export wrote. Name another folder, or empty it.");

@@ -9,7 +9,7 @@ namespace SphFluid
     /// <summary>Finds out what a folder of particle files holds.</summary>
     internal static class SequenceFolder
     {
-        const long MostManifestBytes = 1 << 28;
+        const int MostManifestBytes = 1 << 26;
 
         /// <summary>Opens a folder: by its sequence.json, or where it has none all its .ply files in the order of their names.</summary>
         /// <param name="folder">Path, absolute or from StreamingAssets.</param>
@@ -27,7 +27,7 @@ namespace SphFluid
             catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException || exception is SecurityException ||
                 exception is ArgumentException || exception is NotSupportedException)
             {
-                throw new SequenceException($"cannot be read ({exception.Message.TrimEnd('.')})", "Set Folder to a folder that this program may read.");
+                throw new SequenceException($"cannot be read ({exception.Message.TrimEnd('.')})", "See that its files are whole and may be read, or set Folder to another folder.");
             }
         }
 
@@ -49,11 +49,12 @@ namespace SphFluid
 
         static ParticleSequence OpenManifest(string folder, string file)
         {
-            if (new FileInfo(file).Length > MostManifestBytes) throw new SequenceException($"has a {SequenceManifest.FileName} of more than {MostManifestBytes >> 20} MiB");
+            string text = BoundedFile.ReadText(file, MostManifestBytes) ?? throw new SequenceException(
+                $"has a {SequenceManifest.FileName} of more than {MostManifestBytes >> 20} MiB", "Divide the sequence among folders, with fewer frames each.");
             SequenceManifest manifest;
             try
             {
-                manifest = SequenceManifest.Parse(File.ReadAllText(file));
+                manifest = SequenceManifest.Parse(text);
             }
             catch (SequenceException exception)
             {
@@ -75,16 +76,12 @@ namespace SphFluid
             bool hasIds = true, hasVelocities = true;
             foreach (string file in files)
             {
-                long particles = 0, bytes;
-                using (FileStream stream = File.OpenRead(file))
+                long particles = 0;
+                if (TryRead(file, begin, header, out long bytes))
                 {
-                    bytes = stream.Length;
-                    if (TryRead(stream, begin, header))
-                    {
-                        particles = header.Vertex.Count;
-                        hasIds &= header.HasIds;
-                        hasVelocities &= header.HasVelocities;
-                    }
+                    particles = header.Vertex.Count;
+                    hasIds &= header.HasIds;
+                    hasVelocities &= header.HasVelocities;
                 }
                 if (particles > bytes || bytes > int.MaxValue) particles = 0; // reading it will tell
                 frames.Add(new SequenceFrame(file, frames.Count / frameRate, particles, Math.Min(bytes, int.MaxValue), null));
@@ -92,17 +89,20 @@ namespace SphFluid
             return new ParticleSequence(folder, frames, hasIds, hasVelocities);
         }
 
-        // A file with another header is named when its frame is read.
-        static bool TryRead(FileStream stream, byte[] begin, PlyHeader header)
+        // A file that cannot be read, or with another header, is named when its frame is read.
+        static bool TryRead(string file, byte[] begin, PlyHeader header, out long bytes)
         {
-            int read = 0, part;
-            while (read < begin.Length && (part = stream.Read(begin, read, begin.Length - read)) > 0) read += part;
+            bytes = 0;
             try
             {
-                header.Read(new ReadOnlySpan<byte>(begin, 0, read));
-                return true;
+                using (FileStream stream = BoundedFile.Open(file))
+                {
+                    bytes = stream.Length;
+                    header.Read(new ReadOnlySpan<byte>(begin, 0, BoundedFile.Fill(stream, begin, begin.Length)));
+                    return true;
+                }
             }
-            catch (SequenceException)
+            catch (Exception exception) when (exception is IOException || exception is SequenceException)
             {
                 return false;
             }

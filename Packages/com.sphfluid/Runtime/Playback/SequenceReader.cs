@@ -52,21 +52,15 @@ namespace SphFluid
                 for (int i = 0; i < particles.Length; i++) particles[i].Id = (uint)i;
         }
 
-        // Without a buffer of the stream's own, which would be made anew for each file.
         ReadOnlySpan<byte> ReadFile(in SequenceFrame frame)
         {
-            using (var stream = new FileStream(frame.Path, FileMode.Open, FileAccess.Read, FileShare.Read, 1))
+            using (FileStream stream = BoundedFile.Open(frame.Path))
             {
                 long length = stream.Length;
                 if (length < frame.Bytes) throw new SequenceException(FormattableString.Invariant($"was cut: it has {length} of {frame.Bytes} bytes"));
                 if (length > frame.Bytes) throw new SequenceException(FormattableString.Invariant($"has {length} bytes, more than the {frame.Bytes} that it should have"));
-                int read = 0;
-                while (read < length)
-                {
-                    int part = stream.Read(bytes, read, (int)length - read);
-                    if (part == 0) throw new SequenceException(FormattableString.Invariant($"was cut: it has {read} of {frame.Bytes} bytes"));
-                    read += part;
-                }
+                int read = BoundedFile.Fill(stream, bytes, (int)length);
+                if (read < length) throw new SequenceException(FormattableString.Invariant($"was cut: it has {read} of {frame.Bytes} bytes"));
                 return new ReadOnlySpan<byte>(bytes, 0, read);
             }
         }
