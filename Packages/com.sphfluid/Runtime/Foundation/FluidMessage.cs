@@ -147,6 +147,8 @@ namespace SphFluid
         /// <summary>Prefix of every console line of this package.</summary>
         public const string Prefix = "[SPH Fluid]";
 
+        const int LongestName = 100, LongestText = 2000;
+
         /// <summary>A message about <paramref name="context"/>.</summary>
         /// <param name="severity">How bad it is.</param>
         /// <param name="issue">What it is about.</param>
@@ -192,9 +194,17 @@ namespace SphFluid
             }
         }
 
-        /// <summary>The console line: prefix, object's name, what is wrong, cure.</summary>
+        /// <summary>The console line: prefix, object's name, what is wrong, cure. It stays one line whatever names it has in it.</summary>
         public override string ToString() =>
-            Cure.Length == 0 ? $"{Prefix} '{Source}': {Text}" : $"{Prefix} '{Source}': {Text} {Cure}";
+            $"{Prefix} '{OneLine(Source, LongestName)}': {OneLine(Text, LongestText)}{(Cure.Length == 0 ? "" : " ")}{OneLine(Cure, LongestText)}";
+
+        static string OneLine(string text, int most)
+        {
+            char[] letters = text.ToCharArray(0, Math.Min(text.Length, most));
+            for (int i = 0; i < letters.Length; i++)
+                if (char.IsControl(letters[i])) letters[i] = ' ';
+            return new string(letters) + (text.Length > most ? "…" : "");
+        }
 
         /// <summary>Edge lengths as messages show them.</summary>
         internal static string Lengths(Vector3 v) => FormattableString.Invariant($"{v.x:0.####} × {v.y:0.####} × {v.z:0.####}");

@@ -17,6 +17,13 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void AMessageStaysOneLineWhateverIsInIt()
+        {
+            string line = new FluidMessage(FluidSeverity.Info, FluidIssue.NoLiquid, null, "Two\nlines and " + new string('x', 1_000_000), "A\tcure.").ToString();
+            Assert.That(line, Does.StartWith("[SPH Fluid] 'SPH Fluid': Two lines and xx").And.EndsWith("x… A cure.").And.Length.LessThan(4000));
+        }
+
+        [Test]
         public void AClearedLogTakesAMessageAgain()
         {
             var log = new FluidMessageLog();
