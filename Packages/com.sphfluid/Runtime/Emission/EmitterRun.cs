@@ -24,6 +24,9 @@ namespace SphFluid
         /// <summary>Whether the emitter is there in the present frame.</summary>
         public bool IsUsed { get; set; }
 
+        /// <summary>Particles of a layer; 0 before the first.</summary>
+        public int Sites => sites?.Places.Length ?? 0;
+
         /// <summary>Whether it was reported that liquid is in the way, or that there are no slots.</summary>
         public bool ReportedBlocked { get; set; }
 

@@ -7,8 +7,9 @@ namespace SphFluid
     /// <summary>What emitters, drains and scripts bring into a running liquid and take out of it, frame by frame.</summary>
     internal sealed class FluidFlows
     {
-        // Of what an emitter gives: less is the first layer against liquid at rest.
+        // Of what an emitter gives, besides a layer and a bit: where a pump begins, liquid stands in the place of the first.
         const double BlockedShare = 0.02;
+        const double BlockedLayers = 1.5;
 
         readonly FluidSolver solver;
         readonly Action<FluidMessage> report;
@@ -18,14 +19,14 @@ namespace SphFluid
         readonly List<DrainState> goneDrains = new List<DrainState>();
         readonly List<(DrainZone zone, int source)> zones = new List<(DrainZone, int)>();
         readonly List<DrainZone> once = new List<DrainZone>();
-        int knownCapacity;
-        bool reportedRecycling, reportedFull;
+        readonly int firstCapacity;
+        bool reportedGrowth, reportedRecycling, reportedFull;
 
         public FluidFlows(FluidSolver solver, Action<FluidMessage> report)
         {
             this.solver = solver;
             this.report = report;
-            knownCapacity = solver.Capacity;
+            firstCapacity = solver.Capacity;
         }
 
         /// <summary>Whether something comes or goes, so that the liquid cannot sleep.</summary>
@@ -240,10 +241,12 @@ namespace SphFluid
 
         void Report(in FluidSpec spec)
         {
-            if (solver.Capacity > knownCapacity)
-                report(new FluidMessage(FluidSeverity.Info, FluidIssue.CapacityGrown, spec.Owner,
-                    FormattableString.Invariant($"There are slots for {solver.Capacity} particles now, as more liquid came in."), ""));
-            knownCapacity = solver.Capacity;
+            if (!reportedGrowth && solver.Capacity > firstCapacity)
+            {
+                reportedGrowth = true;
+                report(new FluidMessage(FluidSeverity.Info, FluidIssue.CapacityGrown, spec.Owner, FormattableString.Invariant(
+                    $"There are slots for {solver.Capacity} particles now, as more liquid came in. Whenever they are full they double, up to {spec.MostParticles}."), ""));
+            }
             if (!reportedRecycling && solver.Exchange.Counts.Passed(SourceCounts.Recycled) > 0)
             {
                 reportedRecycling = true;
@@ -262,7 +265,7 @@ namespace SphFluid
                 EmitterSpec emitter = spec.Emitters[i];
                 if (!emitters.TryGetValue(emitter.State, out EmitterRun run) || run.ReportedBlocked) continue;
                 double given = emitter.State.Emitted + emitter.State.Blocked;
-                if (!(emitter.State.Blocked > BlockedShare * given)) continue;
+                if (!(emitter.State.Blocked > BlockedShare * given + BlockedLayers * run.Sites * Math.Pow(spec.Spacing, 3))) continue;
                 run.ReportedBlocked = true;
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterBlocked, emitter.Owner,
                     FormattableString.Invariant($"Of what the emitter gives {100.0 * emitter.State.Blocked / given:0} % finds no place: liquid stands before the nozzle, or the nozzle reaches out of the domain."),

@@ -187,11 +187,21 @@ namespace SphFluid.Tests
             TestContext.WriteLine($"{SimulationRig.Read(simulation).Length - before} of {expected:f0} particles in layers of {sites}, {counters.Blocked} blocked; density near the nozzle {dense.Max():f0} at most, {dense.Average():f0} in the mean; " +
                 $"sideways {sideways:f3} U, nearest {nearest / Spacing:f2} dx, squeezed {counters.Squeezed}");
             Assert.That(SimulationRig.Read(simulation).Length - before, Is.EqualTo(expected).Within(1.5 * sites), "the first layer finds liquid in its place");
+            Assert.That(simulation.Messages.Where(m => m.Issue == FluidIssue.EmitterBlocked), Is.Empty, "and nobody is told of it");
             Assert.That(dense.Max(), Is.LessThan(1150f));
             Assert.That(dense.Average(), Is.LessThan(1100f));
             Assert.That(sideways, Is.LessThan(0.3f));
             Assert.That(nearest, Is.GreaterThan(0.5f * Spacing));
             Assert.That(counters.Squeezed + counters.NonFinite, Is.Zero);
+        }
+
+        [UnityTest]
+        public IEnumerator ANozzleThatStandsInLiquidIsToldOnce()
+        {
+            FluidSimulation simulation = Tank(false, true);
+            Nozzle(simulation, Vector3.zero, Vector3.up, 0.08f, 1f);
+            for (int frame = 0; frame < 20; frame++) yield return null;
+            Assert.That(simulation.Messages.Single(m => m.Issue == FluidIssue.EmitterBlocked).Text, Does.StartWith("Of what the emitter gives 100 % finds no place"));
         }
 
         static float Nearest(FluidParticle[] particles)
@@ -257,7 +267,7 @@ namespace SphFluid.Tests
                 Assert.That(drain.DrainedVolume, Is.GreaterThan(0.0));
                 Assert.That(emitter.EmittedVolume, Is.GreaterThan(600 * System.Math.Pow(Spacing, 3)));
                 Assert.That(simulation.Messages.Any(m => m.Issue == FluidIssue.CapacityReached), "recycling is reported");
-                Assert.That(simulation.Messages.Any(m => m.Issue == FluidIssue.CapacityGrown), "so is growth");
+                Assert.That(simulation.Messages.Count(m => m.Issue == FluidIssue.CapacityGrown), Is.EqualTo(1), "so is growth, once");
                 ends.Add(particles);
                 Object.DestroyImmediate(simulation.gameObject);
             }
