@@ -59,6 +59,7 @@ public sealed class ObjFile
             string[] words = line.Split(Blank, StringSplitOptions.RemoveEmptyEntries);
             if (words.Length > 0) obj.ReadStatement(words, lines.First);
         }
+        foreach (ObjFace face in obj.Groups.SelectMany(g => g.Faces)) obj.CheckIndices(face);
         return obj;
     }
 
@@ -108,7 +109,23 @@ public sealed class ObjFile
                 Groups.Add(groupsByName[groupName] = group = new ObjGroup(groupName));
             }
         }
-        group.Faces.Add(new ObjFace(corners, material));
+        group.Faces.Add(new ObjFace(corners, material, line));
+    }
+
+    // A face may name what the file lists behind it.
+    private void CheckIndices(ObjFace face)
+    {
+        foreach (ObjCorner corner in face.Corners)
+        {
+            Check(corner.Position, Positions.Count, "vertex");
+            Check(corner.TextureCoordinate, TextureCoordinates.Count, "texture coordinate");
+            Check(corner.Normal, Normals.Count, "normal");
+        }
+
+        void Check(int at, int count, string what)
+        {
+            if (at >= count) throw new ImportException($"{path}:{face.Line}: {what} index {at + 1L} is outside the {count} of the file. {Cure}");
+        }
     }
 
     private int Index(string text, int count, string what, int line)
@@ -116,9 +133,7 @@ public sealed class ObjFile
         if (!int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int index))
             throw new ImportException($"{path}:{line}: '{OneLine.Value(text)}' is not a {what} index. {Cure}");
         int at = index < 0 ? count + index : index - 1;
-        return at >= 0 && at < count
-            ? at
-            : throw new ImportException($"{path}:{line}: {what} index {index} is outside the {count} read so far. {Cure}");
+        return at >= 0 ? at : throw new ImportException($"{path}:{line}: {what} index {index} is outside the {count} read so far. {Cure}");
     }
 
     private float Number(string[] words, int at, int line)

@@ -14,50 +14,57 @@ public static class BoundedText
     /// <exception cref="BadFileException">The file is missing, not a plain file, not readable or too large.</exception>
     public static string ReadAll(string path, int largest = LargestFile)
     {
-        CheckSize(path, largest);
-        return Guard(path, () =>
-        {
-            using var reader = new StreamReader(new MemoryStream(ReadPlain(path, largest)));
-            return reader.ReadToEnd();
-        });
+        using StreamReader reader = Open(path, largest);
+        return Guard(path, reader.ReadToEnd);
     }
 
     /// <exception cref="BadFileException">As <see cref="ReadAll"/>.</exception>
     public static byte[] ReadBytes(string path, int largest = LargestFile)
     {
-        CheckSize(path, largest);
-        return Guard(path, () => ReadPlain(path, largest));
+        using Stream stream = OpenPlain(path, largest);
+        return Guard(path, () =>
+        {
+            byte[] bytes = new byte[stream.Length];
+            stream.ReadExactly(bytes);
+            return bytes;
+        });
     }
 
     /// <summary>A reader that goes through a large file line by line; the caller disposes of it.</summary>
     /// <exception cref="BadFileException">As <see cref="ReadAll"/>.</exception>
-    public static StreamReader Open(string path, long largest)
-    {
-        CheckSize(path, largest);
-        return Guard(path, () => new StreamReader(path));
-    }
+    public static StreamReader Open(string path, long largest) => new(OpenPlain(path, largest));
 
-    // A device has no length and no end.
-    private static byte[] ReadPlain(string path, int largest)
-    {
-        using FileStream stream = File.OpenRead(path);
-        if (!stream.CanSeek) throw new IOException("it is no plain file.");
-        byte[] bytes = new byte[Math.Min(stream.Length, largest)];
-        stream.ReadExactly(bytes);
-        return bytes;
-    }
-
-    private static void CheckSize(string path, long largest)
+    // A pipe waits for a writer and a device has no end, and neither has a length. Behind a link, whose length is its own, a pipe that is opened for both
+    // directions does not wait.
+    private static Stream OpenPlain(string path, long largest)
     {
         var info = new FileInfo(path);
-        bool plain = Guard(path, () => info.Exists && (info.Attributes & (FileAttributes.Directory | FileAttributes.Device)) == 0);
-        if (!plain) throw new BadFileException($"{path}: not a file that can be read. Restore it, or remove what refers to it.");
-        if (info.Length > largest)
+        if (!Guard(path, () => info.Exists)) throw NotPlain(path);
+        if (info.Length == 0) return Stream.Null;
+        Stream stream = Guard(path, () => info.LinkTarget is null ? File.OpenRead(path) : OpenLink(path));
+        if (stream.CanSeek && stream.Length > 0 && stream.Length <= largest) return stream;
+        using (stream)
         {
+            if (!stream.CanSeek) throw NotPlain(path);
+            if (stream.Length == 0) return Stream.Null;
             throw new BadFileException(FormattableString.Invariant(
-                $"{path}: the file has {info.Length / (double)MebiByte:0.#} MiB; at most {largest / MebiByte} MiB are read. Divide it, or move large data into files of their own."));
+                $"{path}: the file has {stream.Length / (double)MebiByte:0.#} MiB; at most {largest / MebiByte} MiB are read. Divide it, or move large data into files of their own."));
         }
     }
+
+    private static FileStream OpenLink(string path)
+    {
+        try
+        {
+            return new FileStream(path, FileMode.Open, FileAccess.ReadWrite, FileShare.Read);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            return File.OpenRead(path);
+        }
+    }
+
+    private static BadFileException NotPlain(string path) => new($"{path}: not a file that can be read. Restore it, or remove what refers to it.");
 
     private static T Guard<T>(string path, Func<T> read)
     {

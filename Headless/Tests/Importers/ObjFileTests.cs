@@ -62,6 +62,21 @@ public sealed class ObjFileTests
         Assert.That(mesh.TextureCoordinates, Is.EqualTo(new[] { new Vector2(0, 0), new Vector2(1, 1), new Vector2(1, 0) }));
     }
 
+    // tinyobjloader's catmark_torus_creases0.obj and trimesh's cubevt.obj are written so.
+    [Test]
+    public void FacesMayNameWhatComesBehindThem()
+    {
+        const string face = "f 1/1/1 2/2/1 3/3/1\n", places = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", coordinates = "vt 0 0\nvt 1 0\nvt 0 1\n", normal = "vn 0.6 0 0.8\n";
+        MeshGeometry usual = Import(places + coordinates + normal + face), normalsLast = Import(places + coordinates + face + normal), facesFirst = Import(face + normal + coordinates + places);
+        foreach (MeshGeometry mesh in (MeshGeometry[])[normalsLast, facesFirst])
+        {
+            Assert.That(mesh.Vertices, Is.EqualTo(usual.Vertices));
+            Assert.That(mesh.Normals, Is.EqualTo(usual.Normals).And.All.EqualTo(new Vector3(-0.6f, 0, 0.8f)));
+            Assert.That(mesh.TextureCoordinates, Is.EqualTo(usual.TextureCoordinates));
+            Assert.That(mesh.SubMeshes[0], Is.EqualTo(usual.SubMeshes[0]));
+        }
+    }
+
     [Test]
     public void GroupsNameMeshesAndObjectsDoNot()
     {
@@ -78,7 +93,11 @@ public sealed class ObjFileTests
     public void ScaleIsApplied() =>
         Assert.That(Import(Quad + "f 1 2 3 4\n", new ModelSettings { Scale = 2 }).Vertices.Max(v => v.Y), Is.EqualTo(2));
 
-    [TestCase("v 0 0 0\nf 1 2 3\n", "t.obj:2: vertex index 2 is outside the 1 read so far.")]
+    [TestCase("v 0 0 0\nf 1 2 3\n", "t.obj:2: vertex index 2 is outside the 1 of the file.")]
+    [TestCase("f 1 -1 2\nv 0 0 0\nv 1 0 0\n", "t.obj:1: vertex index -1 is outside the 0 read so far.")]
+    [TestCase(Quad + "f 1 2 0\n", "t.obj:5: vertex index 0 is outside the 4 read so far.")]
+    [TestCase(Quad + "f 1/2 2/2 3/2\nvt 0 0\n", "t.obj:5: texture coordinate index 2 is outside the 1 of the file.")]
+    [TestCase(Quad + "f 1//1 2//1 3//2147483647\nvn 0 0 1\n", "t.obj:5: normal index 2147483647 is outside the 1 of the file.")]
     [TestCase("v 0 0\n", "t.obj:1: 'v' needs a finite number as its component 3, found ''.")]
     [TestCase("v 0 0 nan\n", "t.obj:1: 'v' needs a finite number as its component 3, found 'nan'.")]
     [TestCase(Quad + "f 1 2\n", "t.obj:5: a face needs at least 3 corners, found 2.")]
