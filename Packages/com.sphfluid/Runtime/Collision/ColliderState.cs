@@ -7,6 +7,7 @@ namespace SphFluid
     internal readonly struct ColliderState : IEquatable<ColliderState>
     {
         readonly MeshStamp stamp;
+        readonly int edition; // of the mesh
 
         ColliderState(Collider collider, Matrix4x4 toSimulation, float friction, Mesh mesh, Vector3 center, Vector3 size)
         {
@@ -19,6 +20,7 @@ namespace SphFluid
             Center = center;
             Size = size;
             stamp = MeshStamp.Of(mesh);
+            edition = 0;
         }
 
         /// <summary>A mesh that no collider has, or that of a terrain.</summary>
@@ -38,6 +40,7 @@ namespace SphFluid
             Center = Vector3.zero;
             Size = Vector3.one;
             stamp = default;
+            edition = 0;
         }
 
         /// <summary>What the obstacle is known by: its collider, where it has one.</summary>
@@ -104,6 +107,15 @@ namespace SphFluid
             Body = body;
         }
 
+        /// <summary>The same collider, whose mesh was found changed so many times.</summary>
+        public ColliderState With(int edition) => new ColliderState(this, edition);
+
+        ColliderState(in ColliderState other, int edition)
+        {
+            this = other;
+            this.edition = edition;
+        }
+
         /// <summary>The same collider, elsewhere.</summary>
         public ColliderState At(in Matrix4x4 toSimulation) => new ColliderState(this, toSimulation);
 
@@ -114,7 +126,7 @@ namespace SphFluid
         }
 
         /// <summary>Whether the states have the same mesh, with the same vertices as far as that is cheap to find out, or both none.</summary>
-        public bool HasMeshOf(in ColliderState other) => ReferenceEquals(Mesh, other.Mesh) && ReferenceEquals(Triangles, other.Triangles) && stamp.Equals(other.stamp);
+        public bool HasMeshOf(in ColliderState other) => ReferenceEquals(Mesh, other.Mesh) && ReferenceEquals(Triangles, other.Triangles) && stamp.Equals(other.stamp) && edition == other.edition;
 
         /// <summary>Whether the states differ by the transform only.</summary>
         public bool HasShapeOf(in ColliderState other) => HasMeshOf(other) && Center.Equals(other.Center) && Size.Equals(other.Size);

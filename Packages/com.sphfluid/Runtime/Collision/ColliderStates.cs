@@ -5,6 +5,9 @@ namespace SphFluid
     /// <summary>The states of colliders, and what has to be kept of those whose triangles do not follow from the collider alone.</summary>
     internal sealed class ColliderStates
     {
+        /// <summary>What is read of meshes.</summary>
+        public MeshReader Meshes { get; } = new MeshReader();
+
         /// <summary>What is read of terrains.</summary>
         public TerrainPatches Terrains { get; } = new TerrainPatches();
 
@@ -18,9 +21,11 @@ namespace SphFluid
         /// <param name="worldToSimulation">World space to simulation space.</param>
         /// <param name="domain">Edge lengths of the domain [m].</param>
         /// <param name="spacing">Particle spacing dx [m].</param>
-        public ColliderState Of(Collider collider, IColliderSettings settings, float friction, in Matrix4x4 worldToSimulation, Vector3 domain, float spacing) =>
-            WheelDiscs.IsWheel(collider)
-                ? Wheels.StateOf(collider, settings, friction, worldToSimulation, spacing)
-                : Terrains.StateOf(collider, friction, worldToSimulation, domain, spacing);
+        public ColliderState Of(Collider collider, IColliderSettings settings, float friction, in Matrix4x4 worldToSimulation, Vector3 domain, float spacing)
+        {
+            if (WheelDiscs.IsWheel(collider)) return Wheels.StateOf(collider, settings, friction, worldToSimulation, spacing);
+            ColliderState state = Terrains.StateOf(collider, friction, worldToSimulation, domain, spacing);
+            return state.Mesh != null ? state.With(Meshes.EditionOf(state.Mesh)) : state;
+        }
     }
 }

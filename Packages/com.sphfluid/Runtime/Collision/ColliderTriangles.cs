@@ -10,7 +10,15 @@ namespace SphFluid
         /// <summary>Largest distance of a sphere's or capsule's triangles from its true surface, as a fraction of the particle spacing.</summary>
         public const float ChordError = 0.1f;
 
-        readonly MeshReader reader = new MeshReader();
+        const string MeshKind = "Mesh Collider";
+
+        readonly MeshReader reader;
+
+        /// <param name="reader">Reads meshes.</param>
+        public ColliderTriangles(MeshReader reader)
+        {
+            this.reader = reader;
+        }
 
         /// <summary>Triangles of a collider.</summary>
         /// <param name="state">The collider.</param>
@@ -32,6 +40,11 @@ namespace SphFluid
                 return null;
             }
             if (WheelDiscs.IsWheel(state.Collider) && state.Triangles?.TriangleCount == 0) return Shapeless(state, messages);
+            if (state.Key is SkinnedMeshRenderer bare && state.Triangles.TriangleCount == 0)
+            {
+                messages.Add(Empty(bare, "Skinned Mesh Renderer", bare.sharedMesh));
+                return null;
+            }
             if (state.Triangles != null) return state.Triangles.Transformed(state.ToSimulation);
             switch (state.Collider)
             {
@@ -51,9 +64,6 @@ namespace SphFluid
             }
         }
 
-        /// <summary>Forgets the meshes read so far.</summary>
-        public void Clear() => reader.Clear();
-
         TriangleMesh FromMesh(in ColliderState state, List<FluidMessage> messages)
         {
             FluidMessage? problem = Problem(state.Collider as MeshCollider);
@@ -64,7 +74,7 @@ namespace SphFluid
             }
             TriangleMesh mesh = reader.Read(state.Mesh);
             if (mesh.TriangleCount > 0) return mesh.Transformed(state.ToSimulation);
-            messages.Add(Empty(state.Collider, state.Mesh));
+            messages.Add(Empty(state.Collider, MeshKind, state.Mesh));
             return null;
         }
 
@@ -80,13 +90,13 @@ namespace SphFluid
                 return new FluidMessage(FluidSeverity.Warning, FluidIssue.MeshNotReadable, collider,
                     $"The mesh '{mesh.name}' of the Mesh Collider is not readable, so the fluid cannot collide with it.",
                     "Tick Read/Write in the mesh's import settings.");
-            return mesh.vertexCount == 0 ? Empty(collider, mesh) : (FluidMessage?)null;
+            return mesh.vertexCount == 0 ? Empty(collider, MeshKind, mesh) : (FluidMessage?)null;
         }
 
-        static FluidMessage Empty(Collider collider, Mesh mesh) => new FluidMessage(
-            FluidSeverity.Warning, FluidIssue.MeshEmpty, collider,
-            $"The mesh '{mesh.name}' of the Mesh Collider has no triangles, so the fluid cannot collide with it.",
-            "Assign a mesh with triangles to the Mesh Collider or remove it.");
+        static FluidMessage Empty(Component part, string kind, Mesh mesh) => new FluidMessage(
+            FluidSeverity.Warning, FluidIssue.MeshEmpty, part,
+            $"The mesh '{mesh.name}' of the {kind} has no triangles, so the fluid cannot collide with it.",
+            $"Assign a mesh with triangles to the {kind} or remove it.");
 
         static FluidMessage TerrainProblem(in ColliderState state) => TerrainPatches.HasData(state.Collider)
             ? Warn(state, FluidIssue.TooManyTriangles,

@@ -12,7 +12,7 @@ namespace SphFluid
     {
         readonly ColliderFinder finder;
         readonly SkinnedWalls skins = new SkinnedWalls();
-        readonly ColliderTriangles maker = new ColliderTriangles();
+        readonly ColliderTriangles maker;
         readonly List<FluidMessage> messages = new List<FluidMessage>();
         readonly List<FluidObstacle> solids = new List<FluidObstacle>();
         readonly Dictionary<object, FluidObstacle> known = new Dictionary<object, FluidObstacle>();
@@ -24,6 +24,7 @@ namespace SphFluid
         public CollisionScene()
         {
             finder = new ColliderFinder(States, skins);
+            maker = new ColliderTriangles(States.Meshes);
         }
 
         /// <summary>Whose rigid bodies the liquid moves; null: nobody's.</summary>
@@ -86,13 +87,13 @@ namespace SphFluid
         /// <summary>Copies the triangles to the GPU; the buffers are replaced only when they grow.</summary>
         public void Upload() => buffers.Upload(triangles, colliders);
 
-        /// <summary>Forgets everything read, so that the next <see cref="Gather"/> reads all meshes again.</summary>
+        /// <summary>Reads all meshes and terrains again with the next <see cref="Gather"/>, which counts as a change; what did not change keeps its triangles.</summary>
         public void Invalidate()
         {
             finder.Clear();
-            maker.Clear();
+            States.Meshes.Refresh();
             States.Terrains.Refresh();
-            solids.Clear();
+            skins.Refresh();
         }
 
         /// <summary>A collider of <see cref="Solids"/> as it was at another place; itself where it is there.</summary>
@@ -138,10 +139,11 @@ namespace SphFluid
                 if (TriangleMesh.IsDegenerate(a, b, c)) degenerate++;
                 else if (TriangleMath.MayOverlap(Vector3.zero, half, a, b, c)) triangles.Add(new CollisionTriangle { A = a, B = b, C = c });
             }
-            if (degenerate > 0) ReportDegenerate(state.Collider, degenerate, mesh.TriangleCount);
+            if (degenerate > 0) ReportDegenerate(solid.Source, degenerate, mesh.TriangleCount);
+            if (degenerate == mesh.TriangleCount) return;
             if (triangles.Count > limit)
             {
-                ReportTooMany(state.Collider, limit);
+                ReportTooMany(solid.Source, limit);
                 triangles.RemoveRange(first, triangles.Count - first);
                 return;
             }
@@ -168,12 +170,13 @@ namespace SphFluid
             };
         }
 
-        void ReportDegenerate(Collider collider, int count, int of) => messages.Add(new FluidMessage(
-            FluidSeverity.Info, FluidIssue.DegenerateTriangles, collider,
-            $"{count} of {of} triangles have no area and were left out.", ""));
+        void ReportDegenerate(Component source, int count, int of) => messages.Add(count < of
+            ? new FluidMessage(FluidSeverity.Info, FluidIssue.DegenerateTriangles, source, $"{count} of {of} triangles have no area and were left out.", "")
+            : new FluidMessage(FluidSeverity.Warning, FluidIssue.DegenerateTriangles, source,
+                "None of its triangles has an area, so the fluid cannot collide with it.", "Use a mesh with triangles that have an area."));
 
-        void ReportTooMany(Collider collider, long limit) => messages.Add(new FluidMessage(
-            FluidSeverity.Warning, FluidIssue.TooManyTriangles, collider,
+        void ReportTooMany(Component source, long limit) => messages.Add(new FluidMessage(
+            FluidSeverity.Warning, FluidIssue.TooManyTriangles, source,
             $"The colliders in the domain hold more than {limit} triangles, the most this device takes in a buffer, so the fluid passes through this one.",
             "Use simpler collision meshes or a smaller domain."));
     }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine;
 
@@ -6,23 +7,43 @@ namespace SphFluid
     /// <summary>Reads Unity meshes into <see cref="TriangleMesh"/>, once for each state of a mesh.</summary>
     internal sealed class MeshReader
     {
-        readonly Dictionary<Mesh, (MeshStamp stamp, TriangleMesh triangles)> cache = new Dictionary<Mesh, (MeshStamp, TriangleMesh)>();
+        readonly Dictionary<Mesh, Entry> entries = new Dictionary<Mesh, Entry>();
         readonly List<Vector3> vertices = new List<Vector3>();
         readonly List<int> indices = new List<int>();
 
         /// <summary>Triangles of a readable mesh in its own space; quads are cut in two, lines and points left out.</summary>
-        public TriangleMesh Read(Mesh mesh)
+        public TriangleMesh Read(Mesh mesh) => Current(mesh).Triangles;
+
+        /// <summary>Times that a mesh was read and found to be another than before: shows edits that left counts and bounds as they were.</summary>
+        public int EditionOf(Mesh mesh) => !entries.TryGetValue(mesh, out Entry entry) ? 0 : entry.IsStale && mesh.isReadable ? Current(mesh).Edition : entry.Edition;
+
+        /// <summary>Reads every mesh again when it is next asked for; those that did not change keep their triangles.</summary>
+        public void Refresh()
         {
-            MeshStamp stamp = MeshStamp.Of(mesh);
-            if (cache.TryGetValue(mesh, out var entry) && entry.stamp.Equals(stamp)) return entry.triangles;
-            TriangleMesh triangles = ReadAll(mesh);
-            if (entry.triangles != null && triangles.HasTrianglesOf(entry.triangles)) triangles = entry.triangles.Deformed(triangles.Vertices);
-            cache[mesh] = (stamp, triangles);
-            return triangles;
+            foreach (Entry entry in entries.Values) entry.IsStale = true;
         }
 
-        /// <summary>Forgets every mesh, so that the next read sees edits that left counts and bounds as they were.</summary>
-        public void Clear() => cache.Clear();
+        Entry Current(Mesh mesh)
+        {
+            MeshStamp stamp = MeshStamp.Of(mesh);
+            if (!entries.TryGetValue(mesh, out Entry entry))
+            {
+                GoneKeys.Forget(entries);
+                entries.Add(mesh, entry = new Entry { Triangles = ReadAll(mesh) });
+            }
+            else if (entry.IsStale || !entry.Stamp.Equals(stamp))
+            {
+                TriangleMesh read = ReadAll(mesh), before = entry.Triangles;
+                bool hasTriangles = read.HasTrianglesOf(before);
+                if (!hasTriangles || !read.Vertices.AsSpan().SequenceEqual(before.Vertices))
+                {
+                    entry.Triangles = hasTriangles ? before.Deformed(read.Vertices) : read;
+                    entry.Edition++;
+                }
+            }
+            (entry.Stamp, entry.IsStale) = (stamp, false);
+            return entry;
+        }
 
         TriangleMesh ReadAll(Mesh mesh)
         {
@@ -47,10 +68,18 @@ namespace SphFluid
                 triangles.AddRange(new[] { indices[i], indices[i + 2], indices[i + 3] });
             }
         }
+
+        sealed class Entry
+        {
+            public MeshStamp Stamp;
+            public TriangleMesh Triangles;
+            public int Edition;
+            public bool IsStale;
+        }
     }
 
     /// <summary>What shows cheaply that a mesh has changed: counts and bounds.</summary>
-    internal readonly struct MeshStamp : System.IEquatable<MeshStamp>
+    internal readonly struct MeshStamp : IEquatable<MeshStamp>
     {
         readonly int vertices;
         readonly long indices;
@@ -76,6 +105,6 @@ namespace SphFluid
 
         public override bool Equals(object obj) => obj is MeshStamp other && Equals(other);
 
-        public override int GetHashCode() => System.HashCode.Combine(vertices, indices);
+        public override int GetHashCode() => HashCode.Combine(vertices, indices);
     }
 }

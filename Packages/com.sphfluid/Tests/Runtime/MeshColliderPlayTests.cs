@@ -41,6 +41,33 @@ namespace SphFluid.Tests
             }
         }
 
+        // Counts and bounds stay as they were: without the call the liquid stays behind.
+        [UnityTest]
+        public IEnumerator AMeshEditedInPlaceCarriesItsLiquidOnceItIsRefreshed()
+        {
+            using (var rig = new SimulationRig(0.016f))
+            {
+                FluidSimulation simulation = rig.Create();
+                simulation.DomainSize = new Vector3(0.6f, 0.8f, 0.6f);
+                Mesh mesh = Box(0.16f);
+                rig.NewObject("Box").AddComponent<MeshCollider>().sharedMesh = mesh;
+                yield return null;
+                yield return null;
+                Bounds bounds = mesh.bounds;
+                for (int frame = 0; frame < 12; frame++)
+                {
+                    mesh.vertices = mesh.vertices.Select(v => v + 0.015f * Vector3.up).ToArray();
+                    mesh.bounds = bounds;
+                    simulation.RefreshColliders();
+                    yield return null;
+                }
+                FluidParticle[] end = SimulationRig.Read(simulation);
+                Assert.That(end.Count(p => IsInside(p.Position - 0.18f * Vector3.up, 0.16f)), Is.EqualTo(64));
+                Assert.That(simulation.Messages, Is.Empty, "nothing jumped");
+                Object.DestroyImmediate(mesh);
+            }
+        }
+
         [UnityTest]
         public IEnumerator CollidersThatCloseOnLiquidAreNamed([Values] bool bothMove)
         {

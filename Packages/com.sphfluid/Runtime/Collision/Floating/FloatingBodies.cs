@@ -69,6 +69,9 @@ namespace SphFluid
         /// <summary>The number that a body's planes have, 0 for a body that nothing moves but its owner.</summary>
         public uint NumberOf(FloatingBody body) => body == null ? 0u : (uint)(slots.IndexOf(body) + 1);
 
+        /// <summary>Whether a body has a collider that takes part: one whose colliders were all left out has no state.</summary>
+        public bool Has(FloatingBody body) => present.Contains(body);
+
         /// <summary>Takes over the bodies of the frame.</summary>
         /// <param name="motions">Of the collision bodies, in their order; null for those at rest.</param>
         public void Update(IReadOnlyList<BodyMotion> motions)

@@ -54,6 +54,12 @@ namespace SphFluid
             return null;
         }
 
+        /// <summary>Reads all skins' triangles again; those that did not change stay.</summary>
+        public void Refresh()
+        {
+            foreach (Skin skin in skins.Values) skin.IsStale = true;
+        }
+
         public void Dispose()
         {
             foreach (Skin skin in skins.Values) skin.Dispose();
@@ -74,15 +80,19 @@ namespace SphFluid
             Mesh source;
             MeshStamp stamp;
 
+            /// <summary>Whether the triangles may be others, of as many corners.</summary>
+            public bool IsStale { get; set; }
+
             /// <summary>The triangles now, in the renderer's space; the same ones while no corner moved.</summary>
             public TriangleMesh Bake(SkinnedMeshRenderer renderer)
             {
                 renderer.BakeMesh(baked, true);
                 MeshStamp now = MeshStamp.Of(renderer.sharedMesh);
-                if (mesh == null || !ReferenceEquals(source, renderer.sharedMesh) || !stamp.Equals(now))
+                if (mesh == null || !ReferenceEquals(source, renderer.sharedMesh) || !stamp.Equals(now) || IsStale)
                 {
-                    (source, stamp) = (renderer.sharedMesh, now);
-                    return mesh = new MeshReader().Read(baked);
+                    (source, stamp, IsStale) = (renderer.sharedMesh, now, false);
+                    TriangleMesh read = new MeshReader().Read(baked);
+                    if (mesh == null || !read.HasTrianglesOf(mesh)) return mesh = read;
                 }
                 baked.GetVertices(vertices);
                 return IsSame() ? mesh : mesh = mesh.Deformed(vertices.ToArray());

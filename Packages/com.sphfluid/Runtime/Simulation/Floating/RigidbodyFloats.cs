@@ -59,7 +59,8 @@ namespace SphFluid
         {
             if (ordered.Count == 0) return;
             bodies.Request();
-            foreach (RigidbodyFloat known in ordered) known.Note(bodies.Frame - 1, time, Time.time - Time.fixedTime);
+            foreach (RigidbodyFloat known in ordered)
+                if (bodies.Has(known.Body)) known.Note(bodies.Frame - 1, time, Time.time - Time.fixedTime);
         }
 
         /// <summary>Before a physics step.</summary>
