@@ -195,6 +195,7 @@ namespace SphFluid
             messages.Clear();
             messages.AddRange(scene.Messages);
             foreach (BodyJump jump in Follow()) messages.Add(jump.Message);
+            if (bodies != null) messages.AddRange(bodies.Floating.Messages);
         }
 
         /// <summary>Releases the GPU memory; no solver may use the obstacles after it.</summary>

@@ -134,6 +134,9 @@ namespace SphFluid
         /// <summary>A sequence is of another liquid than the simulation's settings say, or something in the scene does nothing while it is played.</summary>
         PlaybackDiffers,
 
+        /// <summary>A rigid body is smaller or lighter than the liquid's particles can move as it should float.</summary>
+        BodyTooSmall,
+
         /// <summary>Particles of a sequence are outside of the domain, or not numbers, and are left out.</summary>
         PlaybackOutside,
 

@@ -290,7 +290,9 @@ namespace SphFluid
         void FollowBodies(in FluidSpec spec)
         {
             foreach (BodyJump jump in obstacles.Follow()) report(jump.Message);
-            if (obstacles.Bodies != null && obstacles.Bodies.Floating.LeftOut > 0) report(FluidReports.TooManyBodies(spec.Owner, FloatingBodies.Most));
+            if (obstacles.Bodies == null) return;
+            foreach (FluidMessage message in obstacles.Bodies.Floating.Messages) report(message);
+            if (obstacles.Bodies.Floating.LeftOut > 0) report(FluidReports.TooManyBodies(spec.Owner, FloatingBodies.Most));
         }
 
         void Execute(int steps)

@@ -46,11 +46,11 @@ struct FloatingInput
     float3 FreeY;
     float AngularDamping;
     float3 FreeZ;
-    float Unused2;
+    float MostPull;      // m/s^2: what the liquid accelerates it by at most, beyond stopping it
     float3 PushVelocity; // m/s: what others than the liquid changed, over the frame
-    float Unused3;
+    float MostSpeed;     // m/s: what the liquid accelerates it to at most
     float3 PushAngularVelocity; // rad/s
-    float Unused4;
+    float TurnsPerMetre; // 1/m: of these, for angular velocities
     float3 PushDisplacement; // m
     float Unused5;
     float3 PushRotation; // rad, as a vector

@@ -26,9 +26,11 @@ namespace SphFluid
         static readonly int ParticleMassId = Shader.PropertyToID("_ParticleMass");
 
         readonly float impulseUnit, angularUnit, particleMass, tolerance;
+        readonly FloatingSize least;
         readonly List<FloatingBody> slots = new List<FloatingBody>();
         readonly List<BodyMotion> attached = new List<BodyMotion>();
-        readonly Dictionary<BodyMotion, FloatingPart> rests = new Dictionary<BodyMotion, FloatingPart>();
+        readonly Dictionary<BodyMotion, (FloatingPart part, Bounds box)> rests = new Dictionary<BodyMotion, (FloatingPart, Bounds)>();
+        readonly List<FluidMessage> messages = new List<FluidMessage>();
         readonly HashSet<FloatingBody> present = new HashSet<FloatingBody>();
         FloatingInput[] inputs = Array.Empty<FloatingInput>();
         FloatingPart[] parts = Array.Empty<FloatingPart>();
@@ -39,6 +41,7 @@ namespace SphFluid
         /// <param name="settings">The liquid's.</param>
         public FloatingBodies(in FluidSolverSettings settings)
         {
+            least = new FloatingSize(settings);
             particleMass = settings.ParticleMass;
             tolerance = 1e-3f * settings.Spacing;
             impulseUnit = PowerOfTwo(particleMass * Math.Max(settings.SoundSpeed, settings.MaxSpeed)) / (1 << 26);
@@ -63,6 +66,9 @@ namespace SphFluid
         /// <summary>Bodies that found no number.</summary>
         public int LeftOut { get; private set; }
 
+        /// <summary>Those that came with the last update and are smaller or lighter than the liquid can move them well.</summary>
+        public IReadOnlyList<FluidMessage> Messages => messages;
+
         /// <summary>Bytes of the GPU buffers.</summary>
         public long Bytes => GpuBuffers.Size(inputBuffer, partBuffer, stateBuffer, sumBuffer);
 
@@ -76,6 +82,7 @@ namespace SphFluid
         /// <param name="motions">Of the collision bodies, in their order; null for those at rest.</param>
         public void Update(IReadOnlyList<BodyMotion> motions)
         {
+            messages.Clear();
             if (!Find(motions)) return;
             Readback.Deliver(slots, Frame);
             if (slots.Count == 0) return;
@@ -217,25 +224,40 @@ namespace SphFluid
 
                 inputs[s] = slots[s].Input(++epoch);
                 inputs[s].FirstPart = first;
+                Bounds? box = null;
+                Component source = null;
                 for (int i = 0; i < motions.Count; i++)
                 {
                     if (motions[i]?.Floats != slots[s]) continue;
-                    parts[first] = Rest(motions[i], slots[s].Pose);
+                    (FloatingPart part, Bounds own) = Rest(motions[i], slots[s].Pose);
+                    if (box is Bounds known) own.Encapsulate(known);
+                    (box, source) = (own, source != null ? source : motions[i].Source);
+                    parts[first] = part;
                     parts[first++].Body = (uint)i;
                     attached.Add(motions[i]);
                 }
 
                 inputs[s].PartCount = first - inputs[s].FirstPart;
+                if (least.Bound(ref inputs[s], (box ?? default).size) && slots[s].TryName())
+                    messages.Add(least.Message(source, (box ?? default).size, slots[s].Mass.Mass));
             }
 
             if (rests.Count > attached.Count) Forget();
         }
 
-        FloatingPart Rest(BodyMotion motion, in FloatingPose pose)
+        (FloatingPart part, Bounds box) Rest(BodyMotion motion, in FloatingPose pose)
         {
             var now = new FloatingPart { Rotation = pose.ToBody(motion.Rotation1), Position = pose.ToBody(motion.Position1) };
-            if (rests.TryGetValue(motion, out FloatingPart before) && IsNear(before, now)) return before;
-            return rests[motion] = now;
+            if (rests.TryGetValue(motion, out (FloatingPart part, Bounds box) before) && IsNear(before.part, now)) return before;
+            return rests[motion] = (now, BoxOf(motion.Mesh, now));
+        }
+
+        // In the frame of the body.
+        static Bounds BoxOf(TriangleMesh mesh, in FloatingPart part)
+        {
+            var box = new Bounds(part.Rotation * mesh.Vertices[mesh.Indices[0]] + part.Position, Vector3.zero);
+            foreach (int index in mesh.Indices) box.Encapsulate(part.Rotation * mesh.Vertices[index] + part.Position);
+            return box;
         }
 
         bool IsNear(in FloatingPart a, in FloatingPart b)

@@ -9,7 +9,7 @@ namespace SphFluid
     internal sealed class FloatingBody
     {
         Vector3 pushVelocity, pushAngularVelocity, pushDisplacement, pushRotation;
-        bool seeds = true;
+        bool seeds = true, isNamed;
 
         /// <summary>A body at rest at a place.</summary>
         public FloatingBody(in FloatingMass mass, in FloatingPose pose)
@@ -41,6 +41,9 @@ namespace SphFluid
 
         /// <summary>Whether steps were taken since the last seed, and no read-back of them was taken.</summary>
         public bool IsAwaited => !seeds && KnownFrame < 0;
+
+        /// <summary>Whether a message about the body is the first.</summary>
+        public bool TryName() => !isNamed && (isNamed = true);
 
         /// <summary>With the next steps the GPU's body begins anew where its owner has it.</summary>
         public void Seed()

@@ -49,11 +49,11 @@ namespace SphFluid
         public Vector3 FreeY;
         public float AngularDamping;
         public Vector3 FreeZ;
-        public float Unused2;
+        public float MostPull;
         public Vector3 PushVelocity;
-        public float Unused3;
+        public float MostSpeed;
         public Vector3 PushAngularVelocity;
-        public float Unused4;
+        public float TurnsPerMetre;
         public Vector3 PushDisplacement;
         public float Unused5;
         public Vector3 PushRotation;
