@@ -60,8 +60,8 @@ namespace SphFluid
             folder.WriteText("case.py", CaseScript.Text);
             folder.WriteText("to_sequence.py", SequenceScript.Text);
             if (Instruments.Count > 0) folder.WriteText("readings.py", ReadingScript.Text);
-            folder.WriteText("run.sh", RunScripts.ForOneMachine(options.Ranks));
-            folder.WriteText("job.sbatch", RunScripts.ForSlurm(options.Ranks));
+            folder.WriteText("run.sh", RunScripts.With(RunScripts.Local, options.Ranks));
+            folder.WriteText("job.sbatch", RunScripts.With(RunScripts.Slurm, options.Ranks));
             folder.Close(Manifest());
             return folder.Bytes;
         }

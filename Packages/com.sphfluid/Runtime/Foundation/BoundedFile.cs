@@ -17,7 +17,16 @@ namespace SphFluid
         {
             var info = new FileInfo(path);
             if (info.Length == 0) throw Empty(path);
-            FileStream stream = (info.Attributes & FileAttributes.ReparsePoint) != 0 ? OpenLink(path) : Open(path, FileAccess.Read);
+            FileStream stream = null;
+            try
+            {
+                if ((info.Attributes & FileAttributes.ReparsePoint) != 0) stream = Open(path, FileAccess.ReadWrite);
+            }
+            catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException)
+            {
+                // What may only be read is opened as such.
+            }
+            stream ??= Open(path, FileAccess.Read);
             if (stream.CanSeek && stream.Length > 0) return stream;
             stream.Dispose();
             throw Empty(path);
@@ -39,29 +48,13 @@ namespace SphFluid
             }
         }
 
-        /// <summary>Reads bytes until there are enough, or no more.</summary>
-        /// <param name="stream">Where they are.</param>
-        /// <param name="bytes">Receives them.</param>
-        /// <param name="count">How many are asked for.</param>
+        /// <summary>Reads bytes until there are as many as asked for, or no more.</summary>
         /// <returns>How many there are.</returns>
         public static int Fill(Stream stream, byte[] bytes, int count)
         {
             int read = 0, part;
             while (read < count && (part = stream.Read(bytes, read, count - read)) > 0) read += part;
             return read;
-        }
-
-        // A file that may only be read is opened as such.
-        static FileStream OpenLink(string path)
-        {
-            try
-            {
-                return Open(path, FileAccess.ReadWrite);
-            }
-            catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException)
-            {
-                return Open(path, FileAccess.Read);
-            }
         }
 
         static FileStream Open(string path, FileAccess access) => new FileStream(path, FileMode.Open, access, FileShare.Read, 1);

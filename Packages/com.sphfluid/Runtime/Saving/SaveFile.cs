@@ -18,9 +18,6 @@ namespace SphFluid
         const int HeaderSize = 32, SectionHeaderSize = 24, NameSize = 8;
         const int Chunk = 1 << 20;
 
-        // An array holds little more.
-        const long MostBytes = int.MaxValue - Chunk;
-
         // "SPHFLUID"
         const ulong Magic = 0x4449554C46485053ul;
 
@@ -77,7 +74,7 @@ namespace SphFluid
             for (int i = 0; i < header.Sections; i++)
             {
                 SectionHeader section = MemoryMarshal.Read<SectionHeader>(Take(stream, SectionHeaderSize));
-                if (section.Length < 0 || section.Length > Math.Min(header.Length, MostBytes)) throw Altered();
+                if (section.Length < 0 || section.Length > Math.Min(header.Length, int.MaxValue - Chunk)) throw Altered();
                 byte[] contents = Take(stream, section.Length);
                 if (section.Check != CheckOf(section, contents)) throw Altered();
                 sections[NameOf(section.Name)] = contents;

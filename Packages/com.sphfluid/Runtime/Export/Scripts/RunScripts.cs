@@ -5,15 +5,12 @@ namespace SphFluid
     /// <summary>run.sh for one machine and job.sbatch for a cluster with Slurm. The same for every case but for the number of processes.</summary>
     internal static class RunScripts
     {
-        /// <summary>run.sh.</summary>
+        /// <summary>One of them.</summary>
+        /// <param name="script">Which.</param>
         /// <param name="ranks">Processes that it starts unless it is told otherwise.</param>
-        public static string ForOneMachine(int ranks) => With(ranks, Local);
+        public static string With(string script, int ranks) => script.Replace("@RANKS@", ranks.ToString(CultureInfo.InvariantCulture));
 
-        /// <summary>job.sbatch.</summary>
-        /// <param name="ranks">Processes that it asks for.</param>
-        public static string ForSlurm(int ranks) => With(ranks, Slurm);
-
-        const string Local = @"#!/usr/bin/env bash
+        public const string Local = @"#!/usr/bin/env bash
 # Runs the case and makes sequence/ of it. RANKS: processes; PYTHON: the interpreter that has PySPH; flags go to case.py.
 set -euo pipefail
 cd ""$(dirname ""${BASH_SOURCE[0]}"")""
@@ -33,7 +30,7 @@ fi
 [[ ! -e readings.py ]] || ""$python"" readings.py out readings.csv
 ";
 
-        const string Slurm = @"#!/usr/bin/env bash
+        public const string Slurm = @"#!/usr/bin/env bash
 #SBATCH --job-name=sphfluid
 #SBATCH --ntasks=@RANKS@
 #SBATCH --cpus-per-task=1
@@ -49,7 +46,5 @@ mpirun -n ""$SLURM_NTASKS"" ""${PYTHON:-python3}"" case.py -d out
 ""${PYTHON:-python3}"" to_sequence.py out sequence
 [[ ! -e readings.py ]] || ""${PYTHON:-python3}"" readings.py out readings.csv
 ";
-
-        static string With(int ranks, string script) => script.Replace("@RANKS@", ranks.ToString(CultureInfo.InvariantCulture));
     }
 }
