@@ -1,0 +1,95 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.Profiling;
+using UnityEngine.TestTools;
+using Object = UnityEngine.Object;
+
+namespace SphFluid.Tests
+{
+    /// <summary>
+    /// Every public component around one liquid is turned off and on, destroyed and added, and gives all back. SPHFLUID_LONG_PLAY=50 does it so many times
+    /// and judges by the memory of the whole process as well.
+    /// </summary>
+    public sealed class TogglingTests
+    {
+        const int Warm = 5;
+
+        [UnityTest]
+        public IEnumerator EveryComponentReturnsItsMemory()
+        {
+            int cycles = int.Parse(Environment.GetEnvironmentVariable("SPHFLUID_LONG_PLAY") ?? "5", CultureInfo.InvariantCulture);
+            using var rig = new SimulationRig();
+            using var files = new SequenceFiles();
+            files.Write(new[] { 0d, 1d }, i => new[] { new FluidParticle(Vector3.zero, Vector3.zero, 5u) }, 0.4f * Vector3.one, SimulationRig.Spacing);
+            FluidSimulation simulation = rig.Create();
+            var parts = new List<(GameObject Holder, Type Type)>();
+            foreach (Type type in typeof(FluidSimulation).Assembly.GetTypes())
+                if (type.IsPublic && !type.IsAbstract && typeof(MonoBehaviour).IsAssignableFrom(type) && type != typeof(FluidSimulation)) parts.Add((Holder(rig, simulation, type), type));
+            Assert.That(parts, Has.Count.GreaterThan(17));
+            SwitchAll(parts, true, files.Folder);
+            long running = 0, gpu = 0, process = 0;
+            int objects = 0;
+            for (int cycle = 1; cycle <= Warm + cycles; cycle++)
+            {
+                SwitchAll(parts, false, files.Folder);
+                yield return null;
+                SwitchAll(parts, true, files.Folder);
+                for (int frame = 0; frame < 5 && !simulation.IsRunning; frame++) yield return null;
+                Assert.That(simulation.IsRunning, simulation.StatusMessage);
+                foreach ((GameObject holder, Type type) in parts) Object.DestroyImmediate(holder.GetComponent(type));
+                SwitchAll(parts, true, files.Folder);
+                yield return null;
+                running = Math.Max(running, simulation.GpuBytes);
+                simulation.enabled = false;
+                SwitchAll(parts, false, files.Folder);
+                yield return null;
+                if (cycle == Warm) (gpu, objects, process) = (Profiler.GetAllocatedMemoryForGraphicsDriver(), Made(), ProcessBytes());
+                simulation.enabled = true;
+            }
+            simulation.enabled = false;
+            yield return null;
+            Assert.That(running, Is.Positive);
+            Assert.That(Made(), Is.EqualTo(objects), "meshes, materials and textures");
+            Assert.That(Profiler.GetAllocatedMemoryForGraphicsDriver(), Is.EqualTo(gpu), "bytes of the device");
+            long grown = ProcessBytes() - process;
+            TestContext.WriteLine($"{cycles} times: the process grew by {grown >> 10} kB");
+            if (cycles >= 50) Assert.That(grown, Is.LessThan(5 << 20), "bytes of the process");
+        }
+
+        // What draws, or needs a simulation on its object, gets the liquid's; a playback, which takes the liquid's place, one of its own.
+        static GameObject Holder(SimulationRig rig, FluidSimulation simulation, Type type)
+        {
+            if (type == typeof(FluidPlayback)) return rig.Create(type.Name, position: 5f * Vector3.up).gameObject;
+            if (typeof(FluidRenderer).IsAssignableFrom(type) || type == typeof(FluidDiagnostics) || type == typeof(FluidWhitewater)) return simulation.gameObject;
+            GameObject holder = rig.NewObject(type.Name);
+            holder.transform.SetParent(simulation.transform, false);
+            holder.transform.localPosition = new Vector3(0.1f, 0.15f, 0.1f);
+            holder.transform.localScale = 0.1f * Vector3.one;
+            return holder;
+        }
+
+        static void SwitchAll(List<(GameObject Holder, Type Type)> parts, bool on, string folder)
+        {
+            foreach ((GameObject holder, Type type) in parts)
+            {
+                if (!holder.TryGetComponent(type, out Component part)) part = holder.AddComponent(type);
+                if (part is FluidPlayback playback) playback.Folder = folder;
+                ((Behaviour)part).enabled = on;
+            }
+        }
+
+        static int Made() => Resources.FindObjectsOfTypeAll<Object>().Count(o => o is Mesh || o is Material || o is Texture);
+
+        static long ProcessBytes()
+        {
+            GC.Collect();
+            GC.WaitForPendingFinalizers();
+            return System.Diagnostics.Process.GetCurrentProcess().WorkingSet64;
+        }
+    }
+}
