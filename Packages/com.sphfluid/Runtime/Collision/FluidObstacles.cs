@@ -29,9 +29,11 @@ namespace SphFluid
 
         /// <summary>No obstacles yet.</summary>
         /// <param name="settings">The liquid's, as of <see cref="FluidSolver.Settings"/>: method, domain, spacing and support radius count.</param>
+        /// <exception cref="ArgumentException">A constant is out of range.</exception>
         public FluidObstacles(in FluidSolverSettings settings)
             : this(settings, new CollisionScene())
         {
+            FluidMethods.Of(settings.Method).Check(settings);
         }
 
         /// <summary>The colliders of a scene, which is taken over.</summary>
@@ -78,10 +80,11 @@ namespace SphFluid
         /// <param name="pose">That space to simulation space; scale and shear may differ from none.</param>
         /// <param name="friction">0 free slip to 1 no slip; null: as the domain's faces. Methods without friction of their own ignore it.</param>
         /// <returns>A number to call <see cref="MoveTo"/> with.</returns>
-        /// <exception cref="ArgumentException">The mesh is missing or has no triangles.</exception>
+        /// <exception cref="ArgumentException">The mesh is missing or has no triangles, or a number of the pose is not finite.</exception>
         /// <exception cref="ArgumentOutOfRangeException">The friction is not between 0 and 1.</exception>
         public int Add(TriangleMesh mesh, in Matrix4x4 pose, float? friction = null)
         {
+            Require.Finite(pose, nameof(pose));
             entries.Add(new Entry { Mesh = Checked(mesh, nameof(mesh)), Pose = pose, Friction = FrictionOf(friction) });
             return entries.Count - 1;
         }
@@ -95,7 +98,7 @@ namespace SphFluid
         /// <param name="friction">0 free slip to 1 no slip; null: as the domain's faces.</param>
         /// <returns>A number to call <see cref="Push"/> and <see cref="ReadPoseNow"/> with.</returns>
         /// <exception cref="NotSupportedException">The method moves no bodies.</exception>
-        /// <exception cref="ArgumentException">The mesh is missing or has no triangles.</exception>
+        /// <exception cref="ArgumentException">The mesh is missing or has no triangles, or its place has numbers that are not finite.</exception>
         /// <exception cref="ArgumentOutOfRangeException">Mass, inertia or friction are out of range.</exception>
         public int AddFloating(TriangleMesh mesh, Vector3 centre, Quaternion rotation, float mass, Vector3 inertia, float? friction = null)
         {
@@ -105,6 +108,7 @@ namespace SphFluid
                 throw new ArgumentOutOfRangeException(nameof(mass), mass, "The mass of a floating mesh is greater than 0 and finite [kg].");
             if (!(Mathf.Min(inertia.x, Mathf.Min(inertia.y, inertia.z)) >= 0f) || !AffineMath.IsFinite(inertia.sqrMagnitude))
                 throw new ArgumentOutOfRangeException(nameof(inertia), inertia, "Moments of inertia are 0 or greater, and finite [kg m²].");
+            Require.Place(centre, rotation);
             int number = Add(mesh, Matrix4x4.TRS(centre, rotation, Vector3.one), friction);
             Float(number, new FloatingBody(new FloatingMass(mass, inertia, settings.Gravity), new FloatingPose(centre, rotation)));
             return number;
@@ -114,9 +118,9 @@ namespace SphFluid
         /// <param name="mesh">The number that <see cref="AddFloating"/> returned.</param>
         /// <param name="velocity">Added to the velocity of the centre of mass [m/s].</param>
         /// <param name="angularVelocity">Added to the angular velocity [rad/s].</param>
-        /// <exception cref="ArgumentOutOfRangeException">No floating mesh has that number.</exception>
+        /// <exception cref="ArgumentException">A velocity is not finite, or no floating mesh has that number.</exception>
         public void Push(int mesh, Vector3 velocity, Vector3 angularVelocity) =>
-            FloatingOf(mesh).Push(velocity, angularVelocity, Vector3.zero, Vector3.zero);
+            FloatingOf(mesh).Push(Require.Finite(velocity, nameof(velocity)), Require.Finite(angularVelocity, nameof(angularVelocity)), Vector3.zero, Vector3.zero);
 
         /// <summary>Where the recorded steps that were submitted leave a floating mesh; waits for the GPU.</summary>
         /// <param name="mesh">The number that <see cref="AddFloating"/> returned.</param>
@@ -135,12 +139,13 @@ namespace SphFluid
         /// <summary>Moves a mesh; <see cref="Update"/> takes it over.</summary>
         /// <param name="mesh">The number that <see cref="Add(TriangleMesh, in Matrix4x4, float?)"/> returned.</param>
         /// <param name="pose">Where it is now: its own space to simulation space.</param>
-        /// <exception cref="ArgumentOutOfRangeException">There is no such mesh.</exception>
+        /// <exception cref="ArgumentException">There is no such mesh, or a number of the pose is not finite.</exception>
         /// <exception cref="InvalidOperationException">The mesh floats.</exception>
         public void MoveTo(int mesh, in Matrix4x4 pose)
         {
             Entry entry = EntryOf(mesh);
             if (entry.Body != null) throw new InvalidOperationException("The liquid moves this mesh. Call Push, or Add it instead of AddFloating.");
+            Require.Finite(pose, nameof(pose));
             entry.Pose = pose;
         }
 
@@ -175,9 +180,11 @@ namespace SphFluid
 
         /// <summary>Takes over where everything is now. Once a frame, before the steps are recorded.</summary>
         /// <param name="worldToSimulation">World space to simulation space, for colliders.</param>
+        /// <exception cref="ArgumentException">A number is not finite.</exception>
         /// <exception cref="FluidDeviceException">The device cannot hold the triangles.</exception>
         public void Update(in Matrix4x4 worldToSimulation)
         {
+            Require.Finite(worldToSimulation, nameof(worldToSimulation));
             (states, previous) = (previous, states);
             states.Clear();
             foreach (Entry entry in entries)

@@ -57,7 +57,7 @@ namespace SphFluid
                 if (topology == MeshTopology.Triangles) triangles.AddRange(indices);
                 else AddQuads(triangles);
             }
-            return new TriangleMesh(vertices.ToArray(), triangles.ToArray());
+            return new TriangleMesh(vertices.ToArray(), triangles.ToArray(), null);
         }
 
         void AddQuads(List<int> triangles)

@@ -18,10 +18,13 @@ namespace SphFluid
         /// <param name="vertices">Corners [m].</param>
         /// <param name="indices">Three a triangle.</param>
         /// <exception cref="ArgumentNullException">An array is missing.</exception>
-        /// <exception cref="ArgumentException">The indices do not make whole triangles.</exception>
+        /// <exception cref="ArgumentException">The indices do not make whole triangles or name corners that there are not, or a corner is not finite.</exception>
         public TriangleMesh(Vector3[] vertices, int[] indices)
             : this(vertices, indices, null)
         {
+            foreach (Vector3 vertex in vertices) Require.Finite(vertex, nameof(vertices));
+            foreach (int index in indices)
+                if (index < 0 || index >= vertices.Length) throw new ArgumentOutOfRangeException(nameof(indices), index, $"The mesh has {vertices.Length} corners. Use the numbers of these, from 0 on.");
         }
 
         /// <summary>A mesh of which it is known whether it is closed; null: it is found out when asked for.</summary>
@@ -56,7 +59,7 @@ namespace SphFluid
             var indices = new int[corners.Count];
             for (int i = 0; i < indices.Length; i++)
             {
-                vertices[i] = corners[i];
+                vertices[i] = Require.Finite(corners[i], nameof(corners));
                 indices[i] = i;
             }
             return new TriangleMesh(vertices, indices);

@@ -41,8 +41,8 @@ namespace SphFluid
         /// <summary>Whether <see cref="Friction"/> counts instead of that of the simulation's faces.</summary>
         public bool OwnFriction { get => ownFriction; set => ownFriction = value; }
 
-        /// <summary>0 free slip to 1 no slip; other numbers are brought into that range.</summary>
-        public float Friction { get => friction; set => friction = Mathf.Clamp01(value); }
+        /// <summary>0 free slip to 1 no slip.</summary>
+        public float Friction { get => Limits.Clamp(friction, 0f, 1f); set => friction = value; }
 
         /// <summary>Whether the liquid moves the Rigidbody of these colliders, unless it is kinematic.</summary>
         public bool MovedByLiquid { get => movedByLiquid; set => movedByLiquid = value; }
@@ -53,21 +53,19 @@ namespace SphFluid
         /// <summary>Whether the Wheel Colliders of this object and of those below it are looked for besides those that Unity's overlap queries report.</summary>
         public bool WheelColliders { get => wheelColliders; set => wheelColliders = value; }
 
-        /// <summary>Width of the Wheel Colliders [m]; 0: 0.65 of the radius. Other numbers than positive ones count as 0.</summary>
-        public float WheelWidth { get => wheelWidth; set => wheelWidth = value > 0f ? value : 0f; }
+        /// <summary>Width of the Wheel Colliders [m], 0 or more; 0: 0.65 of the radius.</summary>
+        public float WheelWidth { get => Limits.Clamp(wheelWidth, 0f); set => wheelWidth = value; }
 
         /// <summary>Simulations that collide; empty: all that find the colliders.</summary>
         public List<FluidSimulation> Simulations => simulations;
 
         bool IColliderSettings.IsActive => enabled;
 
-        // NaN: 0.
-        float IColliderSettings.EffectiveFriction =>
-            !ownFriction ? ColliderSettings.DomainFriction : friction > 0f ? Mathf.Min(friction, 1f) : 0f;
+        float IColliderSettings.EffectiveFriction => ownFriction ? Friction : ColliderSettings.DomainFriction;
 
         bool IColliderSettings.MovedByLiquid => movedByLiquid;
 
-        float IColliderSettings.WheelWidth => wheelWidth;
+        float IColliderSettings.WheelWidth => WheelWidth;
 
         bool IColliderSettings.AppliesTo(Component owner) =>
             owner == null || simulations.Count == 0 || simulations.Contains(owner as FluidSimulation);

@@ -41,8 +41,8 @@ namespace SphFluid
         /// <summary>Raised when a failure is found that was not there before, after it was reported.</summary>
         public event Action<FluidFinding> Found;
 
-        /// <summary>Frames from one measurement to the next, at least 1.</summary>
-        public int Interval { get => Mathf.Max(1, interval); set => interval = value; }
+        /// <summary>Frames from one measurement to the next, 1 to 1000.</summary>
+        public int Interval { get => Mathf.Clamp(interval, 1, 1000); set => interval = value; }
 
         /// <summary>Whether release players measure too.</summary>
         public bool RunInPlayers { get => runInPlayers; set => runInPlayers = value; }

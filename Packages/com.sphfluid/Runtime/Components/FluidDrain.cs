@@ -19,8 +19,8 @@ namespace SphFluid
             "in the scene, else the one whose domain holds this object.")]
         FluidSimulation simulation;
 
-        /// <summary>Edge lengths of the box in this transform's space [m at unit scale], where the object has no collider that serves.</summary>
-        public Vector3 Size { get => size; set => size = value; }
+        /// <summary>Edge lengths of the box in this transform's space [m at unit scale], where the object has no collider that serves; 0 or more. Without a volume nothing leaves, and a message says so.</summary>
+        public Vector3 Size { get => Limits.NotNegative(size); set => size = value; }
 
         /// <summary>Simulation whose liquid leaves; null: found as the tooltip says.</summary>
         public FluidSimulation Simulation { get => simulation; set => simulation = value; }
@@ -52,7 +52,7 @@ namespace SphFluid
                     default:
                         spec.IsBox = true;
                         spec.IgnoresCollider = collider != null;
-                        spec.Frame = transform.localToWorldMatrix * Matrix4x4.Scale(0.5f * size);
+                        spec.Frame = transform.localToWorldMatrix * Matrix4x4.Scale(0.5f * Size);
                         break;
                 }
                 return spec;

@@ -48,7 +48,7 @@ namespace SphFluid
         FluidSimulation simulation;
 
         /// <summary>Outline of the nozzle.</summary>
-        public FluidEmitterShape Shape { get => shape; set => shape = value; }
+        public FluidEmitterShape Shape { get => Limits.Known(shape); set => shape = value; }
 
         /// <summary>Edge lengths of the nozzle in this transform's space [m at unit scale].</summary>
         public Vector2 Size { get => size; set => size = value; }
@@ -57,7 +57,7 @@ namespace SphFluid
         public Mesh Mesh { get => mesh; set => mesh = value; }
 
         /// <summary>What settles the flow: <see cref="Speed"/> or <see cref="VolumeRate"/>.</summary>
-        public FluidEmitterFlow Flow { get => flow; set => flow = value; }
+        public FluidEmitterFlow Flow { get => Limits.Known(flow); set => flow = value; }
 
         /// <summary>Speed at the nozzle [m/s], where <see cref="Flow"/> goes by it. A change acts from the next layer on.</summary>
         public float Speed { get => speed; set => speed = value; }
@@ -68,8 +68,8 @@ namespace SphFluid
         /// <summary>Whether the flow begins when the component is enabled.</summary>
         public bool PlayOnEnable { get => playOnEnable; set => playOnEnable = value; }
 
-        /// <summary>Time after which a flow ends [s]; 0: it goes on.</summary>
-        public float Duration { get => duration; set => duration = value; }
+        /// <summary>Time after which a flow ends [s], 0 or more; 0: it goes on.</summary>
+        public float Duration { get => Limits.Clamp(duration, 0f); set => duration = value; }
 
         /// <summary>
         /// Time after its birth at which a particle leaves the liquid again [s], to the sort of the steps in which it ends; 0: it stays. A change acts on layers
@@ -110,14 +110,14 @@ namespace SphFluid
                     State = state,
                     Position = transform.position,
                     Rotation = transform.rotation,
-                    Shape = shape,
+                    Shape = Shape,
                     Size = new Vector2(size.x * Mathf.Abs(scale.x), size.y * Mathf.Abs(scale.y)),
                     Mesh = mesh,
                     Scale = scale,
-                    Flow = flow,
+                    Flow = Flow,
                     Lifetime = lifetime,
                     UnderWater = underWater,
-                    Amount = flow == FluidEmitterFlow.Speed ? speed : volumeRate,
+                    Amount = Flow == FluidEmitterFlow.Speed ? speed : volumeRate,
                 };
             }
         }
@@ -127,7 +127,7 @@ namespace SphFluid
         {
             state.IsOn = true;
             state.VolumeLeft = double.PositiveInfinity;
-            state.TimeLeft = duration > 0f ? duration : double.PositiveInfinity;
+            state.TimeLeft = Duration > 0f ? Duration : double.PositiveInfinity;
         }
 
         /// <summary>Lets a volume flow, to the nearest layer of particles, and stops.</summary>

@@ -103,8 +103,10 @@ namespace SphFluid
 
         /// <summary>Takes where the colliders are now.</summary>
         /// <param name="sinceBegin">Scene time since <see cref="Begin"/> [s], growing.</param>
+        /// <exception cref="ArgumentException">The time is negative or not finite.</exception>
         public void Note(double sinceBegin)
         {
+            Require.NotNegative(sinceBegin, nameof(sinceBegin));
             if (!HasLiquid || !(sinceBegin > time)) return;
             time = sinceBegin;
             FluidSpec spec = simulation.Spec;

@@ -43,10 +43,10 @@ namespace SphFluid
         FluidSimulation simulation;
 
         /// <summary>What the zone does. Changes of all fields act from the next frame on.</summary>
-        public FluidForceKind Kind { get => kind; set => kind = value; }
+        public FluidForceKind Kind { get => Limits.Known(kind); set => kind = value; }
 
         /// <summary>Shape of the zone.</summary>
-        public FluidZoneShape Shape { get => shape; set => shape = value; }
+        public FluidZoneShape Shape { get => Limits.Known(shape); set => shape = value; }
 
         /// <summary>Edge lengths in this transform's space [m at unit scale].</summary>
         public Vector3 Size { get => size; set => size = value; }
@@ -81,8 +81,8 @@ namespace SphFluid
                     State = state,
                     Position = transform.position,
                     Rotation = transform.rotation,
-                    Kind = kind,
-                    Shape = shape,
+                    Kind = Kind,
+                    Shape = Shape,
                     ShapeTurn = Quaternion.identity,
                     Size = new Vector3(size.x * Mathf.Abs(scale.x), size.y * Mathf.Abs(scale.y), size.z * Mathf.Abs(scale.z)),
                     Strength = strength,
@@ -91,7 +91,7 @@ namespace SphFluid
                     EddySize = eddySize,
                     EddyTime = eddyTime,
                 };
-                if (shape == FluidZoneShape.Collider) TakeCollider(ref spec, scale);
+                if (Shape == FluidZoneShape.Collider) TakeCollider(ref spec, scale);
                 return spec;
             }
         }

@@ -21,7 +21,7 @@ namespace SphFluid
         long answer;
 
         /// <summary>How far above this object, along its up axis, the surface is looked for [m]; 0 or more.</summary>
-        public float Length { get => length; set => length = value > 0f ? value : 0f; }
+        public float Length { get => Limits.Clamp(length, 0f); set => length = value; }
 
         /// <summary>Mean height of the surface over this object along its up axis [m]: 0 without liquid, the line's upper end where liquid reaches it.</summary>
         public float Height => Value;
@@ -75,7 +75,7 @@ namespace SphFluid
         SensorLine Line(FluidSimulation liquid)
         {
             Matrix4x4 toSimulation = DomainSpace.FromWorld(liquid.transform.position, liquid.transform.rotation);
-            return SensorLine.Of(toSimulation.MultiplyPoint3x4(transform.position), toSimulation.MultiplyVector(transform.up), length, liquid.DomainSize,
+            return SensorLine.Of(toSimulation.MultiplyPoint3x4(transform.position), toSimulation.MultiplyVector(transform.up), Length, liquid.DomainSize,
                 liquid.Solver.Settings.Spacing);
         }
     }

@@ -50,13 +50,13 @@ namespace SphFluid
         /// What is drawn, if no material is given: the surface, or the edges of the grid's cubes with a vertex inside
         /// it.
         /// </summary>
-        public FluidSurfaceStyle Style { get => style; set => style = value; }
+        public FluidSurfaceStyle Style { get => Limits.Known(style); set => style = value; }
 
         /// <summary>Cells a side of the grid over the domain.</summary>
-        public SurfaceGridSize GridSize { get => gridSize; set => gridSize = value; }
+        public SurfaceGridSize GridSize { get => Limits.Known(gridSize); set => gridSize = value; }
 
-        /// <summary>Density of the surface as a part of the rest density, between 0 and 1.</summary>
-        public float IsoValue { get => isoValue; set => isoValue = value; }
+        /// <summary>Density of the surface as a part of the rest density, 0.05 to 0.95.</summary>
+        public float IsoValue { get => Limits.Clamp(isoValue, 0.05f, 0.95f); set => isoValue = value; }
 
         /// <summary>
         /// Whether the density at the domain's walls is completed; see <see cref="SurfaceField.WallCompletion"/>.
@@ -68,11 +68,11 @@ namespace SphFluid
         /// </summary>
         public Material Material { get => material; set => material = value; }
 
-        /// <summary>Colour of the liquid, if no material is given.</summary>
-        public Color Color { get => color; set => color = value; }
+        /// <summary>Colour of the liquid, if no material is given. Not a number counts as 0.</summary>
+        public Color Color { get => Limits.Finite(color); set => color = value; }
 
         /// <summary>Smoothness of the surface, if no material is given, 0 to 1.</summary>
-        public float Smoothness { get => smoothness; set => smoothness = value; }
+        public float Smoothness { get => Limits.Clamp(smoothness, 0f, 1f); set => smoothness = value; }
 
         /// <summary>
         /// Bytes of GPU memory of the grid, or of the sparse surface in its place; 0 while nothing is drawn.
@@ -115,7 +115,7 @@ namespace SphFluid
         protected override void Draw(FluidSimulation drawn)
         {
             if (fallback != null)
-                fallback.DrawOpaque(drawn.Solver, fallbackOptions, color, smoothness, null, Placement(drawn, 0f),
+                fallback.DrawOpaque(drawn.Solver, fallbackOptions, Color, Smoothness, null, Placement(drawn, 0f),
                     this);
             else
                 DrawSurface(drawn);
@@ -129,15 +129,15 @@ namespace SphFluid
             Graphics.ExecuteCommandBuffer(cmd);
 
             DrawPlacement placement = Placement(drawn, 0f);
-            Color? ownColor = material == null ? color : (Color?)null;
-            surface.Properties(field, isoValue, ownColor, smoothness, placement);
-            surface.SetStyle(style);
+            Color? ownColor = material == null ? Color : (Color?)null;
+            surface.Properties(field, IsoValue, ownColor, Smoothness, placement);
+            surface.SetStyle(Style);
             surface.Draw(field, material, placement);
         }
 
         void FitField(FluidSolver solver)
         {
-            SurfaceGrid grid = SurfaceGrid.OverDomain(solver.Settings.DomainSize, gridSize);
+            SurfaceGrid grid = SurfaceGrid.OverDomain(solver.Settings.DomainSize, GridSize);
             if (field == null || !field.Grid.Equals(grid))
             {
                 field?.Dispose();

@@ -34,8 +34,8 @@ namespace SphFluid
         /// <summary>Enabled instruments of all loaded scenes.</summary>
         public static IReadOnlyList<FluidInstrument> Active => ActiveList;
 
-        /// <summary>The reading is the mean over the last so many simulated seconds; 0: not averaged.</summary>
-        public float AveragingTime { get => averagingTime; set => averagingTime = value > 0f ? value : 0f; }
+        /// <summary>The reading is the mean over the last so many simulated seconds, 0 or more; 0: not averaged.</summary>
+        public float AveragingTime { get => Limits.Clamp(averagingTime, 0f); set => averagingTime = value; }
 
         /// <summary>Simulation that is read; null: found as the tooltip says.</summary>
         public FluidSimulation Simulation { get => simulation; set => simulation = value; }

@@ -52,13 +52,13 @@ namespace SphFluid
         public bool ShowsStageTimes { get => stageTimes; set => stageTimes = value; }
 
         /// <summary>Times a second that the text is written anew, 0.5 to 30.</summary>
-        public float RefreshRate { get => refreshRate; set => refreshRate = Mathf.Clamp(value, 0.5f, 30f); }
+        public float RefreshRate { get => Limits.Clamp(refreshRate, 0.5f, 30f); set => refreshRate = value; }
 
         /// <summary>Size of the letters in pixels on a screen of 1080 lines, 8 to 48.</summary>
-        public int FontSize { get => fontSize; set => fontSize = Mathf.Clamp(value, 8, 48); }
+        public int FontSize { get => Mathf.Clamp(fontSize, 8, 48); set => fontSize = value; }
 
         /// <summary>Corner of the screen that it stands in.</summary>
-        public FluidOverlayCorner Corner { get => corner; set => corner = value; }
+        public FluidOverlayCorner Corner { get => Limits.Known(corner); set => corner = value; }
 
         /// <summary>The text, for a display of your own: lines parted by '\n'; empty before the first and while not visible.</summary>
         public string Text => content.text;
@@ -75,7 +75,7 @@ namespace SphFluid
                 return;
             }
             meter ??= new OverlayMeter(StageTimes.Best);
-            if (!meter.Note(simulation, Time.unscaledDeltaTime, 1.0 / refreshRate, stageTimes)) return;
+            if (!meter.Note(simulation, Time.unscaledDeltaTime, 1.0 / RefreshRate, stageTimes)) return;
             content.text = meter.Text;
             measured = false;
         }
@@ -84,14 +84,14 @@ namespace SphFluid
         {
             if (!visible || Event.current.type != EventType.Repaint || content.text.Length == 0) return;
             Prepare();
-            Rect place = Place(corner, size, new Vector2(Screen.width, Screen.height));
+            Rect place = Place(Corner, size, new Vector2(Screen.width, Screen.height));
             GUI.DrawTexture(place, Texture2D.whiteTexture, ScaleMode.StretchToFill, true, 0f, new Color(0f, 0f, 0f, 0.6f), 0f, 0f);
             GUI.Label(new Rect(place.x + Margin, place.y + Margin, place.width - 2f * Margin, place.height - 2f * Margin), content, style);
         }
 
         void Prepare()
         {
-            int letters = Mathf.RoundToInt(fontSize * Mathf.Max(1f, Screen.height / UsualHeight));
+            int letters = Mathf.RoundToInt(FontSize * Mathf.Max(1f, Screen.height / UsualHeight));
             if (style == null) style = new GUIStyle { wordWrap = false, richText = false, normal = { textColor = Color.white } };
             if (measured && style.fontSize == letters) return;
             style.fontSize = letters;

@@ -35,23 +35,23 @@ namespace SphFluid
 
         ParticleSquares squares;
 
-        /// <summary>Edge of a particle's square in particle spacings.</summary>
-        public float Size { get => size; set => size = value; }
+        /// <summary>Edge of a particle's square in particle spacings, 0.1 to 4.</summary>
+        public float Size { get => Limits.Clamp(size, 0.1f, 4f); set => size = value; }
 
-        /// <summary>Colour of a particle, or of a slow one if the speed is shown.</summary>
-        public Color Color { get => color; set => color = value; }
+        /// <summary>Colour of a particle, or of a slow one if the speed is shown. Not a number counts as 0.</summary>
+        public Color Color { get => Limits.Finite(color); set => color = value; }
 
         /// <summary>Whether fast particles take another colour.</summary>
         public bool ColorBySpeed { get => colorBySpeed; set => colorBySpeed = value; }
 
-        /// <summary>Colour of the fastest particles, if the speed is shown.</summary>
-        public Color FastColor { get => fastColor; set => fastColor = value; }
+        /// <summary>Colour of the fastest particles, if the speed is shown. Not a number counts as 0.</summary>
+        public Color FastColor { get => Limits.Finite(fastColor); set => fastColor = value; }
 
-        /// <summary>Speed at which a particle has the fast colour in full [m/s].</summary>
-        public float FastSpeed { get => fastSpeed; set => fastSpeed = value; }
+        /// <summary>Speed at which a particle has the fast colour in full [m/s], 0.001 or more.</summary>
+        public float FastSpeed { get => Limits.Clamp(fastSpeed, 0.001f); set => fastSpeed = value; }
 
         /// <summary>Smoothness of the particles, 0 to 1.</summary>
-        public float Smoothness { get => smoothness; set => smoothness = value; }
+        public float Smoothness { get => Limits.Clamp(smoothness, 0f, 1f); set => smoothness = value; }
 
         /// <summary>Picture on each square; null for a round one.</summary>
         public Texture2D Sprite { get => sprite; set => sprite = value; }
@@ -76,11 +76,11 @@ namespace SphFluid
 
         ParticleLook Look(FluidSimulation drawn) => new ParticleLook
         {
-            Size = size * drawn.Solver.Settings.Spacing,
-            Color = color,
-            FastColor = fastColor,
-            FastSpeed = colorBySpeed ? fastSpeed : 0f,
-            Smoothness = smoothness,
+            Size = Size * drawn.Solver.Settings.Spacing,
+            Color = Color,
+            FastColor = FastColor,
+            FastSpeed = colorBySpeed ? FastSpeed : 0f,
+            Smoothness = Smoothness,
             Sprite = sprite,
         };
     }

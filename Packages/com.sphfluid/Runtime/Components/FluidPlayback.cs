@@ -70,23 +70,23 @@ namespace SphFluid
         /// <summary>Folder of the particle files, absolute or from StreamingAssets. Another one is opened in the next LateUpdate.</summary>
         public string Folder { get => folder; set => folder = value ?? ""; }
 
-        /// <summary>Time since the first frame [s]; past the end <see cref="Loop"/> decides. Shown in the next LateUpdate, or held back until its frames are read.</summary>
-        public float Time { get => time; set => time = value; }
+        /// <summary>Time since the first frame [s]; past the end <see cref="Loop"/> decides. Shown in the next LateUpdate, or held back until its frames are read; what is not finite counts for nothing there.</summary>
+        public float Time { get => Limits.Finite(time); set => time = value; }
 
         /// <summary>Whether <see cref="Time"/> goes on by itself. Manual while a <see cref="FluidPlaybackClip"/> plays, and afterwards what it was set to.</summary>
-        public FluidPlaybackClock Clock { get => IsClockTaken ? FluidPlaybackClock.Manual : clock; set => clock = value; }
+        public FluidPlaybackClock Clock { get => IsClockTaken ? FluidPlaybackClock.Manual : Limits.Known(clock); set => clock = value; }
 
-        /// <summary>Time of the sequence over the scene's; negative: backwards.</summary>
-        public float Speed { get => speed; set => speed = value; }
+        /// <summary>Time of the sequence over the scene's; negative: backwards. Not a number counts as 0: it stands still.</summary>
+        public float Speed { get => Limits.Finite(speed); set => speed = value; }
 
         /// <summary>What happens past the ends.</summary>
-        public FluidPlaybackLoop Loop { get => loop; set => loop = value; }
+        public FluidPlaybackLoop Loop { get => Limits.Known(loop); set => loop = value; }
 
         /// <summary>Whether particles are shown between frames too.</summary>
         public bool Interpolate { get => interpolate; set => interpolate = value; }
 
-        /// <summary>Memory for frames [MiB]. Another one begins anew.</summary>
-        public int MemoryBudget { get => memoryBudget; set => memoryBudget = Mathf.Max(1, value); }
+        /// <summary>Memory for frames [MiB], 1 or more. Another one begins anew.</summary>
+        public int MemoryBudget { get => Mathf.Max(1, memoryBudget); set => memoryBudget = value; }
 
         /// <summary>Whether frames that are not read yet are waited for. They always are where Time.captureDeltaTime is set.</summary>
         public bool WaitForFrames { get => waitForFrames; set => waitForFrames = value; }
@@ -98,7 +98,7 @@ namespace SphFluid
         public float FrameRate { get => frameRate; set => frameRate = value; }
 
         /// <summary>Which way the axes of files without sequence.json point.</summary>
-        public FluidSequenceAxes Axes { get => axes; set => axes = value; }
+        public FluidSequenceAxes Axes { get => Limits.Known(axes); set => axes = value; }
 
         /// <summary>Metres of a unit of length in files without sequence.json.</summary>
         public float Scale { get => scale; set => scale = value; }
@@ -107,7 +107,7 @@ namespace SphFluid
         public bool IsOpen => player != null;
 
         /// <summary>Whether time goes on by itself: not paused, not manual, and not at the end.</summary>
-        public bool IsPlaying => player != null && Clock == FluidPlaybackClock.SceneTime && !isPaused && speed != 0f && !IsAtEnd;
+        public bool IsPlaying => player != null && Clock == FluidPlaybackClock.SceneTime && !isPaused && Speed != 0f && !IsAtEnd;
 
         /// <summary>Whether a frame that is to be shown is not read yet, so that the last one stays.</summary>
         public bool IsBuffering => player != null && player.IsBuffering;
@@ -153,9 +153,9 @@ namespace SphFluid
         {
             Folder = folder,
             FrameRate = frameRate,
-            Axes = axes,
+            Axes = Axes,
             Scale = scale,
-            MemoryBudget = memoryBudget,
+            MemoryBudget = MemoryBudget,
             Interpolates = interpolate,
         };
 
@@ -163,7 +163,7 @@ namespace SphFluid
         public void Play()
         {
             isPaused = false;
-            if (IsAtEnd) Seek(speed < 0f ? Duration : 0f);
+            if (IsAtEnd) Seek(Speed < 0f ? Duration : 0f);
         }
 
         /// <summary>Stands still at the present frame until <see cref="Play"/>.</summary>
@@ -244,26 +244,26 @@ namespace SphFluid
             if ((float)playhead != time) playhead = time;
             bool stayed = stays;
             stays = false;
-            if (stayed || !IsPlaying || simulation.Paused || !(simulation.TimeScale >= 0f)) return;
-            playhead += (double)UnityTime.deltaTime * simulation.TimeScale * speed;
-            playhead = PlaybackTime.Wrap(playhead, player.Sequence.Duration, loop);
+            if (stayed || !IsPlaying || simulation.Paused || !(simulation.TimeScale >= 0f && simulation.TimeScale <= float.MaxValue)) return;
+            playhead += (double)UnityTime.deltaTime * simulation.TimeScale * Speed;
+            playhead = PlaybackTime.Wrap(playhead, player.Sequence.Duration, Loop);
             time = (float)playhead;
             if (IsAtEnd) Ended?.Invoke(this);
         }
 
         void Show()
         {
-            double rate = IsClockTaken ? takenRate : speed;
-            double duration = player.Sequence.Duration, wrapped = PlaybackTime.Wrap(playhead, duration, loop), now = PlaybackTime.Fold(playhead, duration, loop);
-            if (Clock == FluidPlaybackClock.SceneTime) direction = speed < 0f == wrapped > duration ? 1 : -1;
+            double rate = IsClockTaken ? takenRate : Speed;
+            double duration = player.Sequence.Duration, wrapped = PlaybackTime.Wrap(playhead, duration, Loop), now = PlaybackTime.Fold(playhead, duration, Loop);
+            if (Clock == FluidPlaybackClock.SceneTime) direction = Speed < 0f == wrapped > duration ? 1 : -1;
             else if (now != before) direction = now > before ? 1 : -1;
             bool isJump = seeks || now < before || now - before > Math.Max(LongestStep, MostFrames * UnityTime.deltaTime * Math.Abs(rate));
-            player.MoveTo(now, direction, loop, isJump, waitForFrames || UnityTime.captureDeltaTime > 0f);
+            player.MoveTo(now, direction, Loop, isJump, waitForFrames || UnityTime.captureDeltaTime > 0f);
             before = now;
             seeks = false;
         }
 
-        bool IsAtEnd => player != null && loop == FluidPlaybackLoop.None && (speed < 0f ? playhead <= 0.0 : playhead >= player.Sequence.Duration);
+        bool IsAtEnd => player != null && Loop == FluidPlaybackLoop.None && (Speed < 0f ? playhead <= 0.0 : playhead >= player.Sequence.Duration);
 
         bool IsSeen => LiquidViews.IsSeen(new DrawPlacement(simulation.LocalToWorld, simulation.DomainSize, simulation.Spacing, gameObject.layer, true));
 

@@ -27,19 +27,19 @@ namespace SphFluid
         /// <summary>The playback whose time the clip sets, as the graph's table resolves it when the graph is made.</summary>
         public ExposedReference<FluidPlayback> Playback { get => playback; set => playback = value; }
 
-        /// <summary>Time of the sequence at the clip's start, since the first frame [s].</summary>
+        /// <summary>Time of the sequence at the clip's start, since the first frame [s], 0 or more.</summary>
         /// <exception cref="ArgumentOutOfRangeException">It is negative or not finite.</exception>
         public float Start
         {
-            get => start;
+            get => Limits.Clamp(start, 0f);
             set => start = value >= 0f && AffineMath.IsFinite(value) ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "The start must be a finite number of seconds, 0 or more.");
         }
 
-        /// <summary>Time of the sequence over the clip's; negative: backwards.</summary>
+        /// <summary>Time of the sequence over the clip's; negative: backwards. An asset's that is not a number counts as 0.</summary>
         /// <exception cref="ArgumentOutOfRangeException">It is not finite.</exception>
         public float Speed
         {
-            get => speed;
+            get => Limits.Finite(speed);
             set => speed = AffineMath.IsFinite(value) ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "The speed must be a finite number.");
         }
 
@@ -49,7 +49,7 @@ namespace SphFluid
             get
             {
                 double length = resolved != null ? resolved.KnownDuration : 0.0;
-                double seconds = (speed < 0f ? start : length - start) / Math.Abs((double)speed);
+                double seconds = (Speed < 0f ? Start : length - Start) / Math.Abs((double)Speed);
                 return length > 0.0 && seconds > 0.0 && seconds < double.PositiveInfinity ? seconds : UnknownDuration;
             }
         }
@@ -72,7 +72,7 @@ namespace SphFluid
         }
 
         /// <summary>Time since the first frame of the sequence [s] at a time of the clip.</summary>
-        internal double TimeAt(double clipTime) => start + speed * clipTime;
+        internal double TimeAt(double clipTime) => Start + Speed * clipTime;
 
         FluidMessage Missing(GameObject owner) => new FluidMessage(FluidSeverity.Warning, FluidIssue.PlaybackClipUnbound, this,
             $"The clip{(owner != null ? $" in the Timeline of '{owner.name}'" : "")} has no Fluid Playback, so it plays nothing.",

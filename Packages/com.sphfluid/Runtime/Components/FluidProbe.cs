@@ -27,13 +27,13 @@ namespace SphFluid
         long answer, taken;
 
         /// <summary>What is read; a change begins anew.</summary>
-        public FluidProbeKind Kind { get => kind; set => kind = value; }
+        public FluidProbeKind Kind { get => Limits.Known(kind); set => kind = value; }
 
         /// <summary>Edge lengths of the rectangle on the wall [m], positive. Wall pressure only.</summary>
         public Vector2 PatchSize { get => patchSize; set => patchSize = value; }
 
         /// <summary>Mean velocity of the liquid here [m/s], in the world; 0 where it is dry and of other kinds.</summary>
-        public Vector3 Velocity => kind != FluidProbeKind.Velocity || !HasValue ? Vector3.zero
+        public Vector3 Velocity => Kind != FluidProbeKind.Velocity || !HasValue ? Vector3.zero
             : new Vector3((float)means[1].Mean(AveragingTime), (float)means[2].Mean(AveragingTime), (float)means[3].Mean(AveragingTime));
 
         /// <summary>
@@ -43,7 +43,7 @@ namespace SphFluid
         public float Peak { get; private set; }
 
         /// <summary>Mean force on the rectangle [N]. Wall pressure only.</summary>
-        public float Force => kind == FluidProbeKind.WallPressure && wall.Patch != null ? (float)wall.Patch.MeanForce(AveragingTime) : 0f;
+        public float Force => Kind == FluidProbeKind.WallPressure && wall.Patch != null ? (float)wall.Patch.MeanForce(AveragingTime) : 0f;
 
         /// <summary>The sums of all steps on the rectangle; null while there is no wall, and of other kinds.</summary>
         public WallPatch Patch => wall.Patch;
@@ -60,7 +60,7 @@ namespace SphFluid
             get
             {
                 double Of(double value) => HasValue ? value : double.NaN;
-                switch (kind)
+                switch (Kind)
                 {
                     case FluidProbeKind.Velocity:
                         Vector3 v = Velocity;
@@ -80,8 +80,8 @@ namespace SphFluid
         }
 
         /// <inheritdoc/>
-        private protected override double MainValue => kind == FluidProbeKind.WallPressure ? wall.Patch?.MeanPressure(AveragingTime) ?? 0.0
-            : kind == FluidProbeKind.Velocity ? Velocity.magnitude : means[0].Mean(AveragingTime);
+        private protected override double MainValue => Kind == FluidProbeKind.WallPressure ? wall.Patch?.MeanPressure(AveragingTime) ?? 0.0
+            : Kind == FluidProbeKind.Velocity ? Velocity.magnitude : means[0].Mean(AveragingTime);
 
         /// <inheritdoc/>
         public override void Clear()
@@ -95,13 +95,13 @@ namespace SphFluid
 
         private protected override FluidMessage? Ask(FluidSimulation liquid)
         {
-            if (kind != known)
+            if (Kind != known)
             {
                 Leave(liquid);
                 Clear();
-                known = kind;
+                known = Kind;
             }
-            return kind == FluidProbeKind.WallPressure ? AskWall(liquid) : AskPoint(liquid);
+            return Kind == FluidProbeKind.WallPressure ? AskWall(liquid) : AskPoint(liquid);
         }
 
         FluidMessage? AskPoint(FluidSimulation liquid)
@@ -145,7 +145,7 @@ namespace SphFluid
                     "Raise Patch Size to four spacings or more, or lower the simulation's Particle Spacing.");
         }
 
-        private protected override double Take(FluidSimulation liquid) => kind == FluidProbeKind.WallPressure ? TakeWall() : TakePoint(liquid);
+        private protected override double Take(FluidSimulation liquid) => Kind == FluidProbeKind.WallPressure ? TakeWall() : TakePoint(liquid);
 
         double TakeWall()
         {
@@ -164,7 +164,7 @@ namespace SphFluid
             double time = all.AnsweredTime, span = means[0].Count > 0 ? time - means[0].Time : 1e-6;
             if (!(span > 0.0)) return -1.0;
             Vector3 v = point.IsWet ? point.Velocity : Vector3.zero;
-            Add(0, kind == FluidProbeKind.Density ? point.Density : point.Pressure);
+            Add(0, Kind == FluidProbeKind.Density ? point.Density : point.Pressure);
             for (int axis = 0; axis < 3; axis++) Add(axis + 1, v[axis]);
             return time;
 

@@ -88,55 +88,55 @@ namespace SphFluid
         [SerializeField, Tooltip("Shader set asset: every compute shader and shader that the simulation and its renderers use.")]
         FluidShaderSet shaders;
 
-        /// <summary>Rest density ρ0 [kg/m³].</summary>
+        /// <summary>Rest density ρ0 [kg/m³], 1 to 20,000.</summary>
         public float RestDensity { get => restDensity; set { restDensity = value; Touch(); } }
 
-        /// <summary>Kinematic viscosity of the real liquid ν [m²/s].</summary>
+        /// <summary>Kinematic viscosity of the real liquid ν [m²/s], 0 to 10.</summary>
         public float KinematicViscosity { get => kinematicViscosity; set { kinematicViscosity = value; Touch(); } }
 
-        /// <summary>Surface tension σ [N/m]; method Standard.</summary>
+        /// <summary>Surface tension σ [N/m]; method Standard, 0 to 100.</summary>
         public float SurfaceTension { get => surfaceTension; set { surfaceTension = value; Touch(); } }
 
         /// <summary>Whether <see cref="SurfaceTension"/> acts however coarse the particles are, not only where they resolve it; method Standard.</summary>
         public bool TensionAtAnySpacing { get => tensionAtAnySpacing; set { tensionAtAnySpacing = value; Touch(); } }
 
-        /// <summary>Contact angle at walls [degrees]; method Standard.</summary>
+        /// <summary>Contact angle at walls [degrees]; method Standard, 0 to 180.</summary>
         public float ContactAngle { get => contactAngle; set { contactAngle = value; Touch(); } }
 
-        /// <summary>κ = R/dx: support radius over particle spacing.</summary>
+        /// <summary>κ = R/dx: support radius over particle spacing, 1.5 to 4.</summary>
         public float SupportRatio { get => supportRatio; set { supportRatio = value; Touch(); } }
 
-        /// <summary>c_eff / v_max: effective speed of sound over the fastest expected speed.</summary>
+        /// <summary>c_eff / v_max: effective speed of sound over the fastest expected speed, 3 to 20.</summary>
         public float SoundSpeedRatio { get => soundSpeedRatio; set { soundSpeedRatio = value; Touch(); } }
 
         /// <summary>Whether the speed of sound stays as the start has it or follows the liquid; method Standard.</summary>
         public FluidSoundSpeedMode SoundSpeedMode { get => soundSpeedMode; set { soundSpeedMode = value; Touch(); } }
 
-        /// <summary>Compression allowed at the bottom of the liquid at rest, g D/c².</summary>
+        /// <summary>Compression allowed at the bottom of the liquid at rest, g D/c², 0.001 to 0.2.</summary>
         public float MaxCompression { get => maxCompression; set { maxCompression = value; Touch(); } }
 
-        /// <summary>Time step over the method's acoustic limit, <see cref="TimeStepAdvice"/>.</summary>
+        /// <summary>Time step over the method's acoustic limit, <see cref="TimeStepAdvice"/>, 0.05 to 1.</summary>
         public float TimeStepFraction { get => timeStepFraction; set { timeStepFraction = value; Touch(); } }
 
-        /// <summary>Equal steps that a frame is cut into; Robust method.</summary>
+        /// <summary>Equal steps that a frame is cut into; Robust method, 1 to 32.</summary>
         public int Substeps { get => substeps; set { substeps = value; Touch(); } }
 
-        /// <summary>Least kinematic viscosity over c · R with the thesis method; Standard takes a tenth of it.</summary>
+        /// <summary>Least kinematic viscosity over c · R with the thesis method; Standard takes a tenth of it, 0 to 0.05.</summary>
         public float ViscosityRatio { get => viscosityRatio; set { viscosityRatio = value; Touch(); } }
 
-        /// <summary>Wall distance over particle spacing; thesis method.</summary>
+        /// <summary>Wall distance over particle spacing; thesis method, 0.1 to 1.</summary>
         public float WallDistanceRatio { get => wallDistanceRatio; set { wallDistanceRatio = value; Touch(); } }
 
-        /// <summary>Wall stiffness over (v_max/distance)²; thesis method.</summary>
+        /// <summary>Wall stiffness over (v_max/distance)²; thesis method, 0.05 to 4.</summary>
         public float WallStiffnessRatio { get => wallStiffnessRatio; set { wallStiffnessRatio = value; Touch(); } }
 
-        /// <summary>Wall damping over critical damping; thesis method.</summary>
+        /// <summary>Wall damping over critical damping; thesis method, 0 to 1.</summary>
         public float WallDampingRatio { get => wallDampingRatio; set { wallDampingRatio = value; Touch(); } }
 
         /// <summary>What of the thesis's text is corrected; <see cref="FluidMethodKind.Thesis"/> only.</summary>
         public ThesisSwitches ThesisSwitches { get => thesisSwitches; set { thesisSwitches = value; Touch(); } }
 
-        /// <summary>Most particles a simulation with this profile may start with.</summary>
+        /// <summary>Most particles a simulation with this profile may start with, 1 to <see cref="ParticleLimit"/>.</summary>
         public int MaxParticles { get => maxParticles; set { maxParticles = value; Touch(); } }
 
         /// <summary>Shaders used by the simulation and its renderers.</summary>
@@ -149,15 +149,22 @@ namespace SphFluid
         internal int Revision { get; private set; }
 
         /// <summary>The values as of now.</summary>
-        internal ProfileSpec Spec => new ProfileSpec
+        internal ProfileSpec Spec
         {
-            Asset = this,
-            Revision = Revision,
-            Rules = Rules,
-            SoundSpeedMode = soundSpeedMode,
-            MaxParticles = maxParticles,
-            Shaders = shaders,
-        };
+            get
+            {
+                Clamp(); // what an asset holds
+                return new ProfileSpec
+                {
+                    Asset = this,
+                    Revision = Revision,
+                    Rules = Rules,
+                    SoundSpeedMode = soundSpeedMode,
+                    MaxParticles = maxParticles,
+                    Shaders = shaders,
+                };
+            }
+        }
 
         FluidRuleInput Rules
         {
@@ -207,6 +214,8 @@ namespace SphFluid
             wallStiffnessRatio = ClampFinite(wallStiffnessRatio, 0.05f, 4f, 1f);
             wallDampingRatio = ClampFinite(wallDampingRatio, 0f, 1f, 1f);
             maxParticles = Mathf.Clamp(maxParticles, 1, ParticleLimit);
+            soundSpeedMode = Limits.Known(soundSpeedMode);
+            thesisSwitches.AccelerationLimit = Limits.Known(thesisSwitches.AccelerationLimit);
             version = CurrentVersion;
         }
 

@@ -58,25 +58,25 @@ namespace SphFluid
         double answeredTime;
 
         /// <summary>What is read; a change begins anew.</summary>
-        public FluidSensorKind Kind { get => kind; set => kind = value; }
+        public FluidSensorKind Kind { get => Limits.Known(kind); set => kind = value; }
 
         /// <summary>How far above this object, along its up axis, the level is looked for [m]; 0 or more.</summary>
-        public float Length { get => length; set => length = value > 0f ? value : 0f; }
+        public float Length { get => Limits.Clamp(length, 0f); set => length = value; }
 
         /// <summary>
         /// Edge lengths of the box of <see cref="FluidSensorKind.FillLevel"/> along this object's axes [m], or of the rectangle of <see cref="FluidSensorKind.Flow"/>
-        /// along the first two; without positive ones there is no reading.
+        /// along the first two, 0 or more; without positive ones there is no reading.
         /// </summary>
-        public Vector3 Size { get => size; set => size = value; }
+        public Vector3 Size { get => Limits.NotNegative(size); set => size = value; }
 
-        /// <summary>Time constant of the mean [simulated s]; 0: none.</summary>
-        public float AveragingTime { get => averagingTime; set => averagingTime = value > 0f ? value : 0f; }
+        /// <summary>Time constant of the mean [simulated s], 0 or more; 0: none.</summary>
+        public float AveragingTime { get => Limits.Clamp(averagingTime, 0f); set => averagingTime = value; }
 
-        /// <summary>What the events are about, in the unit of the reading.</summary>
-        public float Threshold { get => threshold; set => threshold = value; }
+        /// <summary>What the events are about, in the unit of the reading. Not a number counts as 0.</summary>
+        public float Threshold { get => Limits.Finite(threshold); set => threshold = value; }
 
-        /// <summary>How far the reading has to go from one event to the other, in its unit; half of it on each side of the threshold.</summary>
-        public float Hysteresis { get => hysteresis; set => hysteresis = value > 0f ? value : 0f; }
+        /// <summary>How far the reading has to go from one event to the other, in its unit, 0 or more; half of it on each side of the threshold.</summary>
+        public float Hysteresis { get => Limits.Clamp(hysteresis, 0f); set => hysteresis = value; }
 
         /// <summary>Simulation that is read; null: found as the tooltip says.</summary>
         public FluidSimulation Simulation { get => simulation; set => simulation = value; }
@@ -102,13 +102,13 @@ namespace SphFluid
         void Update()
         {
             FluidSimulation owner = FluidScene.Owner(this, simulation, FluidSimulation.Active);
-            if (owner != read || kind != known) Begin(owner);
+            if (owner != read || Kind != known) Begin(owner);
             if (read == null || !read.IsRunning || !IsPlaced)
             {
                 Forget();
                 return;
             }
-            if (kind == FluidSensorKind.FillLevel || kind == FluidSensorKind.Flow)
+            if (Kind == FluidSensorKind.FillLevel || Kind == FluidSensorKind.Flow)
             {
                 PlaceShape();
                 if (read.Queries.Answer == answer) return;
@@ -129,8 +129,8 @@ namespace SphFluid
             {
                 Vector3 place = transform.position + transform.up;
                 float sum = place.x + place.y + place.z;
-                bool isOpen = AffineMath.IsFinite(size) && size.x > 0f && size.y > 0f;
-                bool holds = kind == FluidSensorKind.FillLevel ? isOpen && size.z > 0f : kind != FluidSensorKind.Flow || isOpen;
+                bool isOpen = Size.x > 0f && Size.y > 0f;
+                bool holds = Kind == FluidSensorKind.FillLevel ? isOpen && Size.z > 0f : Kind != FluidSensorKind.Flow || isOpen;
                 return holds && !float.IsNaN(sum) && !float.IsInfinity(sum);
             }
         }
@@ -141,7 +141,7 @@ namespace SphFluid
             if (read is object) read.Queries.Remove(shape);
             shape = default;
             read = owner;
-            known = kind;
+            known = Kind;
             Forget();
         }
 
@@ -156,9 +156,9 @@ namespace SphFluid
 
         SensorLine Line()
         {
-            if (kind != FluidSensorKind.Level) return SensorLine.Point;
+            if (Kind != FluidSensorKind.Level) return SensorLine.Point;
             Matrix4x4 toSimulation = DomainSpace.FromWorld(read.transform.position, read.transform.rotation);
-            return SensorLine.Of(toSimulation.MultiplyPoint3x4(transform.position), toSimulation.MultiplyVector(transform.up), length, read.DomainSize,
+            return SensorLine.Of(toSimulation.MultiplyPoint3x4(transform.position), toSimulation.MultiplyVector(transform.up), Length, read.DomainSize,
                 read.Solver.Settings.Spacing);
         }
 
@@ -167,10 +167,10 @@ namespace SphFluid
             FluidQueries all = read.Queries;
             Vector3 place = transform.position;
             Quaternion turn = transform.rotation;
-            bool isNew = shape.Equals(default), isBox = kind == FluidSensorKind.FillLevel;
-            if (isNew) shape = isBox ? all.AddBox(place, size, turn) : all.AddPatch(place, (Vector2)size, turn);
-            else if (isBox) all.Move(shape, place, size, turn);
-            else all.Move(shape, place, (Vector2)size, turn);
+            bool isNew = shape.Equals(default), isBox = Kind == FluidSensorKind.FillLevel;
+            if (isNew) shape = isBox ? all.AddBox(place, Size, turn) : all.AddPatch(place, (Vector2)Size, turn);
+            else if (isBox) all.Move(shape, place, Size, turn);
+            else all.Move(shape, place, (Vector2)Size, turn);
         }
 
         void TakeFlow(double volume)
@@ -185,9 +185,9 @@ namespace SphFluid
         {
             if (!(reading.Densities(read.Queries, out FluidPointResult point) is IReadOnlyList<float> densities)) return;
             float restDensity = read.Solver.Settings.RestDensity;
-            Take(kind == FluidSensorKind.Level ? line.Level(densities, restDensity)
-                : kind == FluidSensorKind.Speed ? point.IsWet ? point.Velocity.magnitude : 0f
-                : kind == FluidSensorKind.Pressure ? point.Pressure
+            Take(Kind == FluidSensorKind.Level ? line.Level(densities, restDensity)
+                : Kind == FluidSensorKind.Speed ? point.IsWet ? point.Velocity.magnitude : 0f
+                : Kind == FluidSensorKind.Pressure ? point.Pressure
                 : point.Density / restDensity);
         }
 
@@ -195,10 +195,10 @@ namespace SphFluid
         {
             FluidQueries all = read.Queries;
             double passed = Math.Max(0.0, all.AnsweredTime - answeredTime);
-            double share = HasValue && averagingTime > 0f ? 1.0 - Math.Exp(-passed / averagingTime) : 1.0;
+            double share = HasValue && AveragingTime > 0f ? 1.0 - Math.Exp(-passed / AveragingTime) : 1.0;
             Value += (float)share * (now - Value);
             (HasValue, answer, answeredTime) = (true, all.Answer, all.AnsweredTime);
-            int crossed = state.Take(Value, threshold, hysteresis);
+            int crossed = state.Take(Value, Threshold, Hysteresis);
             if (crossed > 0) roseAbove.Invoke(Value);
             else if (crossed < 0) fellBelow.Invoke(Value);
         }

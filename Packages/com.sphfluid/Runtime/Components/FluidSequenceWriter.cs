@@ -72,14 +72,15 @@ namespace SphFluid
         /// <param name="time">Its time [s], after that of the frame before.</param>
         /// <param name="frame">The particles, each with an id of its own, in simulation space; those that are marked as removed are passed over.</param>
         /// <exception cref="ArgumentNullException">There are none.</exception>
-        /// <exception cref="ArgumentException">Two have the same id, or there are more than a file of 2 GiB holds.</exception>
+        /// <exception cref="ArgumentException">The time is not finite, two have the same id, or there are more than a file of 2 GiB holds.</exception>
         /// <exception cref="InvalidOperationException">The time is not after that of the frame before, or the sequence is finished.</exception>
         /// <exception cref="IOException">The file cannot be written.</exception>
         public void Write(double time, IReadOnlyList<FluidParticle> frame)
         {
             if (frame == null) throw new ArgumentNullException(nameof(frame));
+            Require.Within(time, double.MinValue, double.MaxValue, nameof(time));
             if (isDisposed) throw new InvalidOperationException("The sequence is finished. Begin another one.");
-            if (!(time > (frames.Count > 0 ? frames[frames.Count - 1].time : double.NegativeInfinity)) || double.IsInfinity(time))
+            if (!(time > (frames.Count > 0 ? frames[frames.Count - 1].time : double.NegativeInfinity)))
                 throw new InvalidOperationException(FormattableString.Invariant($"The time {time} s is not after that of the frame before. Write each moment once, in order."));
             StoredParticle[] live = Live(frame);
             byte[] header = Encoding.ASCII.GetBytes($"ply\nformat binary_little_endian 1.0\nelement vertex {live.Length}\nproperty float x\nproperty float y\nproperty float z\n" +

@@ -243,9 +243,15 @@ namespace SphFluid
         /// <param name="rotation">World rotation.</param>
         /// <param name="velocity">World velocity [m/s].</param>
         /// <returns>Number of particles that are tried with the next steps; <see cref="FluidCounters.Blocked"/> counts those that find no place.</returns>
+        /// <exception cref="ArgumentException">A number is not finite, or an edge length is not positive.</exception>
         /// <exception cref="InvalidOperationException">The liquid does not run or is played from files, or its method has a fixed number of particles.</exception>
-        public int AddLiquid(Vector3 centre, Vector3 size, Quaternion rotation, Vector3 velocity = default) =>
-            ExchangingRun().AddLiquid(Spec, Matrix4x4.TRS(centre, rotation, size), velocity);
+        public int AddLiquid(Vector3 centre, Vector3 size, Quaternion rotation, Vector3 velocity = default)
+        {
+            Require.Size(size, nameof(size));
+            Require.Place(centre, rotation);
+            Require.Finite(velocity, nameof(velocity));
+            return ExchangingRun().AddLiquid(Spec, Matrix4x4.TRS(centre, rotation, size), velocity);
+        }
 
         /// <summary>Adds the liquid of a volume to the running liquid, where there is a place for it: not in colliders, and not where liquid is.</summary>
         /// <param name="volume">A volume, enabled or not. One that is enabled while the liquid runs adds its liquid by itself, unless this did before.</param>
@@ -265,16 +271,26 @@ namespace SphFluid
         /// <param name="centre">World position [m].</param>
         /// <param name="size">Edge lengths [m].</param>
         /// <param name="rotation">World rotation.</param>
+        /// <exception cref="ArgumentException">A number is not finite, or an edge length is not positive.</exception>
         /// <exception cref="InvalidOperationException">The liquid does not run or is played from files, or its method has a fixed number of particles.</exception>
-        public void RemoveLiquid(Vector3 centre, Vector3 size, Quaternion rotation) =>
+        public void RemoveLiquid(Vector3 centre, Vector3 size, Quaternion rotation)
+        {
+            Require.Size(size, nameof(size));
+            Require.Place(centre, rotation);
             ExchangingRun().Flows.Remove(DrainZone.Box(OwnSpec.WorldToLocal * Matrix4x4.TRS(centre, rotation, 0.5f * size)));
+        }
 
         /// <summary>Removes the liquid in a sphere with the next steps.</summary>
         /// <param name="centre">World position [m].</param>
         /// <param name="radius">Radius [m].</param>
+        /// <exception cref="ArgumentException">A number is not finite, or the radius is not positive.</exception>
         /// <exception cref="InvalidOperationException">The liquid does not run or is played from files, or its method has a fixed number of particles.</exception>
-        public void RemoveLiquid(Vector3 centre, float radius) =>
+        public void RemoveLiquid(Vector3 centre, float radius)
+        {
+            Require.Finite(centre, nameof(centre));
+            Require.Positive(radius, nameof(radius));
             ExchangingRun().Flows.Remove(DrainZone.Capsule(OwnSpec.WorldToLocal * Matrix4x4.TRS(centre, Quaternion.identity, radius * Vector3.one), 0f));
+        }
 
         /// <summary>
         /// Gives the liquid in a sphere a velocity, besides the one that it has, over the next frame with steps; less within a support radius of the sphere's surface.
@@ -286,7 +302,7 @@ namespace SphFluid
         /// liquid add up to more than a fifth of the speed of sound in a frame, they are weakened to that, and a message says so once.</param>
         /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the velocity is more than a fifth of the speed of sound, or 16 impulses wait already: this one is not taken.</exception>
         /// <exception cref="InvalidOperationException">The liquid does not run or is played from files, or its method has no force zones.</exception>
-        public void AddImpulse(Vector3 centre, float radius, Vector3 deltaVelocity) => PushedRun().Zones.Push(new ZonePush(centre, radius, deltaVelocity), name);
+        public void AddImpulse(Vector3 centre, float radius, Vector3 deltaVelocity) => Push(centre, radius, deltaVelocity, 0f, nameof(deltaVelocity));
 
         /// <summary>Drives the liquid in a sphere apart, over the next frame with steps; less within a support radius of the sphere's surface and of its centre.</summary>
         /// <param name="centre">World position [m].</param>
@@ -294,7 +310,7 @@ namespace SphFluid
         /// <param name="speed">Velocity away from the centre, besides the one that the liquid has [m/s]; negative: towards it. It adds up with others as <see cref="AddImpulse"/> says.</param>
         /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the speed is more than a fifth of the speed of sound, or 16 impulses wait already: this one is not taken.</exception>
         /// <exception cref="InvalidOperationException">The liquid does not run or is played from files, or its method has no force zones.</exception>
-        public void AddExplosion(Vector3 centre, float radius, float speed) => PushedRun().Zones.Push(new ZonePush(centre, radius, speed), name);
+        public void AddExplosion(Vector3 centre, float radius, float speed) => Push(centre, radius, Vector3.zero, speed, nameof(speed));
 
         /// <summary>
         /// Pauses the liquid and takes one step of <see cref="TimeStep"/> in the next LateUpdate, whatever Time.timeScale and
@@ -382,7 +398,7 @@ namespace SphFluid
             FluidSpec spec = Spec;
             if (run == null || !run.Key.Equals(FluidStartKey.Of(spec)))
             {
-                if (!failed.IsUnchanged(spec, CountSources())) StartSimulation();
+                if (!failed.IsUnchanged(spec, Sources())) StartSimulation();
                 if (!IsPlayedBack) return; // what is played is there at once
             }
             run.Timer = Timer;
@@ -404,13 +420,13 @@ namespace SphFluid
             }
             foreach (FluidMessage message in FluidReports.ErrorsOf(Validate(), failure)) Report(message);
             Release();
-            failed.Note(Spec, CountSources());
+            failed.Note(Spec, Sources());
         }
 
-        int CountSources()
+        int Sources()
         {
             FluidScene.Own(this, parts.Volumes);
-            return parts.SourceCount;
+            return parts.Sources;
         }
 
         // Null: it did not start.
@@ -420,13 +436,20 @@ namespace SphFluid
             if (run != null) automatic.Take(run.Start.Choice, Spec);
             if (run?.Start.Choice != null) timing.BeginCosts();
             volumeWatch.Begin(OwnSpec, FluidScene.Volumes(this));
-            if (run == null) failed.Note(Spec, CountSources());
+            if (run == null) failed.Note(Spec, Sources());
             else failed.Forget();
             if (run != null) Started?.Invoke(this);
             return run != null;
         }
 
-        FluidRun PushedRun() => Stepped("it cannot be pushed", FluidMethodFeatures.ForceZones, "no force zones or impulses");
+        void Push(Vector3 centre, float radius, Vector3 velocity, float outward, string argument)
+        {
+            Require.Finite(centre, nameof(centre));
+            Require.Positive(radius, nameof(radius));
+            Require.Finite(velocity + outward * Vector3.one, argument);
+            FluidRun pushed = Stepped("it cannot be pushed", FluidMethodFeatures.ForceZones, "no force zones or impulses");
+            pushed.Zones.Push(new ZonePush(centre, radius, velocity, outward), name, argument);
+        }
 
         FluidRun ExchangingRun() => Stepped("no liquid can be added or removed", FluidMethodFeatures.ChangingCount, "a fixed number of particles");
 

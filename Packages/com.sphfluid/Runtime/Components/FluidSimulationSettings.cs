@@ -51,7 +51,7 @@ namespace SphFluid
         [SerializeField, Range(1, 1000), Tooltip("Most steps a frame. Where more are needed the liquid moves slower than time, and the console says so.")]
         int maxSubstepsPerFrame = 64;
 
-        [SerializeField, Min(0f), Tooltip("Fastest speed to be ready for in m/s, when moving colliders or forces make the liquid faster than " +
+        [SerializeField, Min(0f), Tooltip("Fastest speed to be ready for in m/s, 1000 at most, when moving colliders or forces make the liquid faster than " +
             "its fall. 0: the fall decides.")]
         float expectedSpeed;
 
@@ -117,7 +117,7 @@ namespace SphFluid
         public LayerMask ColliderLayers { get => colliderLayers; set => colliderLayers = value; }
 
         /// <summary>Where the time step comes from.</summary>
-        public FluidTimeStepMode TimeStepMode { get => timeStepMode; set => timeStepMode = value; }
+        public FluidTimeStepMode TimeStepMode { get => Limits.Known(timeStepMode); set => timeStepMode = value; }
 
         /// <summary>Time step in fixed mode [s].</summary>
         public float FixedTimeStep { get => fixedTimeStep; set => fixedTimeStep = value; }
@@ -135,14 +135,14 @@ namespace SphFluid
         /// </summary>
         public float TimeScale { get => timeScale; set => timeScale = value; }
 
-        /// <summary>Most steps a frame, at least 1.</summary>
-        public int MaxSubstepsPerFrame { get => Mathf.Max(1, maxSubstepsPerFrame); set => maxSubstepsPerFrame = value; }
+        /// <summary>Most steps a frame, 1 to 1000.</summary>
+        public int MaxSubstepsPerFrame { get => Mathf.Clamp(maxSubstepsPerFrame, 1, 1000); set => maxSubstepsPerFrame = value; }
 
         /// <summary>Whether liquid that rests takes no steps until something touches it; see <see cref="FluidSimulation.IsAsleep"/>.</summary>
         public bool SleepsAtRest { get => sleepsAtRest; set => sleepsAtRest = value; }
 
-        /// <summary>Fastest speed to be ready for beyond the fall's [m/s]; 0: the fall decides.</summary>
-        public float ExpectedSpeed { get => expectedSpeed; set => expectedSpeed = value; }
+        /// <summary>Fastest speed to be ready for beyond the fall's [m/s], 0 to 1000; 0: the fall decides.</summary>
+        public float ExpectedSpeed { get => Limits.Clamp(expectedSpeed, 0f, FluidSpec.MostSpeed); set => expectedSpeed = value; }
 
         /// <summary>Whether Physics.gravity acts instead of <see cref="Gravity"/>.</summary>
         public bool UseSceneGravity { get => useSceneGravity; set => useSceneGravity = value; }
@@ -172,13 +172,13 @@ namespace SphFluid
         public int Seed { get => seed; set => seed = value; }
 
         /// <summary>Largest random offset at the start over the spacing, 0 to 0.2.</summary>
-        public float StartJitter { get => startJitter; set => startJitter = value; }
+        public float StartJitter { get => Limits.Clamp(startJitter, 0f, FluidSpawner.MaxJitter); set => startJitter = value; }
 
         /// <summary>How the liquid is brought to rest before the first frame. Standard method only; its step count is among the messages.</summary>
-        public FluidStartRelaxation StartRelaxation { get => startRelaxation; set => startRelaxation = value; }
+        public FluidStartRelaxation StartRelaxation { get => Limits.Known(startRelaxation); set => startRelaxation = value; }
 
         /// <summary>What happens when emitters give more particles than there are slots for.</summary>
-        public FluidCapacityPolicy CapacityPolicy { get => capacityPolicy; set => capacityPolicy = value; }
+        public FluidCapacityPolicy CapacityPolicy { get => Limits.Known(capacityPolicy); set => capacityPolicy = value; }
 
         /// <summary>Particles that the policies Fixed and RecycleOldest hold; 0: as many as the profile allows.</summary>
         public int Capacity { get => capacity; set => capacity = value; }
@@ -190,7 +190,7 @@ namespace SphFluid
             {
                 var spec = new FluidSpec
                 {
-                    CapacityPolicy = capacityPolicy,
+                    CapacityPolicy = CapacityPolicy,
                     Capacity = capacity,
                     Owner = this,
                     Position = transform.position,
@@ -201,18 +201,18 @@ namespace SphFluid
                     Spacing = particleSpacing,
                     Method = method,
                     ColliderLayers = colliderLayers,
-                    TimeStepMode = timeStepMode,
+                    TimeStepMode = TimeStepMode,
                     FixedTimeStep = fixedTimeStep,
                     MaxSubstepsPerFrame = MaxSubstepsPerFrame,
-                    ExpectedSpeed = expectedSpeed,
+                    ExpectedSpeed = ExpectedSpeed,
                     SleepsAtRest = sleepsAtRest,
                     Gravity = EffectiveGravity,
                     BodyForce = bodyForce,
                     Boundaries = boundaries,
                     VelocityField = VelocityField,
                     Seed = seed,
-                    StartJitter = startJitter,
-                    StartRelaxation = startRelaxation,
+                    StartJitter = StartJitter,
+                    StartRelaxation = StartRelaxation,
                 };
                 if (FluidMethods.IsChosen(method)) spec.Automatic = new AutomaticSpec(frameBudget, FrameRate, spec.Profile.Rules, spec.MaxSubstepsPerFrame);
                 return spec;

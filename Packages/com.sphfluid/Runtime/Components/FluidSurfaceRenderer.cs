@@ -36,7 +36,7 @@ namespace SphFluid
         public FluidSurfaceOptions Surface => surface;
 
         /// <summary>How it is drawn: as clear water or as an opaque body.</summary>
-        public FluidSurfaceLook Look { get => look; set => look = value; }
+        public FluidSurfaceLook Look { get => Limits.Known(look); set => look = value; }
 
         /// <summary>How clear water looks.</summary>
         public FluidWaterLook Water => water;
@@ -44,11 +44,11 @@ namespace SphFluid
         /// <summary>Material of the surface, or null for one made from the other settings.</summary>
         public Material Material { get => material; set => material = value; }
 
-        /// <summary>Colour of the opaque body, if no material is given.</summary>
-        public Color Color { get => color; set => color = value; }
+        /// <summary>Colour of the opaque body, if no material is given. Not a number counts as 0.</summary>
+        public Color Color { get => Limits.Finite(color); set => color = value; }
 
         /// <summary>Smoothness of the opaque body, if no material is given, 0 to 1.</summary>
-        public float Smoothness { get => smoothness; set => smoothness = value; }
+        public float Smoothness { get => Limits.Clamp(smoothness, 0f, 1f); set => smoothness = value; }
 
         /// <summary>Bytes of GPU memory of the surface; 0 while nothing is drawn.</summary>
         public long GpuBytes => drawing?.Surface.GpuBytes ?? 0;
@@ -60,7 +60,7 @@ namespace SphFluid
         internal int Recordings => drawing?.Surface.Recordings ?? 0;
 
         /// <summary>Strength of the shadow that it casts as water, 0 to 1; 0 with another look, or where it casts none.</summary>
-        internal float WaterShadow => look == FluidSurfaceLook.Water && CastShadows ? water.Shadow : 0f;
+        internal float WaterShadow => Look == FluidSurfaceLook.Water && CastShadows ? water.Shadow : 0f;
 
         /// <inheritdoc/>
         protected override void CreateResources(FluidShaderSet shaders) => drawing = new LiquidDrawing(shaders);
@@ -76,10 +76,10 @@ namespace SphFluid
         protected override void Draw(FluidSimulation drawn)
         {
             DrawPlacement placement = Placement(drawn, 0f, WaterShadow);
-            if (look == FluidSurfaceLook.Water)
+            if (Look == FluidSurfaceLook.Water)
                 drawing.DrawWater(drawn.Solver, surface, water, material, placement, this);
             else
-                drawing.DrawOpaque(drawn.Solver, surface, color, smoothness, material, placement, this);
+                drawing.DrawOpaque(drawn.Solver, surface, Color, Smoothness, material, placement, this);
             FluidProfiler.AddSurface(Status.Triangles, drawing.Surface.SprayCount, GpuBytes);
         }
     }

@@ -38,10 +38,10 @@ namespace SphFluid
             }
         }
 
-        /// <summary>Thickness of the bars along the edges [m]; 0: no bars.</summary>
+        /// <summary>Thickness of the bars along the edges [m], 0 or more; 0: no bars.</summary>
         public float Edge
         {
-            get => edge;
+            get => Limits.Clamp(edge, 0f);
             set
             {
                 edge = value;
@@ -89,11 +89,10 @@ namespace SphFluid
             if (mesh == null) return; // it is disabled
             FluidSimulation owner = Simulation;
             Vector3 size = owner != null && AffineMath.IsFinite(owner.DomainSize) ? Vector3.Max(owner.DomainSize, Vector3.zero) : Vector3.zero;
-            float bar = AffineMath.IsFinite(edge) ? Mathf.Max(0f, edge) : 0f;
-            if (shown == (size, bar, lid)) return;
-            shown = (size, bar, lid);
+            if (shown == (size, Edge, lid)) return;
+            shown = (size, Edge, lid);
             if (size == Vector3.zero) mesh.Clear();
-            else TankMesh.Fill(mesh, size, bar, lid);
+            else TankMesh.Fill(mesh, size, Edge, lid);
         }
 
         void ReportMissing()

@@ -36,7 +36,7 @@ namespace SphFluid
         FluidSimulation simulation;
 
         /// <summary>What is filled. Read when the simulation starts, or when the volume is enabled while it runs, as all the rest.</summary>
-        public FluidVolumeShape Shape { get => shape; set => shape = value; }
+        public FluidVolumeShape Shape { get => Limits.Known(shape); set => shape = value; }
 
         /// <summary>Edge lengths in this transform's space [m at unit scale] of the box, or of the box that the sphere touches.</summary>
         public Vector3 Size { get => size; set => size = value; }
@@ -63,7 +63,7 @@ namespace SphFluid
             Position = transform.position,
             Rotation = transform.rotation,
             LocalToWorld = transform.localToWorldMatrix,
-            Shape = shape,
+            Shape = Shape,
             Size = size,
             FilledMesh = FilledMesh,
             Level = level,

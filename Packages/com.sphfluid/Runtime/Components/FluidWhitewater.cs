@@ -40,19 +40,19 @@ namespace SphFluid
         public const int MostParticles = 1 << 20;
 
         /// <summary>Most particles of spray, foam and bubbles, 1 to <see cref="MostParticles"/>. A change begins without any.</summary>
-        public int MaxParticles { get => Mathf.Clamp(maxParticles, 1, MostParticles); set => maxParticles = Mathf.Clamp(value, 1, MostParticles); }
+        public int MaxParticles { get => Mathf.Clamp(maxParticles, 1, MostParticles); set => maxParticles = value; }
 
         /// <summary>How much whitewater agitated liquid brings forth, over what it does by default; 0 or more.</summary>
-        public float Amount { get => amount; set => amount = Mathf.Max(value, 0f); }
+        public float Amount { get => Limits.Clamp(amount, 0f); set => amount = value; }
 
-        /// <summary>How long foam lies on still water, at most [s]; more than 0.</summary>
-        public float FoamLife { get => foamLife; set => foamLife = Mathf.Max(value, 0.01f); }
+        /// <summary>How long foam lies on still water, at most [s]; 0.01 or more.</summary>
+        public float FoamLife { get => Limits.Clamp(foamLife, 0.01f); set => foamLife = value; }
 
         /// <summary>Size of drops, flakes of foam and bubbles, over what it is by default; 0 or more.</summary>
-        public float Size { get => size; set => size = Mathf.Max(value, 0f); }
+        public float Size { get => Limits.Clamp(size, 0f); set => size = value; }
 
-        /// <summary>Its colour in white light.</summary>
-        public Color Color { get => color; set => color = value; }
+        /// <summary>Its colour in white light. Not a number counts as 0.</summary>
+        public Color Color { get => Limits.Finite(color); set => color = value; }
 
         /// <summary>How much whitewater there is, as of a few frames ago; all zero while there is none.</summary>
         public WhitewaterCounts Counts => flow?.Counts ?? default;
@@ -79,8 +79,8 @@ namespace SphFluid
             try
             {
                 Prepare(simulation.Profile.Shaders);
-                flow.Advance(solver, simulation.SimulatedTime, new WhitewaterSettings(MaxParticles, Amount, Mathf.Max(foamLife, 0.01f)));
-                drawing.Draw(flow.Buffers, solver.Settings.Spacing, Size, color, Placement(solver.Settings));
+                flow.Advance(solver, simulation.SimulatedTime, new WhitewaterSettings(MaxParticles, Amount, FoamLife));
+                drawing.Draw(flow.Buffers, solver.Settings.Spacing, Size, Color, Placement(solver.Settings));
             }
             catch (FluidDeviceException exception)
             {

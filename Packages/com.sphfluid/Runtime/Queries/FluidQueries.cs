@@ -58,7 +58,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">The position is not finite.</exception>
         public FluidQuery AddPoint(Vector3 world)
         {
-            QueryRules.Check(world, nameof(world));
+            Require.Finite(world, nameof(world));
             FluidQuery query = asked.Add(QueryKind.Point);
             asked[QueryKind.Point].Set(query, world);
             return query;
@@ -125,7 +125,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">The position is not finite, or the request was removed or is of another kind.</exception>
         public void Move(FluidQuery query, Vector3 world)
         {
-            QueryRules.Check(world, nameof(world));
+            Require.Finite(world, nameof(world));
             asked.Require(query, QueryKind.Point);
             asked[QueryKind.Point].Set(query, world);
         }

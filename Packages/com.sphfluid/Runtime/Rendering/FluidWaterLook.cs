@@ -47,42 +47,42 @@ namespace SphFluid
         /// <summary>Most drops of <see cref="Spray"/>.</summary>
         public const int MostDrops = 32;
 
-        /// <summary>Colour that white light has after one metre of water.</summary>
-        public Color ColorAtOneMetre { get => colorAtOneMetre; set => colorAtOneMetre = value; }
+        /// <summary>Colour that white light has after one metre of water. Not a number counts as 0.</summary>
+        public Color ColorAtOneMetre { get => Limits.Finite(colorAtOneMetre); set => colorAtOneMetre = value; }
 
-        /// <summary>How far one sees in it [m]: at that distance 2 % of the contrast is left.</summary>
-        public float Visibility { get => visibility; set => visibility = value; }
+        /// <summary>How far one sees in it [m], 0.01 or more: at that distance 2 % of the contrast is left.</summary>
+        public float Visibility { get => Limits.Clamp(visibility, 0.01f); set => visibility = value; }
 
-        /// <summary>Colour of the light that it scatters back.</summary>
-        public Color Scattering { get => scattering; set => scattering = value; }
+        /// <summary>Colour of the light that it scatters back. Not a number counts as 0.</summary>
+        public Color Scattering { get => Limits.Finite(scattering); set => scattering = value; }
 
         /// <summary>How much the scene behind is displaced, 0 to 1; 1: as much as by water.</summary>
-        public float Refraction { get => refraction; set => refraction = value; }
+        public float Refraction { get => Limits.Clamp(refraction, 0f, 1f); set => refraction = value; }
 
         /// <summary>Smoothness of the surface, 0 to 1.</summary>
-        public float Smoothness { get => smoothness; set => smoothness = value; }
+        public float Smoothness { get => Limits.Clamp(smoothness, 0f, 1f); set => smoothness = value; }
 
         /// <summary>How much of the light its shadow takes away, 0 to 1.</summary>
-        public float Shadow { get => shadow; set => shadow = value; }
+        public float Shadow { get => Limits.Clamp(shadow, 0f, 1f); set => shadow = value; }
 
         /// <summary>How closely light is followed through the water.</summary>
-        public FluidWaterQuality Quality { get => quality; set => quality = value; }
+        public FluidWaterQuality Quality { get => Limits.Known(quality); set => quality = value; }
 
         /// <summary>Whether its thickness is measured at half the picture's resolution.</summary>
         public bool HalfResolution { get => halfResolution; set => halfResolution = value; }
 
         /// <summary>Small drops that a particle far from others is drawn as, 0 to <see cref="MostDrops"/>; 0: it stays in the surface.</summary>
-        public int Spray { get => spray; set => spray = Mathf.Clamp(value, 0, MostDrops); }
+        public int Spray { get => Mathf.Clamp(spray, 0, MostDrops); set => spray = value; }
 
-        /// <summary>How long the camera's shutter is open for spray [s], 0 or more: drops are streaked by the way they go in it.</summary>
-        public float SprayShutter { get => sprayShutter; set => sprayShutter = Mathf.Max(value, 0f); }
+        /// <summary>How long the camera's shutter is open for spray [s], 0 to 0.02: drops are streaked by the way they go in it.</summary>
+        public float SprayShutter { get => Limits.Clamp(sprayShutter, 0f, 0.02f); set => sprayShutter = value; }
 
         /// <summary>Steps through the water, steps behind it, and whether walls mirror; Shaders/Rendering/WaterRefraction.hlsl.</summary>
         internal Vector4 RefractionSteps
         {
             get
             {
-                switch (quality)
+                switch (Quality)
                 {
                     case FluidWaterQuality.Fast:
                         return Vector4.zero;
@@ -100,7 +100,7 @@ namespace SphFluid
             get
             {
                 Vector4 scattered = ScatteringCoefficient;
-                Color left = InShaderColours(colorAtOneMetre);
+                Color left = InShaderColours(ColorAtOneMetre);
                 return new Vector4(Absorption(left.r) + scattered.x, Absorption(left.g) + scattered.y, Absorption(left.b) + scattered.z, 0f);
             }
         }
@@ -120,8 +120,8 @@ namespace SphFluid
         {
             get
             {
-                Color tint = InShaderColours(scattering);
-                return new Vector4(tint.r, tint.g, tint.b, 0f) * (VisibilityConstant / Mathf.Max(visibility, 0.01f));
+                Color tint = InShaderColours(Scattering);
+                return new Vector4(tint.r, tint.g, tint.b, 0f) * (VisibilityConstant / Visibility);
             }
         }
 

@@ -30,9 +30,24 @@ namespace SphFluid
             if (sites > EmitterSites.Most)
                 return Wrong(emitter, FormattableString.Invariant($"The nozzle needs {sites:0} particles a layer at a spacing of {spec.Spacing} m; {EmitterSites.Most} are allowed."),
                     "Use a smaller Size or a larger Particle Spacing.");
+            if (speed > FluidSpec.MostSpeed)
+                return Wrong(emitter, FormattableString.Invariant($"The emitter gives liquid of {speed:0.###} m/s; {FluidSpec.MostSpeed} m/s are the most."), "Use a larger Size, or less Speed or Volume Rate.");
             if (speed > FastestShare * soundSpeed)
                 return Wrong(emitter, FormattableString.Invariant($"The emitter gives liquid of {speed:0.###} m/s, more than a quarter of the speed of sound of '{spec.Name}', {soundSpeed:0.#} m/s."),
                     FormattableString.Invariant($"Use a larger Size or less flow, or set the simulation's Expected Speed to {speed:0.#} m/s."));
+            return null;
+        }
+
+        /// <summary>What keeps a drain from working as it is set to; null when nothing does.</summary>
+        public static FluidMessage? Check(in DrainSpec drain)
+        {
+            if (AffineMath.IsSingular(drain.Frame))
+                return new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, drain.Owner, "The drain has no volume, so nothing leaves there.",
+                    "Give Size, or the drain's collider, and the scale of its object numbers greater than zero.");
+            if (drain.IgnoresCollider)
+                return new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, drain.Owner,
+                    "The drain's object has a collider that is no Box, Sphere or Capsule Collider: the box of Size is the drain.",
+                    "Use one of these colliders, or move the drain to an object without a collider.");
             return null;
         }
 
@@ -46,10 +61,7 @@ namespace SphFluid
             for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
                 if (Check(spec.Emitters[i], spec, double.PositiveInfinity) is FluidMessage wrong) messages.Add(wrong);
             for (int i = 0; i < (spec.Drains?.Count ?? 0); i++)
-                if (spec.Drains[i].IgnoresCollider)
-                    messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, spec.Drains[i].Owner,
-                        "The drain's object has a collider that is no Box, Sphere or Capsule Collider: the box of Size is the drain.",
-                        "Use one of these colliders, or move the drain to an object without a collider."));
+                if (Check(spec.Drains[i]) is FluidMessage wrong) messages.Add(wrong);
             if (spec.CapacityPolicy != FluidCapacityPolicy.Grow && spec.Capacity < 0)
                 messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.TooManyParticles, spec.Owner, $"The capacity is {spec.Capacity} particles.",
                     "Give Capacity a number greater than zero, or zero for Max Particles of the profile."));

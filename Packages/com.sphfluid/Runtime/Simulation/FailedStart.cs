@@ -3,12 +3,12 @@ namespace SphFluid
     /// <summary>What a simulation was when it could not start or go on: the next try comes with the next change.</summary>
     internal sealed class FailedStart
     {
-        (FluidStartKey, FluidLiveKey)? keys;
+        (FluidStartKey, FluidLiveKey, FluidCapacityPolicy, int)? keys;
         int sources;
 
         /// <summary>It failed.</summary>
         /// <param name="spec">The simulation.</param>
-        /// <param name="sources">Number of its volumes and emitters.</param>
+        /// <param name="sources">What its volumes, emitters and zones are, as <see cref="SceneParts.Sources"/>.</param>
         public void Note(in FluidSpec spec, int sources)
         {
             keys = KeysOf(spec);
@@ -20,9 +20,10 @@ namespace SphFluid
 
         /// <summary>Whether it failed and is still the same.</summary>
         /// <param name="spec">The simulation.</param>
-        /// <param name="sources">Number of its volumes and emitters.</param>
+        /// <param name="sources">What its volumes, emitters and zones are, as <see cref="SceneParts.Sources"/>.</param>
         public bool IsUnchanged(in FluidSpec spec, int sources) => keys != null && keys.Value.Equals(KeysOf(spec)) && this.sources == sources;
 
-        static (FluidStartKey, FluidLiveKey) KeysOf(in FluidSpec spec) => (FluidStartKey.Of(spec), FluidLiveKey.AsGiven(spec));
+        static (FluidStartKey, FluidLiveKey, FluidCapacityPolicy, int) KeysOf(in FluidSpec spec) =>
+            (FluidStartKey.Of(spec), FluidLiveKey.AsGiven(spec), spec.CapacityPolicy, spec.Capacity);
     }
 }

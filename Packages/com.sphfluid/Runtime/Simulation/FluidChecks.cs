@@ -8,7 +8,7 @@ namespace SphFluid
     /// <summary>What a simulation has to fulfil, by its spec. The checks look and change nothing; one set serves the inspector, the console and tests.</summary>
     internal static class FluidChecks
     {
-        const float ScaleTolerance = 1e-4f;
+        const float ScaleTolerance = 1e-4f, MostGravity = 1e5f;
 
         /// <summary>Checks a simulation with its liquid and its colliders, of a prefab asset only the settings.</summary>
         /// <param name="spec">The simulation.</param>
@@ -138,8 +138,8 @@ namespace SphFluid
                 messages.Add(Error(spec.Owner, FluidIssue.SpacingInvalid,
                     $"The domain of {FluidMessage.Lengths(size)} m is less than two particles of {spacing} m wide.",
                     "Use a smaller Particle Spacing or a larger Domain Size."));
-            if (!AffineMath.IsFinite(spec.Gravity))
-                messages.Add(Error(spec.Owner, FluidIssue.GravityInvalid, "Gravity is not a finite number.", "Give Gravity three finite numbers."));
+            if (!(spec.Gravity.magnitude <= MostGravity))
+                messages.Add(Error(spec.Owner, FluidIssue.GravityInvalid, "Gravity is not a finite number of up to 100,000 m/s².", "Give Gravity three finite numbers."));
             CheckBudget(spec, messages);
             float step = spec.FixedTimeStep;
             if (spec.TimeStepMode == FluidTimeStepMode.Fixed && !(AffineMath.IsFinite(step) && step > 0f))

@@ -43,7 +43,7 @@ namespace SphFluid
             input.LiquidDepth = Mathf.Min(height, DepthAtRest(spec, start, fall));
             input.InitialSpeed = Hypotenuse(FastestSource(spec, start.InitialSpeed), start.Extent.SpeedBy(spec.BodyForce));
             input.MinSpeed = Mathf.Max(input.MinSpeed, Mathf.Max(spec.ExpectedSpeed, FastestWall(spec.Boundaries)));
-            input.FixedTimeStep = spec.TimeStepMode == FluidTimeStepMode.Fixed ? spec.FixedTimeStep : 0f;
+            input.FixedTimeStep = spec.TimeStepMode == FluidTimeStepMode.Fixed ? (float)Require.Positive(spec.FixedTimeStep, nameof(spec.FixedTimeStep)) : 0f;
             return input;
         }
 

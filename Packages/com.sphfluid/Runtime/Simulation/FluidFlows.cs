@@ -205,6 +205,7 @@ namespace SphFluid
                     if (drain.State.Run != this) (drain.State.Run, drain.State.Drained) = (this, 0.0);
                     drain.State.Before = drain.State.Drained;
                 }
+                if (EmitterChecks.Check(drain) is FluidMessage wrong) report(wrong);
                 if (zones.Count < ParticleExchange.MostDrains) zones.Add((drain.Zone(worldToLocal), source));
                 else ReportTooMany(spec, drain.Owner);
             }

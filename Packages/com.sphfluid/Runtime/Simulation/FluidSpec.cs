@@ -10,6 +10,9 @@ namespace SphFluid
     /// </summary>
     internal struct FluidSpec
     {
+        /// <summary>Fastest that a liquid can be made ready for [m/s].</summary>
+        public const float MostSpeed = 1000f;
+
         /// <summary>The component: the context of messages, and what is in the scene that is searched. Nothing else is read from it.</summary>
         public Component Owner;
 

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 
 namespace SphFluid
@@ -23,8 +24,18 @@ namespace SphFluid
         /// <summary>What plays the liquid; null: it is stepped.</summary>
         public IFluidPlayback Playback { get; set; }
 
-        /// <summary>Number of volumes and emitters: without one there is no liquid.</summary>
-        public int SourceCount => Volumes.Count + Emitters.Count;
+        /// <summary>A number that another number or setting of volumes, emitters and zones changes: what keeps a liquid from starting is tried again then. NaN is the same as NaN.</summary>
+        public int Sources
+        {
+            get
+            {
+                var all = new HashCode();
+                foreach (VolumeSpec volume in Volumes) all.Add((volume.Shape, volume.Size, volume.FilledMesh, volume.Level, volume.DomainHolds, volume.InitialVelocity));
+                foreach (EmitterSpec emitter in Emitters) all.Add((emitter.Shape, emitter.Size, emitter.Mesh, emitter.Flow, emitter.Amount, emitter.Lifetime, emitter.UnderWater));
+                foreach (ZoneSpec zone in Zones) all.Add((zone.Kind, zone.Shape, zone.Size, zone.Strength, zone.WindSpeed, zone.DragRate, (zone.EddySize, zone.EddyTime)));
+                return all.ToHashCode();
+            }
+        }
 
         /// <summary>A simulation with these parts.</summary>
         /// <param name="spec">The simulation without.</param>

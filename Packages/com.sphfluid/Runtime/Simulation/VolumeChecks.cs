@@ -14,8 +14,8 @@ namespace SphFluid
             Matrix4x4 worldToLocal = spec.WorldToLocal;
             Matrix4x4 toSimulation = worldToLocal * volume.LocalToWorld;
             Vector3 velocity = worldToLocal.MultiplyVector(volume.Rotation * volume.InitialVelocity);
-            if (!AffineMath.IsFinite(volume.InitialVelocity))
-                return Fail(volume, messages, "The liquid volume's initial velocity is not a finite number.",
+            if (!AffineMath.IsFinite(volume.InitialVelocity.sqrMagnitude))
+                return Fail(volume, messages, $"The liquid volume's initial velocity is {volume.InitialVelocity} m/s, which cannot be computed with.",
                     "Give Initial Velocity three finite numbers.");
             if (volume.Shape == FluidVolumeShape.Vessel) return Vessel(volume, spec, collision, velocity, messages);
             if (AffineMath.IsSingular(toSimulation))

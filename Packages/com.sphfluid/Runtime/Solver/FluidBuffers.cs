@@ -19,6 +19,7 @@ namespace SphFluid
         /// <exception cref="ArgumentNullException">There is no solver.</exception>
         public FluidBuffers(FluidSolver solver, in Matrix4x4 localToWorld)
         {
+            Require.Finite(localToWorld, nameof(localToWorld));
             this.solver = solver ?? throw new ArgumentNullException(nameof(solver));
             LocalToWorld = localToWorld;
         }

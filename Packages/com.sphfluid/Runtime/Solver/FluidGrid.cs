@@ -27,11 +27,8 @@ namespace SphFluid
 
         FluidGrid(Vector3 domainSize, float cellSize, FluidAxes periodic, int leastCells)
         {
-            if (!(domainSize.x > 0f && domainSize.y > 0f && domainSize.z > 0f && cellSize > 0f))
-            {
-                throw new ArgumentException(
-                    $"The domain size {domainSize} m and the cell size {cellSize} m must be positive along every axis.");
-            }
+            Require.Size(domainSize, nameof(domainSize));
+            Require.Positive(cellSize, nameof(cellSize));
 
             double x = Cells(domainSize.x, cellSize, periodic, FluidAxes.X, leastCells);
             double y = Cells(domainSize.y, cellSize, periodic, FluidAxes.Y, leastCells);

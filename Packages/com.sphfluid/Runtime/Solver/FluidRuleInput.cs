@@ -116,5 +116,33 @@ namespace SphFluid
                 return water;
             }
         }
+
+        /// <summary>Checks that rules can go by every number.</summary>
+        /// <exception cref="System.ArgumentException">One is out of range; the message names it.</exception>
+        internal readonly void Validate()
+        {
+            Require.Size(DomainSize, nameof(DomainSize));
+            Require.Positive(Spacing, nameof(Spacing));
+            Require.Positive(SupportRatio, nameof(SupportRatio));
+            Require.Positive(RestDensity, nameof(RestDensity));
+            Require.Positive(SoundSpeedRatio, nameof(SoundSpeedRatio));
+            Require.Positive(MaxCompression, nameof(MaxCompression));
+            Require.Positive(TimeStepFraction, nameof(TimeStepFraction));
+            Require.Positive(WallDistanceRatio, nameof(WallDistanceRatio));
+            Require.Positive(MinSpeed, nameof(MinSpeed));
+            Require.NotNegative(Gravity.magnitude, nameof(Gravity));
+            Require.NotNegative(LiquidHeight, nameof(LiquidHeight));
+            Require.NotNegative(LiquidDepth, nameof(LiquidDepth));
+            Require.NotNegative(InitialSpeed, nameof(InitialSpeed));
+            Require.NotNegative(KinematicViscosity, nameof(KinematicViscosity));
+            Require.NotNegative(ViscosityRatio, nameof(ViscosityRatio));
+            Require.NotNegative(WallStiffnessRatio, nameof(WallStiffnessRatio));
+            Require.NotNegative(WallDampingRatio, nameof(WallDampingRatio));
+            Require.NotNegative(FixedTimeStep, nameof(FixedTimeStep));
+            Require.NotNegative(SurfaceTension, nameof(SurfaceTension));
+            Require.Within(ContactAngle, 0.0, 180.0, nameof(ContactAngle));
+            Require.Within(Substeps, 1.0, MostSubsteps, nameof(Substeps));
+            Require.Known(Switches.AccelerationLimit, nameof(Switches.AccelerationLimit));
+        }
     }
 }

@@ -9,7 +9,12 @@ namespace SphFluid
         /// <param name="input">What the rules start from.</param>
         /// <returns>The settings.</returns>
         /// <exception cref="ArgumentException">An input is out of range, or there is no such method.</exception>
-        public static FluidSolverSettings Derive(in FluidRuleInput input) => FluidMethods.Of(input.Method).Derive(input);
+        public static FluidSolverSettings Derive(in FluidRuleInput input)
+        {
+            FluidMethod method = FluidMethods.Of(input.Method);
+            input.Validate();
+            return method.Derive(input);
+        }
 
         /// <summary>The largest stable time step of a liquid, and what limits it.</summary>
         /// <param name="settings">Its constants.</param>
@@ -31,14 +36,16 @@ namespace SphFluid
         /// <param name="timeStep">Length of a step [s].</param>
         /// <param name="maxSpeed">Its fastest speed [m/s].</param>
         /// <returns>Speed of sound c [m/s]; the liquid's weight compresses it by g D/c² at a depth D.</returns>
+        /// <exception cref="ArgumentException">The step is not positive, or the speed is negative or not finite.</exception>
         public static double EffectiveSoundSpeed(in FluidSolverSettings settings, double timeStep, double maxSpeed) =>
-            FluidMethods.Of(settings.Method).EffectiveSoundSpeed(settings, timeStep, maxSpeed);
+            FluidMethods.Of(settings.Method).EffectiveSoundSpeed(settings, Require.Positive(timeStep, nameof(timeStep)), Require.NotNegative(maxSpeed, nameof(maxSpeed)));
 
         /// <summary>The viscosity that acts in steps of a length: with the method Robust, which has no limit of its steps, no more than they hold.</summary>
         /// <param name="settings">Its constants.</param>
         /// <param name="timeStep">Length of a step [s].</param>
         /// <returns>Kinematic viscosity ν [m²/s].</returns>
+        /// <exception cref="ArgumentException">The step is not positive.</exception>
         public static double ActingViscosity(in FluidSolverSettings settings, double timeStep) =>
-            FluidMethods.Of(settings.Method).ActingViscosity(settings, timeStep);
+            FluidMethods.Of(settings.Method).ActingViscosity(settings, Require.Positive(timeStep, nameof(timeStep)));
     }
 }

@@ -13,6 +13,9 @@ namespace SphFluid
     /// </summary>
     public sealed class FluidSolver : IDisposable
     {
+        /// <summary>Most steps of one recording.</summary>
+        public const int MostSteps = 100_000;
+
         readonly FluidMethod method;
         readonly IFluidStepper stepper;
         readonly FluidState state;
@@ -37,7 +40,7 @@ namespace SphFluid
         {
             method = FluidMethods.Of(settings.Method);
             method.Check(settings);
-            FluidParticle[] first = LoadedParticles.Check(settings, initial, !method.Has(FluidMethodFeatures.ChangingCount));
+            FluidParticle[] first = LoadedParticles.Check(settings, initial, !method.Has(FluidMethodFeatures.ChangingCount), nameof(initial));
             if (shaders == null) throw new ArgumentException("No fluid shader set is given. Assign one in the fluid profile.", nameof(shaders));
             shaderSet = shaders;
             stepper = method.Start(method.Prepare(settings), shaders, LoadedParticles.SlotsFor(method, first.Length, capacity));
@@ -238,19 +241,20 @@ namespace SphFluid
 
         /// <summary>Records a number of steps, and a read-back of the counters.</summary>
         /// <param name="cmd">Command buffer to record into.</param>
-        /// <param name="steps">Number of steps; none records nothing.</param>
+        /// <param name="steps">Number of steps, 0 to <see cref="MostSteps"/>; none records nothing.</param>
+        /// <exception cref="ArgumentOutOfRangeException">The number of steps is out of range.</exception>
         public void RecordSteps(CommandBuffer cmd, int steps) => RecordSteps(cmd, steps, state.Settings.TimeStep);
 
         /// <summary>Records a number of steps of another length than the settings have, and a read-back of the counters.</summary>
         /// <param name="cmd">Command buffer to record into.</param>
-        /// <param name="steps">Number of steps; none records nothing.</param>
+        /// <param name="steps">Number of steps, 0 to <see cref="MostSteps"/>; none records nothing.</param>
         /// <param name="timeStep">Length of each [s], positive. Velocities live between the steps: the first kick after a change is
         /// the mean of both lengths.</param>
         /// <exception cref="ArgumentOutOfRangeException">An argument is out of range.</exception>
         public void RecordSteps(CommandBuffer cmd, int steps, float timeStep)
         {
             ThrowIfDisposed();
-            if (steps < 0) throw new ArgumentOutOfRangeException(nameof(steps), steps, "The number of steps must be zero or more.");
+            if (steps < 0 || steps > MostSteps) throw new ArgumentOutOfRangeException(nameof(steps), steps, $"The number of steps must be 0 to {MostSteps}. Record more with another call.");
             if (!(timeStep > 0f) || float.IsInfinity(timeStep))
                 throw new ArgumentOutOfRangeException(nameof(timeStep), timeStep, "The length of a step must be a positive number of seconds.");
             if (steps > 0) recorder.RecordSteps(cmd, steps, timeStep, FlowSpeed, PeakSpeed, LongestStep);
@@ -276,7 +280,7 @@ namespace SphFluid
             if (particles == null || !Exchanges && particles.Count != ParticleCount)
                 throw new ArgumentException($"The solver holds {ParticleCount} particles, and {particles?.Count ?? 0} are given. Start a new solver for another number.",
                     nameof(particles));
-            FluidParticle[] live = LoadedParticles.Check(state.Settings, particles, !Exchanges);
+            FluidParticle[] live = LoadedParticles.Check(state.Settings, particles, !Exchanges, nameof(particles));
             counters.ReadNow();
             recorder.Replace(live);
             if (HasExchange) Exchange.Births.NextId = this.particles.NextId;
@@ -341,8 +345,13 @@ namespace SphFluid
         /// <param name="settings">The physics.</param>
         /// <param name="initial">The particles.</param>
         /// <returns>A copy of them.</returns>
-        /// <exception cref="ArgumentException">There is no particle, or one lies outside the domain.</exception>
-        public static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial) => LoadedParticles.Check(settings, initial, true);
+        /// <exception cref="ArgumentException">A constant is out of range, there is no particle, or one lies outside the domain.</exception>
+        public static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial)
+        {
+            FluidMethods.Of(settings.Method).Check(settings);
+            return LoadedParticles.Check(settings, initial, true, nameof(initial));
+        }
+
 
         /// <summary>Releases the GPU memory.</summary>
         public void Dispose()
@@ -356,7 +365,7 @@ namespace SphFluid
         }
 
         static float NotNegative(float value) =>
-            value >= 0f ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "The liquid's speed must be zero or more.");
+            value >= 0f && value <= float.MaxValue ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "The liquid's speed must be zero or more, and finite.");
 
         void ThrowIfDisposed()
         {

@@ -111,16 +111,15 @@ namespace SphFluid
         /// <exception cref="ArgumentException">A constant is out of range; the message names it.</exception>
         public void Validate()
         {
-            RequirePositive(DomainSize.x, nameof(DomainSize));
-            RequirePositive(DomainSize.y, nameof(DomainSize));
-            RequirePositive(DomainSize.z, nameof(DomainSize));
-            RequirePositive(Spacing, nameof(Spacing));
-            RequirePositive(SupportRadius, nameof(SupportRadius));
-            RequirePositive(RestDensity, nameof(RestDensity));
-            RequirePositive(ParticleMass, nameof(ParticleMass));
-            RequirePositive(TimeStep, nameof(TimeStep));
-            RequireNotNegative(Viscosity, nameof(Viscosity));
-            RequireNotNegative(Gravity.magnitude, nameof(Gravity));
+            Require.Size(DomainSize, nameof(DomainSize));
+            Require.Positive(Spacing, nameof(Spacing));
+            Require.Positive(SupportRadius, nameof(SupportRadius));
+            Require.Positive(RestDensity, nameof(RestDensity));
+            Require.Positive(ParticleMass, nameof(ParticleMass));
+            Require.Positive(TimeStep, nameof(TimeStep));
+            Require.NotNegative(Viscosity, nameof(Viscosity));
+            Require.NotNegative(MaxSpeed, nameof(MaxSpeed));
+            Require.NotNegative(Gravity.magnitude, nameof(Gravity));
             if (own == null)
             {
                 throw new ArgumentException($"The settings hold no constants of the method {Method}. Derive them by FluidRules.Derive.");
@@ -132,22 +131,6 @@ namespace SphFluid
             if (Boundaries.Periodic != FluidAxes.None)
             {
                 FluidGrid.For(this);
-            }
-        }
-
-        internal static void RequirePositive(float value, string name)
-        {
-            if (!(value > 0f) || float.IsInfinity(value))
-            {
-                throw new ArgumentException($"{name} is {value}; it must be a positive number.", name);
-            }
-        }
-
-        internal static void RequireNotNegative(float value, string name)
-        {
-            if (!(value >= 0f) || float.IsInfinity(value))
-            {
-                throw new ArgumentException($"{name} is {value}; it must be zero or a positive number.", name);
             }
         }
     }

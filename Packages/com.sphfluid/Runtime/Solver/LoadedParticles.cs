@@ -32,11 +32,12 @@ namespace SphFluid
         /// <param name="settings">The physics.</param>
         /// <param name="initial">The particles.</param>
         /// <param name="isFixed">Whether all of them count: the method has a fixed number, of one or more.</param>
+        /// <param name="name">Name of the caller's argument.</param>
         /// <returns>A copy of them; without those that are marked as removed where the number may change.</returns>
         /// <exception cref="ArgumentException">There is no particle, or one lies outside the domain.</exception>
-        public static FluidParticle[] Check(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial, bool isFixed)
+        public static FluidParticle[] Check(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial, bool isFixed, string name)
         {
-            if (initial == null || isFixed && initial.Count == 0) throw new ArgumentException("A fluid needs one particle or more.", nameof(initial));
+            if (initial == null || isFixed && initial.Count == 0) throw new ArgumentException("A fluid needs one particle or more.", name);
             var particles = new FluidParticle[initial.Count];
             int count = 0, outside = 0;
             for (int i = 0; i < particles.Length; i++)
@@ -50,7 +51,7 @@ namespace SphFluid
             {
                 throw new ArgumentException(
                     $"{outside} of {particles.Length} particles lie outside the domain of {settings.DomainSize} m. Move the liquid or enlarge the domain.",
-                    nameof(initial));
+                    name);
             }
 
             Array.Resize(ref particles, count);

@@ -20,6 +20,7 @@ namespace SphFluid
         /// <summary>Σ W dx³ of poly6 over the simple cubic lattice of spacing dx, the particle itself included; R = ratio · dx.</summary>
         public static double LatticeSum(double ratio)
         {
+            Require.SupportRatio(ratio);
             int reach = (int)Math.Floor(ratio);
             double sum = 0.0;
             for (int z = -reach; z <= reach; z++)

@@ -18,9 +18,12 @@ namespace SphFluid
         /// (<see cref="SurfaceMesh.Transformed"/>) for world space.</returns>
         /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold the surface.</exception>
         public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders,
-            FluidSurfaceQuality quality = FluidSurfaceQuality.Default, SurfaceWalls walls = SurfaceWalls.Closed) =>
-            Extract(solver, shaders,
-                new FluidSurfaceOptions { Quality = quality, ClosedAtWalls = walls == SurfaceWalls.Closed });
+            FluidSurfaceQuality quality = FluidSurfaceQuality.Default, SurfaceWalls walls = SurfaceWalls.Closed)
+        {
+            Require.Known(quality, nameof(quality));
+            Require.Known(walls, nameof(walls));
+            return Extract(solver, shaders, new FluidSurfaceOptions { Quality = quality, ClosedAtWalls = walls == SurfaceWalls.Closed });
+        }
 
         /// <summary>The liquid's surface in simulation space, as a component with these options makes it.</summary>
         /// <param name="solver">The particles.</param>
@@ -68,6 +71,7 @@ namespace SphFluid
             float isoValue = 0.5f, bool wallCompletion = true)
         {
             RequireSolver(solver);
+            Require.Known(gridSize, nameof(gridSize));
             using (var field = new SurfaceField(shaders, SurfaceGrid.OverDomain(solver.Settings.DomainSize, gridSize)))
             using (var polygoniser = new SurfacePolygoniser(shaders))
             using (var cmd = new CommandBuffer { name = "Fluid Surface Mesh" })

@@ -22,16 +22,16 @@ namespace SphFluid
         int triangleBudget;
 
         /// <summary>How much work the surface may take.</summary>
-        public FluidSurfaceQuality Quality { get => quality; set => quality = value; }
+        public FluidSurfaceQuality Quality { get => Limits.Known(quality); set => quality = value; }
 
-        /// <summary>Edge of a cell in particle spacings; 0 for what the quality says.</summary>
-        public float CellSize { get => cellSize; set => cellSize = value; }
+        /// <summary>Edge of a cell in particle spacings, 0 or more; 0 for what the quality says.</summary>
+        public float CellSize { get => Limits.Clamp(cellSize, 0f); set => cellSize = value; }
 
         /// <summary>Whether the surface is closed where the liquid touches the domain's walls.</summary>
         public bool ClosedAtWalls { get => closedAtWalls; set => closedAtWalls = value; }
 
-        /// <summary>Most triangles of the surface; 0 for as many as the device holds.</summary>
-        public int TriangleBudget { get => triangleBudget; set => triangleBudget = value; }
+        /// <summary>Most triangles of the surface, 0 or more; 0 for as many as the device holds.</summary>
+        public int TriangleBudget { get => Mathf.Max(0, triangleBudget); set => triangleBudget = value; }
 
         /// <summary>What becomes of the surface at the domain's walls.</summary>
         internal SurfaceWalls Walls => closedAtWalls ? SurfaceWalls.Closed : SurfaceWalls.Open;
@@ -40,8 +40,8 @@ namespace SphFluid
         /// <exception cref="ArgumentOutOfRangeException">The cells are too large for the kernel, or their size is not a
         /// positive number.</exception>
         internal SurfaceFieldSettings Field(in FluidSolverSettings settings) =>
-            cellSize == 0f
-                ? SurfaceFieldSettings.For(quality, settings)
-                : SurfaceFieldSettings.For(quality, settings, cellSize);
+            CellSize == 0f
+                ? SurfaceFieldSettings.For(Quality, settings)
+                : SurfaceFieldSettings.For(Quality, settings, CellSize);
     }
 }

@@ -86,7 +86,7 @@ namespace SphFluid
         /// <param name="size">Cells a side.</param>
         /// <returns>A grid whose outermost vertices lie on the domain's walls.</returns>
         public static SurfaceGrid OverDomain(Vector3 domainSize, SurfaceGridSize size) =>
-            new SurfaceGrid(domainSize * -0.5f, domainSize, size.Cells());
+            new SurfaceGrid(-0.5f * Domain(domainSize), domainSize, size.Cells());
 
         /// <summary>The grid over the domain of a simulation, in cells that are nearly cubes.</summary>
         /// <param name="domainSize">Edges of the domain [m].</param>
@@ -99,10 +99,7 @@ namespace SphFluid
             if (!(cellEdge > 0f) || float.IsInfinity(cellEdge))
                 throw new ArgumentOutOfRangeException(nameof(cellEdge),
                     $"The cells of a surface grid need an edge greater than zero, not {cellEdge} m.");
-            if (!IsBox(domainSize))
-                throw new ArgumentOutOfRangeException(nameof(domainSize),
-                    $"A surface grid needs a domain with edges greater than zero, not {domainSize} m.");
-            Vector3 cells = domainSize / cellEdge;
+            Vector3 cells = Domain(domainSize) / cellEdge;
             cells = new Vector3(Mathf.Ceil(cells.x), Mathf.Ceil(cells.y), Mathf.Ceil(cells.z));
             if (!Fits(cells))
                 throw TooMany(nameof(cellEdge), cells);
@@ -135,6 +132,9 @@ namespace SphFluid
         /// <summary>Where a corner of a cube lies, after Bourke's numbering; e.g. corner 2 at (1, 1, 0).</summary>
         internal static Vector3Int CornerOffset(int corner) =>
             new Vector3Int((corner + 1) >> 1 & 1, corner >> 1 & 1, corner >> 2);
+
+        static Vector3 Domain(Vector3 domainSize) => IsBox(domainSize) ? domainSize
+            : throw new ArgumentOutOfRangeException(nameof(domainSize), $"A surface grid needs a domain with edges greater than zero, not {domainSize} m.");
 
         static int Product(Vector3Int counts) => counts.x * counts.y * counts.z;
 

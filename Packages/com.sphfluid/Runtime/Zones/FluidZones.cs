@@ -35,11 +35,11 @@ namespace SphFluid
         /// <summary>Gives the liquid in a sphere a velocity with the next steps.</summary>
         /// <param name="push">Sphere and velocity.</param>
         /// <param name="liquid">Name of the simulation, for the message.</param>
-        /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, or the velocity is more than a fifth of the speed of sound.</exception>
-        public void Push(in ZonePush push, string liquid)
+        /// <param name="argument">Name of the caller's argument that gives the velocity.</param>
+        /// <exception cref="ArgumentException">The velocity is more than a fifth of the speed of sound, or many wait.</exception>
+        public void Push(in ZonePush push, string liquid, string argument)
         {
-            if (!push.IsValid) throw new ArgumentException("The place and the velocity of an impulse must be finite, and its radius greater than zero.");
-            RequireGentle("An impulse", push.Speed, liquid, solver);
+            RequireGentle("An impulse", push.Speed, liquid, solver, argument);
             if (pushes.Count == ForceZone.Most)
                 throw new ArgumentException($"{ForceZone.Most} impulses wait for the next steps, as many as act on a liquid at a time. Give the others in the next frame.");
             pushes.Add(push);
@@ -52,10 +52,10 @@ namespace SphFluid
         /// <param name="solver">The liquid.</param>
         /// <param name="argument">Name of the caller's argument.</param>
         /// <exception cref="ArgumentException">It is more than a fifth of the speed of sound.</exception>
-        public static void RequireGentle(string what, float speed, string liquid, FluidSolver solver, string argument = null)
+        public static void RequireGentle(string what, float speed, string liquid, FluidSolver solver, string argument)
         {
             double most = MostBurst * solver.Settings.SoundSpeed;
-            if (speed > most)
+            if (!(speed <= most))
                 throw new ArgumentException(FormattableString.Invariant($"{what} of {speed:0.##} m/s tears the liquid of '{liquid}' apart; {most:0.##} m/s are the most. Raise its Expected Speed."), argument);
         }
 
@@ -174,7 +174,7 @@ namespace SphFluid
             return false;
         }
 
-        static bool HasBurst(in ZoneSpec zone) => zone.State.Burst != Vector3.zero && zone.Shape != FluidZoneShape.Collider;
+        static bool HasBurst(in ZoneSpec zone) => zone.State.Burst != Vector3.zero && zone.Shape != FluidZoneShape.Collider && zone.Fault == null;
 
         // What is left of a blow, so that no sum is too large: wherever some act, each has at most its part of the most that any of them takes part in.
         float Share(in FluidSpec spec, int blow)
@@ -223,9 +223,9 @@ namespace SphFluid
             if (zone.Shape == FluidZoneShape.Collider)
                 return Wrong(zone, FluidSeverity.Error, "The force zone's shape is its object's collider, and the object has no Box, Sphere or Capsule Collider: the zone does nothing.",
                     "Add one of these, as a trigger, or choose another Shape. Put several zones together for the shape of a mesh.");
-            if (!zone.IsFinite)
-                return Wrong(zone, FluidSeverity.Error, "The force zone has a size, a strength or a rate that is no number, or a size or eddies that are not positive.",
-                    "Give its fields finite numbers, sizes greater than zero and a drag rate of zero or more.");
+            if (zone.Fault is string fault)
+                return Wrong(zone, FluidSeverity.Error, $"The force zone's {fault} is no number that can be computed with, so the zone does nothing.",
+                    "Give its fields finite numbers: sizes greater than zero, rates and times of zero or more.");
             double largest = MostInAStep * settings.SoundSpeed / settings.TimeStep;
             if (settings.TimeStep > 0f && !zone.IsDrag && Math.Abs(zone.Strength) > largest)
                 return Wrong(zone, FluidSeverity.Error,

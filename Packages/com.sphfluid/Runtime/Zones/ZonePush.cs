@@ -8,17 +8,8 @@ namespace SphFluid
         readonly Vector3 centre, velocity;
         readonly float radius, outward;
 
-        /// <summary>Along one direction.</summary>
-        public ZonePush(Vector3 centre, float radius, Vector3 velocity) : this(centre, radius, velocity, 0f)
-        {
-        }
-
-        /// <summary>Away from the centre; towards it where negative.</summary>
-        public ZonePush(Vector3 centre, float radius, float outward) : this(centre, radius, Vector3.zero, outward)
-        {
-        }
-
-        ZonePush(Vector3 centre, float radius, Vector3 velocity, float outward)
+        /// <summary>Along one direction, and away from the centre; towards it where negative.</summary>
+        public ZonePush(Vector3 centre, float radius, Vector3 velocity, float outward)
         {
             this.centre = centre;
             this.radius = radius;
@@ -28,9 +19,6 @@ namespace SphFluid
 
         /// <summary>The velocity's magnitude [m/s].</summary>
         public float Speed => velocity.magnitude + Mathf.Abs(outward);
-
-        /// <summary>Whether its numbers can be computed with.</summary>
-        public bool IsValid => AffineMath.IsFinite(centre) && AffineMath.IsFinite(velocity) && AffineMath.IsFinite(outward) && AffineMath.IsFinite(radius) && radius > 0f;
 
         /// <summary>World position of its centre [m].</summary>
         public Vector3 Place => centre;

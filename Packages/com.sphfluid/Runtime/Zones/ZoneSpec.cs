@@ -42,10 +42,21 @@ namespace SphFluid
         /// <summary>Whether it drags and does not push.</summary>
         public readonly bool IsDrag => Kind == FluidForceKind.Wind || Kind == FluidForceKind.Damping;
 
-        /// <summary>Whether every number that the kind uses is finite, and the sizes are positive.</summary>
-        public readonly bool IsFinite => AffineMath.IsFinite(Position) && AffineMath.IsFinite(Size) && Size.x > 0f && Size.y > 0f && Size.z > 0f &&
-            (IsDrag ? AffineMath.IsFinite(DragRate) && DragRate >= 0f && AffineMath.IsFinite(WindSpeed) : AffineMath.IsFinite(Strength)) &&
-            (Kind != FluidForceKind.Turbulence || AffineMath.IsFinite(EddySize) && EddySize > 0f && AffineMath.IsFinite(EddyTime) && EddyTime >= 0f);
+        /// <summary>Label of the first field that the kind uses and that cannot be computed with; null: all can.</summary>
+        public readonly string Fault
+        {
+            get
+            {
+                bool isTurbulence = Kind == FluidForceKind.Turbulence;
+                if (!AffineMath.IsFinite(Position)) return "place";
+                if (!AffineMath.IsFinite(Size) || !(Size.x > 0f && Size.y > 0f && Size.z > 0f)) return "Size";
+                if (IsDrag && !(DragRate >= 0f && AffineMath.IsFinite(DragRate))) return "Drag Rate";
+                if (Kind == FluidForceKind.Wind && !AffineMath.IsFinite(WindSpeed)) return "Wind Speed";
+                if (!IsDrag && !AffineMath.IsFinite(Strength)) return "Strength";
+                if (isTurbulence && !(EddySize > 0f && AffineMath.IsFinite(EddySize))) return "Eddy Size";
+                return isTurbulence && !(EddyTime >= 0f && AffineMath.IsFinite(EddyTime)) ? "Eddy Time" : null;
+            }
+        }
 
         /// <summary>How far it reaches from its position [m].</summary>
         public readonly float Reach => new Vector3(Core.x, Core.y, Core.z).magnitude + Core.w;

@@ -252,7 +252,7 @@ namespace SphFluid.Tests
         {
             FluidQueries queries = rig.Create().Queries;
             yield return null;
-            Assert.That(() => queries.AddNearest(Vector3.zero, 0f), Throws.ArgumentException.With.Message.Contains("positive distance"));
+            Assert.That(() => queries.AddNearest(Vector3.zero, 0f), Throws.ArgumentException.With.Message.Contains("distance is 0; it must be a positive number"));
             Assert.That(() => queries.AddNearest(new Vector3(0f, float.NaN, 0f), 1f), Throws.ArgumentException.With.Message.Contains("finite"));
             Assert.That(() => queries.AddPatch(Vector3.zero, new Vector2(1f, 0f), Quaternion.identity), Throws.ArgumentException.With.Message.Contains("edge lengths"));
             Assert.That(() => queries.AddPatch(Vector3.zero, Vector2.one, default), Throws.ArgumentException.With.Message.Contains("rotation"));
@@ -333,6 +333,6 @@ namespace SphFluid.Tests
 
         [Test]
         public void PlacesThatAreNotFiniteAreRefused() =>
-            Assert.That(() => rig.Create().Queries.AddPoint(new Vector3(0f, float.NaN, 0f)), Throws.ArgumentException.With.Message.Contains("not finite"));
+            Assert.That(() => rig.Create().Queries.AddPoint(new Vector3(0f, float.NaN, 0f)), Throws.ArgumentException.With.Message.Contains("world is (0.00, NaN, 0.00); it must be three finite numbers"));
     }
 }

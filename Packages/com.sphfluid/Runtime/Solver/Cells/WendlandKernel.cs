@@ -71,6 +71,7 @@ namespace SphFluid
         // Sum over the points within R, each with dx³/R³, from one octant: points off a plane of it count twice.
         static double OverLattice(double ratio, Func<double, double> function)
         {
+            Require.SupportRatio(ratio);
             int reach = (int)Math.Floor(ratio);
             double sum = 0.0;
             for (int z = 0; z <= reach; z++)

@@ -52,17 +52,12 @@ namespace SphFluid
         /// <inheritdoc/>
         public void Validate()
         {
-            FluidSolverSettings.RequirePositive(SoundSpeed, nameof(SoundSpeed));
-            FluidSolverSettings.RequireNotNegative(DepthSpeed, nameof(DepthSpeed));
-            RequireWithin(Substeps, FluidRuleInput.MostSubsteps, nameof(Substeps));
-            RequireWithin(Iterations, MostIterations, nameof(Iterations));
+            Require.Positive(SoundSpeed, nameof(SoundSpeed));
+            Require.NotNegative(DepthSpeed, nameof(DepthSpeed));
+            Require.Within(Substeps, 1.0, FluidRuleInput.MostSubsteps, nameof(Substeps));
+            Require.Within(Iterations, 1.0, MostIterations, nameof(Iterations));
             if (!(Relaxation > 0f && Relaxation < 1f))
                 throw new ArgumentException($"Relaxation is {Relaxation}; it must be above 0 and below 1.");
-        }
-
-        static void RequireWithin(int value, int most, string name)
-        {
-            if (value < 1 || value > most) throw new ArgumentException($"{name} is {value}; it must be 1 to {most}.");
         }
     }
 }

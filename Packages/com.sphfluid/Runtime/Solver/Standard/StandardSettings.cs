@@ -52,12 +52,10 @@ namespace SphFluid
         /// <inheritdoc/>
         public void Validate()
         {
-            FluidSolverSettings.RequirePositive(SoundSpeed, nameof(SoundSpeed));
-            FluidSolverSettings.RequireNotNegative(SurfaceTension, nameof(SurfaceTension));
-            if (!(ContactAngle >= 0f && ContactAngle <= 180f))
-                throw new ArgumentException($"ContactAngle is {ContactAngle}; it must be from 0 to 180 degrees.");
-            if (StepsPerSort < 1)
-                throw new ArgumentException($"StepsPerSort is {StepsPerSort}; it must be 1 or more.");
+            Require.Positive(SoundSpeed, nameof(SoundSpeed));
+            Require.NotNegative(SurfaceTension, nameof(SurfaceTension));
+            Require.Within(ContactAngle, 0.0, 180.0, nameof(ContactAngle));
+            Require.Positive(StepsPerSort, nameof(StepsPerSort));
         }
     }
 }

@@ -34,7 +34,6 @@ namespace SphFluid
 
         internal static FluidSolverSettings Derive(in FluidRuleInput input)
         {
-            Check(input);
             double dx = input.Spacing;
             double radius = input.SupportRatio * dx;
             double gravity = input.Gravity.magnitude;
@@ -137,26 +136,5 @@ namespace SphFluid
         /// <param name="timeStep">Time step [s].</param>
         /// <returns>The limit [m/s²], see <see cref="ThesisSettings.AccelerationLimit"/>.</returns>
         public static float EmergencyLimit(double spacing, double timeStep) => (float)(AccelerationReach * spacing / (timeStep * timeStep));
-
-        static void Check(in FluidRuleInput input)
-        {
-            FluidSolverSettings.RequirePositive(input.Spacing, nameof(input.Spacing));
-            FluidSolverSettings.RequirePositive(input.SupportRatio, nameof(input.SupportRatio));
-            FluidSolverSettings.RequirePositive(input.RestDensity, nameof(input.RestDensity));
-            FluidSolverSettings.RequirePositive(input.SoundSpeedRatio, nameof(input.SoundSpeedRatio));
-            FluidSolverSettings.RequirePositive(input.MaxCompression, nameof(input.MaxCompression));
-            FluidSolverSettings.RequirePositive(input.TimeStepFraction, nameof(input.TimeStepFraction));
-            FluidSolverSettings.RequirePositive(input.WallDistanceRatio, nameof(input.WallDistanceRatio));
-            FluidSolverSettings.RequirePositive(input.MinSpeed, nameof(input.MinSpeed));
-            FluidSolverSettings.RequireNotNegative(input.Gravity.magnitude, nameof(input.Gravity));
-            FluidSolverSettings.RequireNotNegative(input.LiquidHeight, nameof(input.LiquidHeight));
-            FluidSolverSettings.RequireNotNegative(input.LiquidDepth, nameof(input.LiquidDepth));
-            FluidSolverSettings.RequireNotNegative(input.InitialSpeed, nameof(input.InitialSpeed));
-            FluidSolverSettings.RequireNotNegative(input.KinematicViscosity, nameof(input.KinematicViscosity));
-            FluidSolverSettings.RequireNotNegative(input.ViscosityRatio, nameof(input.ViscosityRatio));
-            FluidSolverSettings.RequireNotNegative(input.WallStiffnessRatio, nameof(input.WallStiffnessRatio));
-            FluidSolverSettings.RequireNotNegative(input.WallDampingRatio, nameof(input.WallDampingRatio));
-            FluidSolverSettings.RequireNotNegative(input.FixedTimeStep, nameof(input.FixedTimeStep));
-        }
     }
 }

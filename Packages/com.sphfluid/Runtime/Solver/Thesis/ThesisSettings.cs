@@ -61,11 +61,11 @@ namespace SphFluid
         /// <inheritdoc/>
         public void Validate()
         {
-            FluidSolverSettings.RequirePositive(Stiffness, nameof(Stiffness));
-            FluidSolverSettings.RequirePositive(AccelerationLimit, nameof(AccelerationLimit));
-            FluidSolverSettings.RequireNotNegative(WallStiffness, nameof(WallStiffness));
-            FluidSolverSettings.RequireNotNegative(WallDamping, nameof(WallDamping));
-            FluidSolverSettings.RequireNotNegative(WallDistance, nameof(WallDistance));
+            Require.Positive(Stiffness, nameof(Stiffness));
+            Require.Positive(AccelerationLimit, nameof(AccelerationLimit));
+            Require.NotNegative(WallStiffness, nameof(WallStiffness));
+            Require.NotNegative(WallDamping, nameof(WallDamping));
+            Require.NotNegative(WallDistance, nameof(WallDistance));
         }
 
         // The emergency is a displacement of one spacing in a step from rest.

@@ -84,7 +84,7 @@ namespace SphFluid
         public WallPatch Add(Vector3 centre, Quaternion rotation, Vector2 size, float depth = 0f)
         {
             Check(centre, rotation, size);
-            if (!(depth >= 0f) || !AffineMath.IsFinite(depth)) throw new ArgumentException($"The depth of a wall patch must be 0 or more and finite [m], and is {depth}.", nameof(depth));
+            Require.NotNegative(depth, nameof(depth));
             if (patches.Count == Most)
                 throw new InvalidOperationException($"A liquid has at most {Most} wall patches. Remove one, or read a larger one.");
             var patch = new WallPatch { Centre = centre, Rotation = rotation.normalized, Size = size, Depth = depth };
@@ -214,11 +214,8 @@ namespace SphFluid
 
         static void Check(Vector3 centre, Quaternion rotation, Vector2 size)
         {
-            if (!AffineMath.IsFinite(centre)) throw new ArgumentException($"The centre {centre} of a wall patch is not finite. Give a position in metres.", nameof(centre));
-            if (!(size.x > 0f && size.y > 0f && AffineMath.IsFinite(size)))
-                throw new ArgumentException($"A wall patch of {size.x} by {size.y} m has no area. Give it two positive edge lengths.", nameof(size));
-            float norm = rotation.x * rotation.x + rotation.y * rotation.y + rotation.z * rotation.z + rotation.w * rotation.w;
-            if (!(Mathf.Abs(norm - 1f) < 1e-3f)) throw new ArgumentException($"The rotation {rotation} of a wall patch is none. Give a quaternion of length 1.", nameof(rotation));
+            Require.Place(centre, rotation);
+            Require.Area(size, nameof(size));
         }
 
         // N s, a power of two: 2^26 of it are a particle at the speed of sound.

@@ -44,7 +44,9 @@ namespace SphFluid
         public bool HasValue => samples.Count > 0;
 
         /// <summary>How far back single samples are kept [simulated s], 1 by default: as long as the longest mean that is asked for.</summary>
-        public double Memory { get => samples.Memory; set => samples.Memory = value; }
+        /// <exception cref="ArgumentException">It is negative or not finite.</exception>
+        public double Memory { get => samples.Memory; set => samples.Memory = Require.NotNegative(value, nameof(value)); }
+
 
         /// <summary>The samples that are kept, oldest first: one a step, or one of several steps where a batch has more than <see cref="WallForces.MostParts"/>.</summary>
         public IEnumerable<WallSample> Samples
@@ -64,7 +66,9 @@ namespace SphFluid
         /// <summary>Mean force on the wall, against the normal [N].</summary>
         /// <param name="seconds">Simulated time before <see cref="Time"/> to take the mean of; at most <see cref="Memory"/>. 0: the last sample alone.</param>
         /// <returns>The force; 0 while no sum has arrived.</returns>
-        public double MeanForce(double seconds) => samples.Mean(seconds);
+        /// <exception cref="ArgumentException">The time is negative or not finite.</exception>
+        public double MeanForce(double seconds) => samples.Mean(Require.NotNegative(seconds, nameof(seconds)));
+
 
         /// <summary>Mean pressure on the wall: force per area [Pa].</summary>
         /// <param name="seconds">As of <see cref="MeanForce(double)"/>.</param>

@@ -92,6 +92,7 @@ namespace SphFluid
         {
             if (cmd == null)
                 throw new ArgumentNullException(nameof(cmd));
+            Require.Known(walls, nameof(walls));
             Reserve(solver, settings, grid);
             RecordReserved(cmd, solver, settings, grid, walls);
         }

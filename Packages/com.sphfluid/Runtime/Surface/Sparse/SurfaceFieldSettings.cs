@@ -154,10 +154,10 @@ namespace SphFluid
         {
             float dx = settings.Spacing;
             float radius = Mathf.Min(SmoothRatio * dx, settings.SupportRadius);
-            if (!(cellSizeInSpacings > 0f) || cellSizeInSpacings * dx > LargestCellRatio * radius)
+            if (!(cellSizeInSpacings >= SurfaceIsoCalibration.LeastCell) || cellSizeInSpacings * dx > LargestCellRatio * radius)
             {
                 throw new ArgumentOutOfRangeException(nameof(cellSizeInSpacings),
-                    $"Cells of the surface have an edge above 0 and up to {LargestCellRatio * radius / dx:G3} particle " +
+                    $"Cells of the surface have an edge of {SurfaceIsoCalibration.LeastCell} to {LargestCellRatio * radius / dx:G3} particle " +
                     $"spacings, the radius of the field's kernel, not {cellSizeInSpacings}.");
             }
             float iso = SurfaceIsoCalibration.IsoValue(radius / dx, cellSizeInSpacings, preset.Smoothing,

@@ -10,6 +10,9 @@ namespace SphFluid
     /// </summary>
     public static class SurfaceIsoCalibration
     {
+        /// <summary>Least edge of a cell over dx.</summary>
+        internal const double LeastCell = 0.02;
+
         // Positions of the pool against the grid: along z they divide a cell evenly; across, any incommensurate ones
         // serve.
         const int Phases = 6;
@@ -33,16 +36,22 @@ namespace SphFluid
             new Dictionary<(long, long, long, int, long, bool), float>();
 
         /// <summary>The iso value of a smooth field.</summary>
-        /// <param name="supportRatio">R/dx of the field's kernel, above 1.</param>
-        /// <param name="cellRatio">Edge of a cell over dx.</param>
-        /// <param name="smoothing">λ.</param>
-        /// <param name="filterPasses">Passes of the filter.</param>
-        /// <param name="unionOffset">δ.</param>
+        /// <param name="supportRatio">R/dx of the field's kernel, 1 to 64.</param>
+        /// <param name="cellRatio">Edge of a cell over dx, 0.02 to 64.</param>
+        /// <param name="smoothing">λ, 0 to 1.</param>
+        /// <param name="filterPasses">Passes of the filter, 0 to 16.</param>
+        /// <param name="unionOffset">δ, −1 to 1.</param>
         /// <param name="anisotropic">Whether kernels are stretched along the surface.</param>
         /// <returns>The value.</returns>
+        /// <exception cref="ArgumentException">A number is out of range.</exception>
         public static float IsoValue(double supportRatio, double cellRatio, double smoothing, int filterPasses,
             double unionOffset, bool anisotropic = false)
         {
+            Require.Within(supportRatio, 1.0, 64.0, nameof(supportRatio));
+            Require.Within(cellRatio, LeastCell, 64.0, nameof(cellRatio));
+            Require.Within(smoothing, 0.0, 1.0, nameof(smoothing));
+            Require.Within(filterPasses, 0.0, 16.0, nameof(filterPasses));
+            Require.Within(unionOffset, -1.0, 1.0, nameof(unionOffset));
             var key = (Round(supportRatio), Round(cellRatio), Round(smoothing), filterPasses, Round(unionOffset),
                 anisotropic);
             lock (Known)

@@ -45,6 +45,7 @@ namespace SphFluid
         /// <returns>32, 64, 128 or 256.</returns>
         public static int Cells(this SurfaceGridSize size)
         {
+            Require.Known(size, nameof(size));
             if (size != SurfaceGridSize.Automatic)
                 return (int)size;
             return (int)(IsSoftwareDevice ? SurfaceGridSize.Cells64 : SurfaceGridSize.Cells128);

@@ -116,9 +116,9 @@ namespace SphFluid.Tests
             using (WallForceRig rig = Rig())
             {
                 WallForces forces = rig.Forces;
-                Assert.That(() => forces.Add(new Vector3(float.NaN, 0f, 0f), Quaternion.identity, Vector2.one), Throws.ArgumentException.With.Message.Contains("not finite"));
+                Assert.That(() => forces.Add(new Vector3(float.NaN, 0f, 0f), Quaternion.identity, Vector2.one), Throws.ArgumentException.With.Message.Contains("centre"));
                 Assert.That(() => forces.Add(Vector3.zero, default, Vector2.one), Throws.ArgumentException.With.Message.Contains("quaternion"));
-                Assert.That(() => forces.Add(Vector3.zero, Quaternion.identity, new Vector2(1f, 0f)), Throws.ArgumentException.With.Message.Contains("area"));
+                Assert.That(() => forces.Add(Vector3.zero, Quaternion.identity, new Vector2(1f, 0f)), Throws.ArgumentException.With.Message.Contains("edge lengths"));
                 Assert.That(() => forces.Add(Vector3.zero, Quaternion.identity, Vector2.one, -1f), Throws.ArgumentException.With.Message.Contains("depth"));
                 WallPatch[] all = Enumerable.Range(0, WallForces.Most).Select(_ => forces.Add(Vector3.zero, Quaternion.identity, Vector2.one)).ToArray();
                 Assert.That(() => forces.Add(Vector3.zero, Quaternion.identity, Vector2.one), Throws.InvalidOperationException.With.Message.Contains("64"));
