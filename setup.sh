@@ -2,17 +2,21 @@
 # Gets what ./run and ./test need. Safe to run again: what is there stays, and a second run ends at once.
 #   ./setup.sh          for ./run
 #   ./setup.sh test     for ./test and ./run check as well
+#   ./setup.sh docs     for ./run docs
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 purpose=${1:-run}
-cache=${XDG_CACHE_HOME:-$HOME/.cache}/sphfluid
+cache=${XDG_CACHE_HOME:-${HOME:-$root/Build}/.cache}/sphfluid
 dotnet_major=10
 
 run_packages=(libvulkan1 mesa-vulkan-drivers glslang-tools ffmpeg gnuplot-nox)
 test_packages=(vulkan-validationlayers spirv-tools spirv-cross vkd3d-compiler wine64 gcc-mingw-w64-x86-64 npm)
 # Runs exported cases in ./test; where the archive does not serve it, the tests that need it are skipped and counted.
 engine_packages=(python3-pysph python3-mpi4py python3-pyzoltan openmpi-bin python3-meshio)
+docs_packages=(doxygen)
+# A program of the user's own build serves as well.
+declare -A program_of=([ffmpeg]=ffmpeg [gnuplot-nox]=gnuplot [glslang-tools]=glslangValidator [npm]=npm [doxygen]=doxygen)
 # Microsoft's HLSL compilers, used by ./run check and ./test only: files in these npm packages.
 fxc=(d3dcompiler_47.dll gl@8.1.6 package/deps/windows/dll/x64/d3dcompiler_47.dll
     e994847e01a6f1e4cbdc5a864616ac262f67ee4f14db194984661a8d927ab7f4)
@@ -25,7 +29,8 @@ fail() { say "$*"; exit 1; }
 case $purpose in
     run) packages=("${run_packages[@]}") ;;
     test) packages=("${run_packages[@]}" "${test_packages[@]}") ;;
-    *) fail "'$purpose' is not understood: nothing or 'test' is." ;;
+    docs) packages=("${docs_packages[@]}") ;;
+    *) fail "'$purpose' is not understood: nothing, 'test' or 'docs' is." ;;
 esac
 
 stamp=$root/Build/setup-$purpose-$(sha256sum < "${BASH_SOURCE[0]}" | cut -c1-16)
@@ -37,45 +42,56 @@ check_dotnet() {
     fi
 }
 
+# apt ARGUMENT...: apt-get as root. It waits for another that works, ten minutes at most; what it says of a failure is in apt.log.
+apt() {
+    local sudo=() tries output
+    [[ $EUID -eq 0 ]] || sudo=(sudo)
+    for ((tries = 0; ; tries++)); do
+        output=$(${sudo[@]+"${sudo[@]}"} env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -q -o DPkg::Lock::Timeout=600 "$@" 2>&1) && return
+        # Locks of dpkg it waits for by itself.
+        [[ $output == *"Could not get lock /var/lib/apt/lists"* ]] && ((tries < 120)) || break
+        ((tries)) || say "waiting for another apt"
+        sleep 5
+    done
+    printf '%s\n' "$output" > "$cache/apt.log"
+    return 1
+}
+
+# install_missing PACKAGE...: false where it fails.
+install_missing() {
+    local missing=() package
+    for package in "$@"; do installed "$package" || missing+=("$package"); done
+    ((${#missing[@]})) || return 0
+    [[ $EUID -eq 0 ]] || command -v sudo > /dev/null || fail "as root: apt-get install ${missing[*]}"
+    say "installing ${missing[*]}"
+    apt update || say "apt-get update failed; trying with the lists at hand."
+    apt install -y --no-install-recommends "${missing[@]}"
+}
+
 installed() { [[ $(dpkg-query -W -f '${Status}' "$1" 2> /dev/null) == *" installed" ]]; }
 
 install_packages() {
-    local missing=() package sudo=()
+    local wanted=() package
     if ! command -v dpkg-query > /dev/null; then
+        if [[ $purpose == docs ]]; then
+            command -v doxygen > /dev/null || fail "Doxygen is missing: https://www.doxygen.nl/download.html"
+            return
+        fi
         say "this is not a Debian system. Needed are the Vulkan loader and a driver, glslangValidator, ffmpeg and gnuplot$([[ $purpose == test ]] && echo ', the Vulkan validation layers, spirv-val, spirv-cross, vkd3d-compiler, wine64, x86_64-w64-mingw32-gcc and npm')."
         return
     fi
     for package in "${packages[@]}"; do
-        # A program of the user's own build serves as well.
-        [[ $package == ffmpeg ]] && command -v ffmpeg > /dev/null && continue
-        [[ $package == gnuplot-nox ]] && command -v gnuplot > /dev/null && continue
-        [[ $package == glslang-tools ]] && command -v glslangValidator > /dev/null && continue
-        [[ $package == npm ]] && command -v npm > /dev/null && continue
-        installed "$package" || missing+=("$package")
+        command -v "${program_of[$package]-/}" > /dev/null || wanted+=("$package")
     done
-    ((${#missing[@]})) || return 0
-    if [[ $EUID -ne 0 ]]; then
-        command -v sudo > /dev/null || fail "as root: apt-get install ${missing[*]}"
-        sudo=(sudo)
-    fi
-    say "installing ${missing[*]}"
-    "${sudo[@]}" apt-get update -q > /dev/null || say "apt-get update failed; trying with the lists at hand."
-    if ! "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}" > "$cache/apt.log" 2>&1; then
+    if ! install_missing ${wanted[@]+"${wanted[@]}"}; then
         tail -n 5 "$cache/apt.log" >&2
-        fail "could not install ${missing[*]} (all of it: $cache/apt.log)."
+        fail "the packages could not be installed (all of it: $cache/apt.log)."
     fi
 }
 
 install_engine() {
-    local missing=() package sudo=()
     command -v dpkg-query > /dev/null || return 0
-    for package in "${engine_packages[@]}"; do installed "$package" || missing+=("$package"); done
-    ((${#missing[@]})) || return 0
-    [[ $EUID -eq 0 ]] || sudo=(sudo)
-    say "installing ${missing[*]}"
-    "${sudo[@]}" apt-get update -q > /dev/null || say "apt-get update failed; trying with the lists at hand."
-    "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}" > "$cache/apt-engine.log" 2>&1 \
-        || say "PySPH could not be installed (all of it: $cache/apt-engine.log); tests that run exported cases are skipped."
+    install_missing "${engine_packages[@]}" || say "PySPH could not be installed (all of it: $cache/apt.log); tests that run exported cases are skipped."
 }
 
 # fetch_compiler FILE PACKAGE PATH SHA256: a file of an npm package into the cache.
@@ -92,8 +108,12 @@ fetch_compiler() {
     rm -r "$folder"
 }
 
-mkdir -p "$cache" "$root/Build"
-check_dotnet
+mkdir -p "$root/Build"
+if ! mkdir -p "$cache" 2> /dev/null; then
+    [[ $purpose != test ]] || fail "the folder '$cache' cannot be made, and the compilers of ./run check go there: set XDG_CACHE_HOME to one that can be written."
+    cache=$root/Build
+fi
+[[ $purpose == docs ]] || check_dotnet
 install_packages
 if [[ $purpose == test ]]; then
     install_engine

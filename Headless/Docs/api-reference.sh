@@ -8,19 +8,7 @@ if (($#)); then
     exit 2
 fi
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-if ! command -v doxygen > /dev/null; then
-    sudo=()
-    if ! command -v apt-get > /dev/null; then
-        echo "Doxygen is missing: https://www.doxygen.nl/download.html" >&2
-        exit 1
-    fi
-    if ((EUID != 0)); then
-        command -v sudo > /dev/null || { echo "as root: apt-get install doxygen" >&2; exit 1; }
-        sudo=(sudo)
-    fi
-    echo "installing doxygen" >&2
-    "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends doxygen > /dev/null
-fi
+./setup.sh docs
 rm -rf Build/docs
 mkdir -p Build/docs
 doxygen Headless/Docs/Doxyfile
@@ -34,4 +22,4 @@ if grep -lE '@(ref|section|code|endcode)\b' Build/docs/*.html >&2; then
     echo "these pages show commands of Doxygen" >&2
     exit 1
 fi
-echo Build/docs/index.html
+echo "the manual and the API reference: $PWD/Build/docs/index.html"

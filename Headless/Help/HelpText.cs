@@ -8,10 +8,12 @@ internal static class HelpText
     private const int Indent = HelpColumns.Indent;
 
     private const string AllVerbs = """
-        Messages begin with the verb. Unknown flags, wrong values and missing files: one line and exit code 2.
-        Errors in the console: exit code 1, the frames and no film. Ctrl-C ends a run within a second or so, leaves valid files
-        (the film of the frames so far) and gives exit code 130. In DIR only files that the player or a measurement wrote are
-        replaced; where others have their names, nothing is played or measured.
+        Messages begin with the verb. Unknown flags, wrong values and missing files: one line and exit code 2; no file changes.
+        Errors in the console, among them a liquid that is refused: exit code 1, the frames and no film; a play whose liquids were all
+        refused ends at once. Exit code 1 also where choose has no answer, merge lacks runs, export leaves a liquid out, or standard
+        output cannot be written. Ctrl-C ends a run within a second or so, leaves valid files (the film of the frames so far) and gives
+        exit code 130. DIR is a new or empty folder, or one that was written to before: only files that the player or a measurement
+        wrote there are replaced, and another run has to wait for its end.
         """;
 
     /// <summary>All verbs and all flags.</summary>
@@ -22,6 +24,7 @@ internal static class HelpText
         foreach (Verb verb in verbs) HelpColumns.Entry(text, $"./run {verb.Name}{(verb.Words.Length > 0 ? " " + verb.Words : "")}", verb.Summary);
         HelpColumns.Entry(text, "./run VERB --help", "a verb's flags, with examples");
         HelpColumns.Entry(text, "./run --help", "this text");
+        HelpColumns.Entry(text, "./run --version", "the package's version, and the commit with a + where files differ from it");
         text.Append("\nIn brackets: what holds without the flag.\n");
         foreach (Verb verb in verbs.Where(v => v.AllFlags.Any()))
         {

@@ -23,7 +23,7 @@ internal static class Verbs
             [
                 ("", "a second and a half of the sample Dam Break: a film in Build/play, in under a minute on two CPU cores"),
                 ("--open --size 1280x720 --fps 30", "the same in HD, shown when it is done"),
-                ("--scene Packages/com.sphfluid/Samples~/Fountain/Fountain.unity --seconds 5", "another scene"),
+                ("--scene Fountain --seconds 5", "another sample; a path of a .unity file does as well"),
                 ("--particles 4000 --surface particles --seconds 1 --size 640x360", "a quick look with fewer particles"),
                 ("--no-images --seconds 4 --record record.csv --state end.ply --mesh end-surface.ply", "figures, particles and surface; no pictures"),
             ],
@@ -57,6 +57,7 @@ internal static class Verbs
             Notes =
             [
                 "reads the newest chart of the device in benchmarks/accuracy and Build/chart; writes DIR/choose.csv, choose.svg and choose.png, with --verify DIR/choose-verify.csv",
+                "Where nothing that was measured keeps what is asked, it names the nearest ways, and the exit code is 1.",
                 "For a liquid of another size than the case's own give --length, and --volume where its shape is another; --speed where no gravity moves it.",
             ],
             Examples =
@@ -110,7 +111,7 @@ internal static class Verbs
             Examples =
             [
                 ("--particles 4000 --seconds 0.5", "the sample Dam Break with 4,000 particles; then bash Build/export/run.sh"),
-                ("--scene Packages/com.sphfluid/Samples~/WaveTank/WaveTank.unity --seconds 4 --ranks 8", "a scene whose paddle moves, for eight processes"),
+                ("--scene WaveTank --seconds 4 --ranks 8", "a scene whose paddle moves, for eight processes"),
             ],
         },
         Measured("peers", "cases of the chart computed by another program, PySPH, as CSV and a picture") with
@@ -138,7 +139,7 @@ internal static class Verbs
         },
         new("docs", "the manual and the API reference as pages for a browser")
         {
-            Words = "", Notes = ["writes Build/docs/index.html; Doxygen is installed by apt where it is missing"],
+            Words = "", Notes = ["writes Build/docs, to be opened at Build/docs/index.html; Doxygen is installed by apt where it is missing"],
         },
         new("devices", "the graphics devices of this machine") { Words = "" },
         new("publish", "the player as one folder that needs no .NET")

@@ -8,7 +8,7 @@ internal sealed record SceneOptions
     internal static readonly IReadOnlyList<Flag> Flags =
     [
         new("--table", "scene", "plays a scene, in turns with another build if one is named") { Choices = ["scene"] },
-        new("--scene", "FILE.unity", "the scene", "Dam Break, of the samples"),
+        new("--scene", "FILE.unity", "the scene; ./run takes the name of a sample, too", "Dam Break, of the samples"),
         new("--phases", "LIST", "spans of simulated seconds, a row each", "0-1,4-5"),
         new("--against", "DIR|FILE", "folder of another build (a checkout in which ./run build Play.slnx was run), or a scene.csv to compare with"),
         new("--fps", "F", "frames a simulated second", "30"),

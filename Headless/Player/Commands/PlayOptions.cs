@@ -17,7 +17,7 @@ public sealed record PlayOptions
     internal static readonly IReadOnlyList<Flag> Flags =
     [
         CommonFlags.Project, CommonFlags.Assemblies,
-        new("--scene", "FILE.unity", "scene to play", "Dam Break, of the samples"),
+        new("--scene", "FILE.unity", "scene to play; ./run takes the name of a sample, too", "Dam Break, of the samples"),
         new("--seconds", "S", "simulated seconds", Text(DefaultSeconds)),
         new("--fps", "F", "frames a simulated second, and of the film", Text(DefaultFps)),
         new("--size", "WxH", "size of the pictures in pixels", DefaultSize),

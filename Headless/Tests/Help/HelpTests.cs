@@ -65,6 +65,11 @@ public sealed class HelpTests
     [TestCase("devices: --all is not a flag. ./run devices --help tells what it takes.", "devices", "--all")]
     [TestCase("run: 'paly' is not a verb. Did you mean play? ./run --help lists them.", "paly", "--seconds", "1")]
     [TestCase("run: 'x' is not a verb. ./run --help lists them.", "help", "x")]
+    [TestCase("build: 'foo' is not a solution. Headless.slnx is all, Play.slnx the part that plays and measures.", "build", "foo")]
+    [TestCase("build: 'play.slnx' is not a solution. Did you mean Play.slnx? Headless.slnx is all, Play.slnx the part that plays and measures.", "build", "play.slnx")]
+    [TestCase("play: 'a/Fountain.unity' is not a flag. A scene is named by --scene: ./run play --scene 'a/Fountain.unity'", "play", "a/Fountain.unity", "--seconds", "1")]
+    [TestCase("play: --scene: 'fountan' is neither a .unity file nor a sample. Did you mean fountain? The samples are DamBreak Fountain.", "--scene", "fountan")]
+    [TestCase("export: --scene: 'x' is neither a .unity file nor a sample. The samples are DamBreak Fountain.", "export", "--scene=x")]
     [Platform(Exclude = "Win")]
     public void TheShellRefusesInOneLineBeforeAnythingIsBuilt(string message, params string[] words)
     {
@@ -85,8 +90,47 @@ public sealed class HelpTests
         Assert.That(output, Is.EqualTo(File.ReadAllText(Path.Combine(FuzzProject.Repository, HelpFiles.Folder, file))));
     }
 
-    /// <summary>run and the texts alone, in a folder without anything else: nothing can be built there.</summary>
-    private static (int Code, string Output, string Errors) Shell(string[] words)
+    [TestCase("-n 40", "devices: this shell allows 40 open files, and the player needs 256: ulimit -n 256, or unlimited.")]
+    [TestCase("-v 3000000", "devices: this shell allows 3000000 KB of memory addresses, and the player needs 8388608: ulimit -v 8388608, or unlimited.")]
+    [TestCase("-f 2000", "devices: this shell allows 2000 KB a file, and the player needs 4194304: ulimit -f 4194304, or unlimited.")]
+    [Platform(Exclude = "Win")]
+    public void ALimitThatThePlayerCannotWorkWithinIsALine(string limit, string message) =>
+        Assert.That(Shell(["devices"], $"ulimit {limit} && bash \"$0\" \"$@\""), Is.EqualTo((2, "", message + "\n")));
+
+    [Test]
+    [Platform(Exclude = "Win")]
+    public void AClosedOutputIsALineAndNoneOfTheProgramsGetsItsNumber()
+    {
+        (int code, string _, string errors) = Shell(["--version"], "bash \"$0\" \"$@\" >&- <&-");
+        Assert.That((code, errors), Is.EqualTo((0, "run: standard output is closed: only messages are shown.\n")));
+    }
+
+    [Test]
+    [Platform(Exclude = "Win")]
+    public void TheVersionIsThatOfThePackage() => Assert.That(Shell(["--version"]), Is.EqualTo((0, "SPH Fluid 1.2.3-test\n", "")));
+
+    [TestCase("setup run", "build", "Play.slnx")]
+    [TestCase("setup test", "build")]
+    [TestCase("setup test", "build", "Headless.slnx")]
+    [Platform(Exclude = "Win")]
+    public void ABuildInstallsWhatItNeeds(string asked, params string[] words) => Assert.That(Shell(words).Output, Does.StartWith(asked + "\n"));
+
+    [TestCase("fountain")]
+    [TestCase("FOUNTAIN")]
+    [TestCase("Packages/com.sphfluid/Samples~/Fountain/Fountain.unity")]
+    [Platform(Exclude = "Win")]
+    public void ASampleIsASceneByItsName(string name)
+    {
+        (int code, string output, string errors) = Shell(["--seconds", "1", "--scene", name]);
+        Assert.That(code, Is.Zero, errors);
+        Assert.That(output, Does.Match(@"played .*--seconds 1 --scene \S*Packages/com\.sphfluid/Samples~/Fountain/Fountain\.unity --out \S*Build/play --\s"));
+    }
+
+    /// <summary>
+    /// run and the texts, in a folder of their own with two samples, a set-up that says what it is asked for, and in place of .NET what "builds" a player that
+    /// says what it is to play.
+    /// </summary>
+    private static (int Code, string Output, string Errors) Shell(string[] words, string script = "bash \"$0\" \"$@\"")
     {
         DirectoryInfo folder = Directory.CreateTempSubdirectory("run-");
         try
@@ -96,7 +140,20 @@ public sealed class HelpTests
             File.Copy(Path.Combine(FuzzProject.Repository, "run"), run);
             foreach (string text in Directory.EnumerateFiles(Path.Combine(FuzzProject.Repository, HelpFiles.Folder)))
                 File.Copy(text, Path.Combine(folder.FullName, HelpFiles.Folder, Path.GetFileName(text)));
-            using Process process = Process.Start(new ProcessStartInfo("bash", [run, .. words]) { RedirectStandardOutput = true, RedirectStandardError = true })!;
+            foreach (string sample in new[] { "Fountain", "DamBreak" }) Add(folder, $"Packages/com.sphfluid/Samples~/{sample}/{sample}.unity", "");
+            Add(folder, "Packages/com.sphfluid/package.json", "{ \"name\": \"com.sphfluid\", \"version\": \"1.2.3-test\" }");
+            Add(folder, "setup.sh", "#!/bin/sh\necho \"setup $1\"\nmkdir -p \"$(dirname \"$0\")/Build\"\n");
+            Add(folder, "programs/dotnet", """
+                #!/bin/sh
+                build=$(dirname "$0")/../Build
+                mkdir -p "$build/dotnet/bin/Headless.Player/release" "$build/dotnet/bin/SphFluid/release"
+                printf '#!/bin/sh\necho "played $*"\n' > "$build/dotnet/bin/Headless.Player/release/sphplayer"
+                chmod +x "$build/dotnet/bin/Headless.Player/release/sphplayer"
+
+                """);
+            var start = new ProcessStartInfo("bash", ["-c", script, run, .. words]) { RedirectStandardOutput = true, RedirectStandardError = true };
+            start.Environment["PATH"] = $"{Path.Combine(folder.FullName, "programs")}:{start.Environment["PATH"]}";
+            using Process process = Process.Start(start)!;
             Task<string> errors = process.StandardError.ReadToEndAsync();
             string output = process.StandardOutput.ReadToEnd();
             process.WaitForExit();
@@ -106,5 +163,13 @@ public sealed class HelpTests
         {
             folder.Delete(recursive: true);
         }
+    }
+
+    private static void Add(DirectoryInfo folder, string name, string text)
+    {
+        string file = Path.Combine(folder.FullName, name);
+        Directory.CreateDirectory(Path.GetDirectoryName(file)!);
+        File.WriteAllText(file, text.ReplaceLineEndings("\n"));
+        if (!OperatingSystem.IsWindows()) File.SetUnixFileMode(file, (UnixFileMode)0b111_101_101);
     }
 }

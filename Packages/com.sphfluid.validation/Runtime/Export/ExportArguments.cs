@@ -14,7 +14,7 @@ namespace SphFluid.Validation
         {
             var defaults = new FluidExportOptions();
             (Seconds, FrameRate, Ranks) = (defaults.Seconds, defaults.FrameRate, defaults.Ranks);
-            Options.Add("--scene", "FILE.unity", "scene to export, each liquid as a case", "Dam Break, of the samples", flag => Scene = SceneFile(flag));
+            Options.Add("--scene", "FILE.unity", "scene to export, each liquid as a case; ./run takes the name of a sample, too", "Dam Break, of the samples", flag => Scene = SceneFile(flag));
             Options.Add("--engine", "NAME", "engine that is to compute it", Engine, new[] { Engine }, flag => flag.OneOf(new[] { Engine }));
             Options.Add("--scheme", "NAME", "scheme that the case begins with", schemes[0], schemes, flag => Scheme = (FluidExportScheme)Array.IndexOf(schemes, flag.OneOf(schemes)));
             Options.Add("--seconds", "S", "time that is computed, and over which colliders' motion is recorded", $"{Seconds:0}", flag => Seconds = CommandLineWords.Positive(flag.Name, flag.Value()));
