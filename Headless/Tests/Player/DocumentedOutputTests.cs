@@ -73,6 +73,9 @@ public sealed partial class DocumentedOutputTests
         // What follows the header are bytes.
         string header = File.ReadAllText(Path.Combine(folder, file), System.Text.Encoding.Latin1).Split("end_header")[0];
         Assert.That(Property().Matches(header).Select(m => m.Groups[1].Value), Is.EqualTo(Names(heading)));
+        foreach (Match row in TypedRow().Matches(Section(heading)))
+            foreach (string name in Code().Matches(row.Groups[1].Value).Select(m => m.Groups[1].Value))
+                Assert.That(header, Does.Match($@"\nproperty {(row.Groups[2].Value == "list of int" ? "list uchar int" : row.Groups[2].Value)} {name}\n"));
     }
 
     [Test]
@@ -93,6 +96,7 @@ public sealed partial class DocumentedOutputTests
         [.. Row().Matches(Section(heading)).SelectMany(r => Code().Matches(r.Groups[1].Value)).Select(m => m.Groups[1].Value)];
 
     [GeneratedRegex(@"^\| (`[^|]*)\|", RegexOptions.Multiline)] private static partial Regex Row();
+    [GeneratedRegex(@"^\| (`[^|]*)\| ([a-z ]+) \|", RegexOptions.Multiline)] private static partial Regex TypedRow();
     [GeneratedRegex("`([^`]+)`")] private static partial Regex Code();
     [GeneratedRegex(@"^property .* (\w+)\s*$", RegexOptions.Multiline)] private static partial Regex Property();
 }

@@ -6,7 +6,7 @@ using UnityEngine;
 namespace SphFluid.Validation
 {
     /// <summary>
-    /// A simulation's particles at one moment, without those that left the domain, read back from the GPU and ordered by id: world space, SI units. Reading
+    /// A simulation's particles at one moment, without those that left the domain, read back from the GPU and ordered by id: SI units. Reading
     /// waits for the GPU; it is for tools and tests.
     /// </summary>
     public sealed class FluidSnapshot
@@ -14,7 +14,6 @@ namespace SphFluid.Validation
         FluidSnapshot(int count)
         {
             Ids = new uint[count];
-            Positions = new Vector3[count];
             LocalPositions = new Vector3[count];
             Velocities = new Vector3[count];
             Densities = new float[count];
@@ -27,11 +26,11 @@ namespace SphFluid.Validation
         /// <summary>Particle ids, ascending.</summary>
         public uint[] Ids { get; }
 
-        /// <summary>Positions in world space [m].</summary>
-        public Vector3[] Positions { get; }
-
         /// <summary>Positions in the simulation's space [m]: the domain is the box of its size about the origin.</summary>
         public Vector3[] LocalPositions { get; }
+
+        /// <summary>From the simulation's space to world space.</summary>
+        public Matrix4x4 LocalToWorld { get; private set; }
 
         /// <summary>Velocities at the time of the positions, in world space [m/s].</summary>
         public Vector3[] Velocities { get; }
@@ -44,6 +43,9 @@ namespace SphFluid.Validation
 
         /// <summary>SHA-256 over ids, positions and velocities as the GPU holds them: equal for bit-equal states.</summary>
         public string Hash { get; private set; }
+
+        /// <summary>Position of the particle at an index in world space.</summary>
+        internal WorldPoint PositionOf(int index) => new WorldPoint(LocalToWorld, LocalPositions[index]);
 
         /// <summary>Reads the particles of a running simulation.</summary>
         /// <exception cref="InvalidOperationException">The simulation is not running.</exception>
@@ -75,13 +77,12 @@ namespace SphFluid.Validation
             int[] order = Enumerable.Range(0, particles.Length).Where(i => !particles[i].IsRemoved).ToArray();
             Array.Sort(order, (a, b) => particles[a].Id.CompareTo(particles[b].Id));
 
-            var snapshot = new FluidSnapshot(order.Length);
+            var snapshot = new FluidSnapshot(order.Length) { LocalToWorld = localToWorld };
             for (int i = 0; i < order.Length; i++)
             {
                 FluidParticle particle = particles[order[i]];
                 snapshot.Ids[i] = particle.Id;
                 snapshot.LocalPositions[i] = particle.Position;
-                snapshot.Positions[i] = localToWorld.MultiplyPoint3x4(particle.Position);
                 snapshot.Velocities[i] = localToWorld.MultiplyVector(VelocityOf(particle));
                 snapshot.Densities[i] = densities[order[i]];
                 snapshot.Pressures[i] = pressures[order[i]];

@@ -28,8 +28,8 @@ namespace SphFluid.Validation
         /// <summary>Particles outside the domain box.</summary>
         public int EscapedCount { get; private set; }
 
-        /// <summary>Mean of the finite positions in world space [m].</summary>
-        public Vector3 Centre { get; private set; }
+        /// <summary>Mean of the finite positions in world space.</summary>
+        internal WorldPoint Centre { get; private set; }
 
         /// <summary>Kinetic energy ½ Σ m v² [J].</summary>
         public double KineticEnergy { get; private set; }
@@ -44,7 +44,7 @@ namespace SphFluid.Validation
             double speedSquares = 0, errors = 0, x = 0, y = 0, z = 0;
             for (int i = 0; i < snapshot.Count; i++)
             {
-                if (!IsFinite(snapshot.Positions[i]) || !IsFinite(snapshot.Velocities[i]))
+                if (!IsFinite(snapshot.LocalPositions[i]) || !IsFinite(snapshot.Velocities[i]))
                 {
                     result.NonFiniteCount++;
                     continue;
@@ -58,14 +58,13 @@ namespace SphFluid.Validation
                 double error = Math.Max(0.0, snapshot.Densities[i] / (double)settings.RestDensity - 1.0);
                 errors += error;
                 result.DensityErrorMax = Math.Max(result.DensityErrorMax, error);
-                x += snapshot.Positions[i].x;
-                y += snapshot.Positions[i].y;
-                z += snapshot.Positions[i].z;
+                WorldPoint at = snapshot.PositionOf(i);
+                (x, y, z) = (x + at.X, y + at.Y, z + at.Z);
             }
             double count = Math.Max(1, snapshot.Count - result.NonFiniteCount);
             result.RmsSpeed = Math.Sqrt(speedSquares / count);
             result.DensityErrorMean = errors / count;
-            result.Centre = new Vector3((float)(x / count), (float)(y / count), (float)(z / count));
+            result.Centre = new WorldPoint(x / count, y / count, z / count);
             result.KineticEnergy = 0.5 * settings.ParticleMass * speedSquares;
             return result;
         }

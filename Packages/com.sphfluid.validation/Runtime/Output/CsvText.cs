@@ -63,13 +63,14 @@ namespace SphFluid.Validation
         /// <exception cref="IOException">It cannot be written.</exception>
         public static void WriteWhole(string file, IEnumerable<string> lines)
         {
-            Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(file)));
-            string unfinished = file + ".tmp";
-            File.WriteAllLines(unfinished, lines);
-            if (File.Exists(file))
-                File.Replace(unfinished, file, null);
-            else
-                File.Move(unfinished, file);
+            WholeFile.Write(file, stream =>
+            {
+                using (var writer = new StreamWriter(stream, new UTF8Encoding(false), 1 << 16))
+                {
+                    foreach (string line in lines)
+                        writer.WriteLine(line);
+                }
+            });
         }
 
         static string Quoted(string cell)

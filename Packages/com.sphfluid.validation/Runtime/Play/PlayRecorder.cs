@@ -68,7 +68,7 @@ namespace SphFluid.Validation
             SnapshotStatistics s = SnapshotStatistics.Of(snapshot, simulation.Solver.Settings);
             ParticleGaps gaps = ParticleGaps.Of(snapshot.LocalPositions, simulation.Solver.Settings.Spacing);
             record.Add(simulation.SimulatedTime, index, simulation.StepCount, s.MaxSpeed, s.RmsSpeed,
-                s.DensityErrorMean, s.DensityErrorMax, s.KineticEnergy, s.Centre.x, s.Centre.y, s.Centre.z,
+                s.DensityErrorMean, s.DensityErrorMax, s.KineticEnergy, s.Centre.X, s.Centre.Y, s.Centre.Z,
                 gaps.CloseShare, gaps.Nearest);
             instruments.AddRow(simulation);
         }

@@ -68,7 +68,7 @@ namespace SphFluid.Validation
         static void WriteMesh(string file, FluidSimulation simulation)
         {
             SurfaceMesh mesh = PlaySurface.Extract(simulation);
-            PlyWriter.WriteMesh(file, mesh.Transformed(simulation.LocalToWorld));
+            PlyWriter.WriteMesh(file, mesh, simulation.LocalToWorld);
         }
 
         JsonObject Summary(FluidSimulation simulation, FluidSnapshot snapshot)

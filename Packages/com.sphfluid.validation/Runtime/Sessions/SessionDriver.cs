@@ -41,6 +41,6 @@ namespace SphFluid.Validation
 
         /// <summary>What a device, a disk or shards that lack runs can do to a measurement; the message is all that the user needs.</summary>
         public static bool IsExpected(Exception exception) =>
-            exception is FluidDeviceException || exception is IncompleteSweepException || exception is IOException || exception is UnauthorizedAccessException;
+            exception is FluidDeviceException || exception is IncompleteException || exception is IOException || exception is UnauthorizedAccessException;
     }
 }

@@ -38,7 +38,7 @@ namespace SphFluid.Validation
         ShardManifest Manifest => merge.Shards[0].Manifest;
 
         /// <inheritdoc/>
-        /// <exception cref="IncompleteSweepException">All is written, but runs are missing.</exception>
+        /// <exception cref="IncompleteException">All is written, but runs are missing.</exception>
         public bool Step()
         {
             Describe();
@@ -50,9 +50,10 @@ namespace SphFluid.Validation
             }
             ShardManifest.MergedFormat.Write(Folder, merge.Shards.Select(s => s.Manifest));
             merge.Verb.Copy(merge, Folder);
+            results.Release(); // for the verb's own session
             Finish();
             progress.Say($"'{Folder}' holds what {(merge.Shards.Count == 1 ? "the one shard has" : $"the {merge.Shards.Count} shards have")}.");
-            return merge.Missing.Count == 0 ? false : throw new IncompleteSweepException(DescribeMissing());
+            return merge.Missing.Count == 0 ? false : throw new IncompleteException(DescribeMissing());
         }
 
         /// <inheritdoc/>

@@ -82,20 +82,25 @@ namespace SphFluid.Tests
             var particles = new[]
             {
                 new FluidParticle(new Vector3(4, 5, 6), new Vector3(7, 8, 9), 1),
-                new FluidParticle(new Vector3(1, 2, 3), Vector3.zero, 0),
+                new FluidParticle(new Vector3(0.001f, 2, 3), Vector3.zero, 0),
             };
-            FluidSnapshot snapshot = FluidSnapshot.FromParticles(particles, new[] { 1001f, 1000f }, new[] { 5f, 0f }, Matrix4x4.Translate(Vector3.right));
+            // At 100 km neighbouring floats lie 8 mm apart.
+            FluidSnapshot snapshot = FluidSnapshot.FromParticles(particles, new[] { 1001f, 1000f }, new[] { 5f, 0f }, Matrix4x4.Translate(new Vector3(1e5f, 0f, -0.5f)));
             string file = Path.Combine(folder, "state.ply");
 
             PlyWriter.WriteParticles(file, snapshot);
 
             byte[] bytes = File.ReadAllBytes(file);
             int data = Encoding.ASCII.GetString(bytes).IndexOf("end_header\n", StringComparison.Ordinal) + 11;
-            Assert.That(bytes.Length - data, Is.EqualTo(2 * 36));
-            Assert.That(BitConverter.ToSingle(bytes, data), Is.EqualTo(2f), "x of id 0 in world space");
-            Assert.That(BitConverter.ToSingle(bytes, data + 36), Is.EqualTo(5f), "x of id 1 in world space");
-            Assert.That(BitConverter.ToSingle(bytes, data + 36 + 24), Is.EqualTo(1001f), "density of id 1");
-            Assert.That(BitConverter.ToUInt32(bytes, data + 36 + 32), Is.EqualTo(1u));
+            Assert.That(bytes.Length - data, Is.EqualTo(2 * 48));
+            Assert.That(BitConverter.ToDouble(bytes, data), Is.EqualTo(100000.001).Within(1e-9), "x of id 0 in world space");
+            Assert.That(BitConverter.ToDouble(bytes, data + 16), Is.EqualTo(2.5), "z of id 0 in world space");
+            Assert.That(BitConverter.ToDouble(bytes, data + 48), Is.EqualTo(100004.0), "x of id 1 in world space");
+            Assert.That(BitConverter.ToSingle(bytes, data + 48 + 36), Is.EqualTo(1001f), "density of id 1");
+            Assert.That(BitConverter.ToUInt32(bytes, data + 48 + 44), Is.EqualTo(1u));
+            Assert.That(Encoding.ASCII.GetString(bytes, 0, data), Does.Contain("\ncomment metres in world space; the centre of the domain is at 100000 0 -0.5\n"));
+            var settings = new FluidSolverSettings { DomainSize = Vector3.one, RestDensity = 1000f, ParticleMass = 0.5f };
+            Assert.That(SnapshotStatistics.Of(snapshot, settings).Centre.X, Is.EqualTo(100002.0005).Within(1e-9));
         }
 
         [Test]
@@ -104,14 +109,16 @@ namespace SphFluid.Tests
             var mesh = new SurfaceMesh(new[] { Vector3.zero, Vector3.right, Vector3.up }, new[] { Vector3.back, Vector3.back, Vector3.back }, new[] { 0, 2, 1 });
             string file = Path.Combine(folder, "sub", "mesh.ply");
 
-            PlyWriter.WriteMesh(file, mesh);
+            PlyWriter.WriteMesh(file, mesh, Matrix4x4.TRS(new Vector3(1e5f, 0f, 0f), Quaternion.Euler(0f, 90f, 0f), Vector3.one));
 
             byte[] bytes = File.ReadAllBytes(file);
             string text = Encoding.ASCII.GetString(bytes);
             int data = text.IndexOf("end_header\n", StringComparison.Ordinal) + 11;
             Assert.That(text, Does.Contain("element vertex 3").And.Contain("element face 1"));
-            Assert.That(bytes.Length - data, Is.EqualTo(3 * 24 + 13));
-            Assert.That(BitConverter.ToInt32(bytes, data + 72 + 5), Is.EqualTo(2), "second corner");
+            Assert.That(bytes.Length - data, Is.EqualTo(3 * 36 + 13));
+            Assert.That(BitConverter.ToDouble(bytes, data + 36 + 16), Is.EqualTo(-1.0).Within(1e-6), "z of the second vertex, turned");
+            Assert.That(BitConverter.ToSingle(bytes, data + 24), Is.EqualTo(-1f).Within(1e-6f), "x of the first normal, turned");
+            Assert.That(BitConverter.ToInt32(bytes, data + 108 + 5), Is.EqualTo(2), "second corner");
         }
     }
 }

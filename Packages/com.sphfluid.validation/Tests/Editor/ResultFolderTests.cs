@@ -46,11 +46,33 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void OtherFilesDoNotMatter()
+        public void OtherFilesBesideResultsDoNotMatter()
         {
+            Write("speed.csv", "case,speed_m_s\n");
             Write("notes.txt", "mine");
             Open().Close();
             Assert.That(File.ReadAllText(Path.Combine(folder, "notes.txt")), Is.EqualTo("mine"));
+        }
+
+        [TestCase("notes.txt")]
+        [TestCase(".hidden")]
+        [TestCase("sub/notes.txt")]
+        public void AFolderThatNoMeasurementMadeIsRefusedAndStaysAsItIs(string name)
+        {
+            Write(name, "mine");
+            string[] before = Directory.GetFileSystemEntries(folder, "*", SearchOption.AllDirectories);
+            Assert.That(Refused(), Does.Contain("is not empty, and no measurement made it. Name a new folder"));
+            Assert.That(Directory.GetFileSystemEntries(folder, "*", SearchOption.AllDirectories), Is.EquivalentTo(before));
+        }
+
+        [Test]
+        public void AFolderInUseIsRefused()
+        {
+            ResultFolder first = Open();
+            Assert.That(Refused(), Does.Contain("another measurement writes to"));
+            first.Close();
+            Assert.That(() => Open().Close(), Throws.Nothing);
+            Assert.That(Directory.GetFileSystemEntries(folder), Is.Empty);
         }
 
         [Test]
@@ -60,16 +82,17 @@ namespace SphFluid.Tests
             Write("still.png", "drawn");
             Write("speed.csv", "columns,of,an,earlier,version\n");
             first.Close();
-            Assert.That(() => Open(), Throws.Nothing);
+            Assert.That(() => Open().Close(), Throws.Nothing);
         }
 
         [Test]
         public void WhatAnInterruptedRunLeftIsReplaced()
         {
-            Open();
+            Write(ResultFolder.ListName, "still.png\nspeed.csv\n");
+            Write(ResultFolder.LockName, "");
             Write("still.png", "half a picture");
             Write("speed.csv.tmp", "case,spe");
-            Assert.That(() => Open(), Throws.Nothing);
+            Assert.That(() => Open().Close(), Throws.Nothing);
         }
 
         [Test]
@@ -87,7 +110,7 @@ namespace SphFluid.Tests
             Write("still.png", "drawn");
             first.Close();
             ResultFolder.Open(folder, new[] { table }).Close();
-            Assert.That(() => ResultFolder.Open(folder, new[] { picture }), Throws.Nothing);
+            Assert.That(() => ResultFolder.Open(folder, new[] { picture }).Close(), Throws.Nothing);
         }
 
         [TestCase("\n")]
@@ -98,7 +121,7 @@ namespace SphFluid.Tests
             Write("speed.gp", "# Draws speed.png" + end + "plot 1" + end);
             Write("speed.png", "drawn by the script");
             Write("curves/a.csv", "x,y" + end);
-            Assert.That(() => Open(), Throws.Nothing);
+            Assert.That(() => Open().Close(), Throws.Nothing);
         }
 
         [Test]
@@ -123,6 +146,7 @@ namespace SphFluid.Tests
         [Test]
         public void AFolderThatCannotBeWrittenIsOneLine()
         {
+            Write("speed.csv", "case,speed_m_s\n");
             // The list cannot be written where a folder has its name.
             Directory.CreateDirectory(Path.Combine(folder, ResultFolder.ListName));
             string message = Refused();

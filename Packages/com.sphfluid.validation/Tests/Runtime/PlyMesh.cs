@@ -21,8 +21,8 @@ namespace SphFluid.Tests
             {
                 for (int i = 0; i < positions.Length; i++)
                 {
-                    positions[i] = ReadVector(reader);
-                    normals[i] = ReadVector(reader);
+                    positions[i] = new Vector3((float)reader.ReadDouble(), (float)reader.ReadDouble(), (float)reader.ReadDouble());
+                    normals[i] = new Vector3(reader.ReadSingle(), reader.ReadSingle(), reader.ReadSingle());
                 }
                 for (int i = 0; i < indices.Length; i++)
                 {
@@ -40,7 +40,5 @@ namespace SphFluid.Tests
             int from = header.IndexOf(line, StringComparison.Ordinal) + line.Length;
             return int.Parse(header.Substring(from, header.IndexOf('\n', from) - from));
         }
-
-        static Vector3 ReadVector(BinaryReader reader) => new Vector3(reader.ReadSingle(), reader.ReadSingle(), reader.ReadSingle());
     }
 }

@@ -60,7 +60,7 @@ namespace SphFluid.Tests
             charts.MeasureAll(3);
             int missing = charts.Lines("2", "shard-runs.csv").Length - 1, all = charts.Lines("2", "shard-plan.csv").Length - 1;
             string one = CsvText.Split(charts.Lines("2", "shard-runs.csv")[1])[0];
-            var exception = Assert.Throws<IncompleteSweepException>(() => charts.Merge("merged", "1", "3"));
+            var exception = Assert.Throws<IncompleteException>(() => charts.Merge("merged", "1", "3"));
 
             Assert.That(exception.Message, Does.StartWith($"merge: {missing} of {all} runs are in no shard: {one}").And.Contain($"({missing} of shard 2/3, which is not among the folders)"));
             Assert.That(charts.Lines("merged", "accuracy.csv"), Has.Length.EqualTo(1 + 2 * (all - missing)));
@@ -81,7 +81,7 @@ namespace SphFluid.Tests
             string[] finished = File.ReadAllLines(runs);
             Assert.That(finished, Has.Length.GreaterThan(1));
             File.WriteAllLines(runs, finished.Take(finished.Length - 1));
-            var exception = Assert.Throws<IncompleteSweepException>(() => charts.Merge("merged", "1", "2"));
+            var exception = Assert.Throws<IncompleteException>(() => charts.Merge("merged", "1", "2"));
 
             Assert.That(exception.Message, Does.Contain($"of shard 2/2, which stopped early in '{charts.Folder("2")}'"));
             Assert.That(charts.Said, Has.Some.Contain("was stopped within " + CsvText.Split(finished.Last())[0]));
