@@ -32,7 +32,7 @@ internal sealed class EngineSession : IDisposable
         Assembly[] loaded = [.. scripts.LoadAll()];
         EngineState.ScriptAssemblies = loaded;
         var includes = new IncludeResolver(project);
-        var compiler = new ShaderCompiler(Path.Combine(CacheFolder, "shaders"), includes) { Direct3D = direct3D };
+        var compiler = new ShaderCompiler(Path.Combine(CacheFolder.Path, "shaders"), includes) { Direct3D = direct3D };
         checks ??= MemoryChecks.FromEnvironment();
         GraphicsDevice.Initialize(
             new GpuDeviceOptions { Adapter = device, Validate = validate, Poison = checks.Poison, CheckBounds = checks.Bounds }, compiler);
@@ -61,8 +61,4 @@ internal sealed class EngineSession : IDisposable
         EngineState.Reset();
         GraphicsDevice.Shutdown();
     }
-
-    /// <summary>Where setup.sh and the player keep what can be made again.</summary>
-    public static string CacheFolder =>
-        Path.Combine(Environment.GetEnvironmentVariable("XDG_CACHE_HOME") is { Length: > 0 } cache ? cache : Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.UserProfile), ".cache"), "sphfluid");
 }

@@ -1,6 +1,7 @@
 using System.Text;
 using Headless.Files;
 using Headless.Player.Commands;
+using Headless.Player.Output;
 using Headless.Shaders;
 using Headless.Vulkan;
 
@@ -21,10 +22,17 @@ public static class Program
 
     public static int Main(string[] words)
     {
+        GuardedConsole.Begin();
+        return GuardedConsole.End(Run(words));
+    }
+
+    private static int Run(string[] words)
+    {
         try
         {
             if (words.Length == 0) throw new UsageException("a command is missing: play, test, exec or devices.");
             string[] rest = words[1..];
+            if (words[0] is not ("help" or "--help" or "-h")) CacheFolder.Check();
             switch (words[0])
             {
                 case "play": return PlayCommand.Run(PlayOptions.Parse(rest));

@@ -63,7 +63,8 @@ internal sealed class PlayCommand : IDisposable
         scene = session.Project.Index.AssetPathOf(options.Scene) is { } path && File.Exists(session.Project.Index.FileOf(path))
             ? path
             : throw new UsageException($"--scene: '{options.Scene}' is not a file of the project '{options.Project}'.");
-        folder = OutputFolder.Open(options.Out, options.Images ? options.Frames : 0, options.Images);
+        using OutputFolder output = OutputFolder.Open(options.Out, options.Images ? options.Frames : 0, options.Images);
+        folder = output;
         ScreenTarget.Resize(options.Width, options.Height);
         Time.captureDeltaTime = (float)(1 / options.Fps);
         if (options.ExecuteMethod is { } method)
@@ -74,7 +75,15 @@ internal sealed class PlayCommand : IDisposable
         }
         timings = new TimingsFile(Path.Combine(folder.Path, TimingsFile.FileName));
         if (options.Images) film = new Film(folder.Path, options.Fps);
-        using (writer = new FrameWriter(folder.Path, film, path => activity.Say("first frame: " + Shown(path)))) return Play(session, activity);
+        try
+        {
+            using (writer = new FrameWriter(folder.Path, film, path => activity.Say("first frame: " + Shown(path)))) return Play(session, activity);
+        }
+        finally
+        {
+            // Without results of this run there is nothing that the project's code may add to as it quits.
+            if (frames == 0) EngineState.IsPlaying = false;
+        }
     }
 
     private int Play(EngineSession session, ActivityLine activity)
@@ -91,7 +100,7 @@ internal sealed class PlayCommand : IDisposable
             if (Refused) return EngineState.ExitCode;
             PlayFrames(activity);
         }
-        catch (Exception e) when (e is BadFileException or Vulkan.GpuException)
+        catch (Exception e) when (e is BadFileException or Vulkan.GpuException or IOException or UnauthorizedAccessException)
         {
             // What there is so far is kept.
             if (frames == 0) throw;
@@ -99,23 +108,35 @@ internal sealed class PlayCommand : IDisposable
         }
         if (Refused) return EngineState.ExitCode;
         interruption.EndHere();
-        writer!.Finish();
         activity.End();
-        timings.Save();
-        WriteSummary();
+        SaveFigures(stopped is not null);
         int exitCode = EngineState.ExitCode;
         PlaySession.End();
         bool valid = EngineSession.ReportValidation();
-        SummaryFile.Change(SummaryPath, "errors", console.Errors);
+        if (stopped is null) SummaryFile.Change(SummaryPath, "errors", console.Errors);
         Report(stopped is not null);
         stopped?.Throw();
         if (exitCode != 0) return exitCode;
         if (interruption.Requested) return Interruption.ExitCode;
-        return valid && console.Errors == 0 ? 0 : Failed;
+        return valid && console.Errors == 0 && film is not { HasFailed: true } ? 0 : Failed;
     }
 
-    /// <summary>The project's code has said why it cannot go on, as for a wrong flag: there is nothing to show.</summary>
-    private bool Refused => frames <= 1 && EngineState.QuitRequested && EngineState.ExitCode != 0;
+    private void SaveFigures(bool stopped)
+    {
+        try
+        {
+            folder.Begin();
+            timings.Save();
+            WriteSummary();
+        }
+        catch (Exception e) when (stopped && e is (IOException or UnauthorizedAccessException))
+        {
+            // As on a full disk: why the play stopped is said at the end.
+        }
+    }
+
+    /// <summary>The project's code has said by the end of the first frame why it cannot go on, as for a wrong flag: there is nothing to show, and no file changes.</summary>
+    private bool Refused => frames == 0 && EngineState.QuitRequested && EngineState.ExitCode != 0;
 
     private void PlayFrames(ActivityLine activity)
     {
@@ -133,6 +154,8 @@ internal sealed class PlayCommand : IDisposable
             progress.Begin(frame, clock.Elapsed.TotalSeconds);
             PlayerLoop.RunFrame();
             double cpu = frameClock.Elapsed.TotalMilliseconds;
+            if (Refused) return;
+            folder.Begin();
             timings.AddFrame(frame, Time.timeAsDouble, cpu);
             frames = frame + 1;
             if (frame == 0 && options.Images) SceneNotices.Write(console.Write);
@@ -146,6 +169,7 @@ internal sealed class PlayCommand : IDisposable
         }
         interruption.Acknowledge();
         TakeFrames(readback, progress, finish: true);
+        writer!.Finish();
         timer.Finish();
         progress.Finished(frames, clock.Elapsed.TotalSeconds);
         progress.Show(Time.timeAsDouble, clock.Elapsed.TotalSeconds, last: true);
@@ -164,6 +188,7 @@ internal sealed class PlayCommand : IDisposable
     private void EndFilesElsewhere()
     {
         bool whole = writer!.Stop(LastFrames);
+        folder.Begin();
         timings.Save();
         frames = Math.Min(frames, options.Images ? writer.Written : frames);
         WriteSummary();
@@ -188,11 +213,12 @@ internal sealed class PlayCommand : IDisposable
     private void Report(bool stopped)
     {
         string? noFilm = FinishFilm(stopped);
-        folder.Close(writer!.Written, options.Images && noFilm is null);
+        // The list of the beginning names more than was written, and a full disk has no room for another.
+        if (!stopped) folder.Close(writer!.Written, options.Images && noFilm is null);
         if (options.Images && noFilm is not null) Console.Error.WriteLine(Message.Of(noFilm));
         Console.WriteLine(FormattableString.Invariant($"{(interruption.Requested ? "interrupted: " : "")}{frames} frames in {clock.Elapsed.TotalSeconds:0.0} s on {GraphicsDevice.Device.Adapter.Name}"));
         string result = Path.Combine(folder.Path, noFilm is null ? Film.FileName : SummaryFile.FileName);
-        Console.WriteLine(Shown(result));
+        if (File.Exists(result)) Console.WriteLine(Shown(result));
         if (options.Open && !interruption.Requested && noFilm is null && FilmViewer.Open(result) is { } unseen)
             Console.Error.WriteLine(Message.Of($"--open: {unseen}; the film is {Shown(result)}."));
     }
@@ -208,7 +234,8 @@ internal sealed class PlayCommand : IDisposable
         if (film is null) return "no pictures were asked for.";
         if (console.Errors == 0 && !stopped) return film.Finish();
         film.Discard();
-        string why = stopped ? "the play stopped early" : $"there {(console.Errors == 1 ? "was 1 error" : $"were {console.Errors} errors")} in the console, see above";
-        return $"no film: {why}. {writer!.Written} frames, {TimingsFile.FileName} and {SummaryFile.FileName} are in {folder.Path}.";
+        if (stopped) return $"no film: the play stopped early. What there is of it is in {folder.Path}.";
+        string errors = console.Errors == 1 ? "was 1 error" : $"were {console.Errors} errors";
+        return $"no film: there {errors} in the console, see above. {writer!.Written} frames, {TimingsFile.FileName} and {SummaryFile.FileName} are in {folder.Path}.";
     }
 }

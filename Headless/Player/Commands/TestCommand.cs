@@ -18,7 +18,7 @@ internal static class TestCommand
 
     public static int Run(TestOptions options)
     {
-        using Direct3DFrontEnd? direct3D = options.Direct3D ? new Direct3DFrontEnd(EngineSession.CacheFolder) : null;
+        using Direct3DFrontEnd? direct3D = options.Direct3D ? new Direct3DFrontEnd(CacheFolder.Path) : null;
         if (direct3D?.Missing is { } missing)
         {
             Console.WriteLine($"skipped: kernels cannot be compiled as for Direct3D, {missing}");

@@ -21,7 +21,10 @@ public sealed class Film : IDisposable
 
     public Film(string folder, double fps) => (this.folder, this.fps) = (folder, fps.ToString("R", CultureInfo.InvariantCulture));
 
-    private string Unfinished => Path.Combine(folder, FileName + ".part");
+    /// <summary>Whether there is no film for another reason than that the program which makes it is not installed.</summary>
+    public bool HasFailed => problem is not null && problem != Missing;
+
+    private string Unfinished => Path.Combine(folder, FileName + WholeFile.Ending);
 
     /// <param name="rgba">Top row first.</param>
     public void Add(int width, int height, byte[] rgba)

@@ -73,9 +73,7 @@ public sealed class FrameWriter : IDisposable
             await foreach (Frame frame in queue.Reader.ReadAllAsync().ConfigureAwait(false))
             {
                 string path = Path.Combine(folder, Name(frame.Number));
-                string partial = path + ".part";
-                await using (FileStream stream = File.Create(partial)) Png.Write(stream, frame.Width, frame.Height, frame.Rgba);
-                File.Move(partial, path, overwrite: true);
+                WholeFile.Write(path, stream => Png.Write(stream, frame.Width, frame.Height, frame.Rgba));
                 if (++written == 1) first?.Invoke(path);
                 film?.Add(frame.Width, frame.Height, frame.Rgba);
             }

@@ -5,59 +5,109 @@ using System.Text.Json;
 namespace Headless.Player.Output;
 
 /// <summary>
-/// The folder of <c>--out</c>. A list in it names what the player wrote there; only that is ever replaced or removed. The
-/// user's own pictures and films stay, and where one has a name that the player needs, nothing is played.
+/// The folder of <c>--out</c>: a new one, an empty one, or one that the player wrote to before. A list in it names what the
+/// player wrote; only that is ever replaced or removed, and only once there is something to write in its place.
 /// </summary>
-public sealed partial class OutputFolder
+public sealed partial class OutputFolder : IDisposable
 {
     /// <summary>The list: a name a line.</summary>
     public const string ListName = ".sphplayer-files";
 
-    private const int MostListed = 1_100_000;
-    private readonly int frames;
+    /// <summary>Held open and locked by the run that writes to the folder. The system unlocks it when the process ends, however that is.</summary>
+    public const string LockName = ".sphplayer-lock";
 
-    private OutputFolder(string path, int frames) => (Path, this.frames) = (path, frames);
+    private const int MostListed = 1_100_000;
+    private readonly Lock gate = new();
+    private readonly List<string> made = [];
+    private readonly int frames;
+    private readonly bool film;
+    private HashSet<string> own = [];
+    private FileStream? held;
+    private bool begun;
+
+    private OutputFolder(string path, int frames, bool film) => (Path, this.frames, this.film) = (path, frames, film);
 
     public string Path { get; }
 
-    /// <summary>Makes the folder, removes what an earlier run left, and claims the names of this one.</summary>
+    /// <summary>Makes the folder and claims it for this run; what is in it stays as it is.</summary>
     /// <param name="out">The value of --out.</param>
     /// <param name="frames">Frames that will be written; 0 for none.</param>
     /// <param name="film">Whether a film will be made.</param>
-    /// <exception cref="UsageException">The folder cannot be written, or holds files of these names that are not the player's.</exception>
+    /// <exception cref="UsageException">The folder cannot be written, is in use, or holds what the player did not write.</exception>
     public static OutputFolder Open(string @out, int frames, bool film)
     {
+        OutputFolder? folder = null;
         try
         {
             string path = System.IO.Path.GetFullPath(@out);
             if (File.Exists(path)) throw new UsageException($"--out: '{@out}' is a file; name a folder.");
-            Directory.CreateDirectory(path);
-            var folder = new OutputFolder(path, frames);
-            HashSet<string> own = folder.ReadList();
-            folder.Refuse(@out, own, film);
-            foreach (string name in own)
-            {
-                // An unfinished file has the name of the finished one with an ending.
-                File.Delete(System.IO.Path.Combine(path, name));
-                File.Delete(System.IO.Path.Combine(path, name + ".part"));
-            }
-            folder.WriteList(frames, film);
+            folder = new OutputFolder(path, frames, film);
+            if (Directory.Exists(path)) folder.Refuse(@out);
+            folder.Claim(@out);
             return folder;
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
+            folder?.Dispose();
             throw new UsageException($"--out: the folder '{@out}' cannot be written: {e.Message}");
+        }
+        catch (UsageException)
+        {
+            folder?.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>Removes what an earlier run left and claims the names of this one; for the first caller, who is about to write.</summary>
+    /// <exception cref="IOException">The folder cannot be written.</exception>
+    public void Begin()
+    {
+        lock (gate)
+        {
+            if (begun) return;
+            begun = true;
+            // An unfinished file has the name of the finished one with an ending.
+            foreach (string file in own.Select(name => System.IO.Path.Combine(Path, name))) WholeFile.Delete(file);
+            WriteList(frames, film);
         }
     }
 
     /// <summary>Lists what was written in the end.</summary>
     public void Close(int written, bool film) => WriteList(written, film);
 
-    private void Refuse(string @out, HashSet<string> own, bool film)
+    /// <summary>Gives the folder up; one that was made for a run that did not begin goes.</summary>
+    public void Dispose()
     {
-        IEnumerable<string> needed = Directory.EnumerateFiles(Path).Select(f => System.IO.Path.GetFileName(f)!)
+        held?.Dispose();
+        held = null;
+        if (begun) return;
+        foreach (string folder in Enumerable.Reverse(made))
+            if (Directory.Exists(folder) && !Directory.EnumerateFileSystemEntries(folder).Any()) Directory.Delete(folder);
+    }
+
+    private void Claim(string @out)
+    {
+        for (string? missing = Path; missing is not null && !Directory.Exists(missing); missing = System.IO.Path.GetDirectoryName(missing)) made.Insert(0, missing);
+        Directory.CreateDirectory(Path);
+        string file = System.IO.Path.Combine(Path, LockName);
+        try
+        {
+            held = new FileStream(file, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None, 1, FileOptions.DeleteOnClose);
+        }
+        catch (IOException) when (File.Exists(file))
+        {
+            throw new UsageException($"--out: another run writes to '{@out}'. Wait for its end, or name another folder.");
+        }
+    }
+
+    private void Refuse(string @out)
+    {
+        own = ReadList();
+        if (own.Count == 0 && !File.Exists(System.IO.Path.Combine(Path, ListName)) && Directory.EnumerateFileSystemEntries(Path).Any(e => System.IO.Path.GetFileName(e) != LockName))
+            throw new UsageException($"--out: '{@out}' is not empty, and the player did not make it. Name a new folder, such as '{System.IO.Path.Combine(@out, "play")}', or an empty one.");
+        IEnumerable<string> needed = Directory.EnumerateFileSystemEntries(Path).Select(f => System.IO.Path.GetFileName(f)!)
             .Where(name => name is TimingsFile.FileName or SummaryFile.FileName || film && name == Film.FileName || IsFrame(name));
-        string[] foreign = [.. needed.Where(name => !own.Contains(name)).Order(StringComparer.Ordinal)];
+        string[] foreign = [.. needed.Where(name => !own.Contains(name) || Directory.Exists(System.IO.Path.Combine(Path, name))).Order(StringComparer.Ordinal)];
         if (foreign.Length == 0) return;
         string more = foreign.Length > 1 ? $" and {foreign.Length - 1} more" : "";
         throw new UsageException($"--out: '{@out}' holds {foreign[0]}{more}, which the player did not write and would replace. Name another folder, or move the files away.");
@@ -90,7 +140,8 @@ public sealed partial class OutputFolder
         }
     }
 
-    private void WriteList(int written, bool film) => File.WriteAllLines(System.IO.Path.Combine(Path, ListName), Names(written, film));
+    private void WriteList(int written, bool film) =>
+        WholeFile.WriteText(System.IO.Path.Combine(Path, ListName), string.Join('\n', Names(written, film)) + "\n");
 
     private static IEnumerable<string> Names(int frames, bool film) =>
         [TimingsFile.FileName, SummaryFile.FileName, .. film ? [Film.FileName] : Array.Empty<string>(), .. Enumerable.Range(0, frames).Select(FrameWriter.Name)];

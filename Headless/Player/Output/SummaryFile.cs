@@ -13,41 +13,34 @@ public static class SummaryFile
     {
         if (!File.Exists(path) || JsonNode.Parse(File.ReadAllText(path)) is not JsonObject all) return;
         all[key] = value;
-        string partial = path + ".part";
-        File.WriteAllText(partial, all.ToJsonString(Indented) + "\n");
-        File.Move(partial, path, overwrite: true);
+        WholeFile.WriteText(path, all.ToJsonString(Indented) + "\n");
     }
 
     private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true };
 
-    public static void Write(string path, IReadOnlyList<(string Key, object? Value)> entries)
+    public static void Write(string path, IReadOnlyList<(string Key, object? Value)> entries) => WholeFile.Write(path, stream =>
     {
-        string partial = path + ".part";
-        using (FileStream stream = File.Create(partial))
-        using (var writer = new Utf8JsonWriter(stream, new JsonWriterOptions { Indented = true }))
+        using var writer = new Utf8JsonWriter(stream, new JsonWriterOptions { Indented = true });
+        writer.WriteStartObject();
+        foreach (var (key, value) in entries)
         {
-            writer.WriteStartObject();
-            foreach (var (key, value) in entries)
+            writer.WritePropertyName(key);
+            switch (value)
             {
-                writer.WritePropertyName(key);
-                switch (value)
-                {
-                    case null: writer.WriteNullValue(); break;
-                    case bool b: writer.WriteBooleanValue(b); break;
-                    case int i: writer.WriteNumberValue(i); break;
-                    case long l: writer.WriteNumberValue(l); break;
-                    case double d when double.IsFinite(d): writer.WriteNumberValue(Math.Round(d, 6)); break;
-                    case double: writer.WriteNullValue(); break;
-                    case IReadOnlyList<(string Key, string Text)> texts:
-                        writer.WriteStartObject();
-                        foreach (var (name, text) in texts) writer.WriteString(name, text);
-                        writer.WriteEndObject();
-                        break;
-                    default: writer.WriteStringValue(value.ToString()); break;
-                }
+                case null: writer.WriteNullValue(); break;
+                case bool b: writer.WriteBooleanValue(b); break;
+                case int i: writer.WriteNumberValue(i); break;
+                case long l: writer.WriteNumberValue(l); break;
+                case double d when double.IsFinite(d): writer.WriteNumberValue(Math.Round(d, 6)); break;
+                case double: writer.WriteNullValue(); break;
+                case IReadOnlyList<(string Key, string Text)> texts:
+                    writer.WriteStartObject();
+                    foreach (var (name, text) in texts) writer.WriteString(name, text);
+                    writer.WriteEndObject();
+                    break;
+                default: writer.WriteStringValue(value.ToString()); break;
             }
-            writer.WriteEndObject();
         }
-        File.Move(partial, path, overwrite: true);
-    }
+        writer.WriteEndObject();
+    });
 }

@@ -67,9 +67,7 @@ public sealed class TimingsFile(string path)
             foreach (string pass in passes) text.Append(',').Append(row.Passes.TryGetValue(pass, out double ms) ? Number(ms) : "");
             text.Append('\n');
         }
-        string partial = path + ".part";
-        File.WriteAllText(partial, text.ToString());
-        File.Move(partial, path, overwrite: true);
+        WholeFile.WriteText(path, text.ToString());
     }
 
     private static string Number(double? value) => value?.ToString("0.####", CultureInfo.InvariantCulture) ?? "";

@@ -46,10 +46,10 @@ internal sealed class ShaderCache(string directory)
 
     public void Write(string key, string compilerVersion, IReadOnlyList<ShaderBinary> binaries)
     {
+        string temporary = FilePath(key) + "." + Guid.NewGuid().ToString("N");
         try
         {
             Directory.CreateDirectory(Path.GetDirectoryName(FilePath(key))!);
-            string temporary = FilePath(key) + "." + Guid.NewGuid().ToString("N");
             using (BinaryWriter writer = new(File.Create(temporary)))
             {
                 writer.Write(compilerVersion);
@@ -60,6 +60,7 @@ internal sealed class ShaderCache(string directory)
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
             WriteProblem = $"shader cache '{directory}' cannot be written: {e.Message}";
+            if (File.Exists(temporary)) File.Delete(temporary);
         }
     }
 

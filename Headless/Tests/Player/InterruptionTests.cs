@@ -63,7 +63,7 @@ public sealed class InterruptionTests
     public void WithinAFrameThatTakesMinutes()
     {
         using Process process = PlayerProcess.Start(DamBreak("--fps", "0.01", "--", "--particles", "60000"));
-        WaitFor(process, () => File.Exists(Path.Combine(folder, TimingsFile.FileName)) || File.Exists(Path.Combine(folder, OutputFolder.ListName)));
+        WaitFor(process, () => File.Exists(Path.Combine(folder, OutputFolder.LockName)));
         Thread.Sleep(TimeSpan.FromSeconds(8));
         End(process, Interrupt);
         CheckFiles(film: false);

@@ -52,7 +52,7 @@ public sealed class MeasurementOutputTests
         PlayerProcess run = Measure(method, "/proc/sphfluid");
         Assert.That(run.ExitCode, Is.EqualTo(2), run.Output + run.Errors);
         Assert.That(run.Errors.TrimEnd().Split('\n'), Has.Length.EqualTo(1));
-        Assert.That(run.Errors, Does.Match("^[a-z]+: --out: the folder '/proc/sphfluid' cannot be written: "));
+        Assert.That(run.Errors, Does.Match("^[a-z]+: --out: '/proc/sphfluid' cannot be written: "));
     }
 
     [Test]

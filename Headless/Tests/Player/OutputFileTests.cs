@@ -63,6 +63,23 @@ public sealed class OutputFileTests
     }
 
     [Test]
+    public void WhatCannotBeWrittenToItsEndLeavesWhatWasThereBefore()
+    {
+        string path = Path.Combine(folder, "a");
+        for (int attempt = 0; attempt < 2; attempt++)
+        {
+            Assert.That(() => WholeFile.Write(path, stream =>
+            {
+                stream.Write(new byte[100_000]);
+                throw new IOException("No space left on device");
+            }), Throws.InstanceOf<IOException>());
+            Assert.That(Directory.GetFiles(folder), Is.EqualTo(attempt == 0 ? [] : new[] { path }));
+            WholeFile.WriteText(path, "before");
+        }
+        Assert.That(File.ReadAllText(path), Is.EqualTo("before"));
+    }
+
+    [Test]
     public void TheProgressLineTellsShareTimeAndRest()
     {
         var output = new StringWriter();

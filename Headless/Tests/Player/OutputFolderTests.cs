@@ -24,12 +24,54 @@ public sealed class OutputFolderTests
     [Test]
     public void WhatAnEarlierRunWroteIsRemovedAndNothingElse()
     {
-        OutputFolder first = OutputFolder.Open(folder, 3, film: true);
-        foreach (string name in new[] { "frame_00000.png", "frame_00001.png", "film.mp4", "summary.json", "film.mp4.part" }) Add(name);
-        first.Close(2, film: true);
+        using (OutputFolder first = OutputFolder.Open(folder, 3, film: true))
+        {
+            first.Begin();
+            foreach (string name in new[] { "frame_00000.png", "frame_00001.png", "film.mp4", "summary.json", "film.mp4.part" }) Add(name);
+            first.Close(2, film: true);
+        }
         string[] users = [Add("holiday.mp4"), Add("picture.png"), Add("frame_extra.png"), Add("frame_00077.png"), Add("notes.txt")];
-        OutputFolder.Open(folder, 3, film: true);
-        Assert.That(Directory.GetFiles(folder).Order(), Is.EqualTo(users.Append(Path.Combine(folder, OutputFolder.ListName)).Order()));
+        string[] before = Directory.GetFiles(folder);
+        OutputFolder.Open(folder, 3, film: true).Dispose();
+        Assert.That(Directory.GetFiles(folder), Is.EquivalentTo(before), "nothing goes before there is something to write");
+        using (OutputFolder second = OutputFolder.Open(folder, 3, film: true)) second.Begin();
+        Assert.That(Directory.GetFiles(folder), Is.EquivalentTo(users.Append(Path.Combine(folder, OutputFolder.ListName))));
+    }
+
+    [TestCase("notes.txt")]
+    [TestCase(".hidden")]
+    [TestCase("sub/notes.txt")]
+    [TestCase("film.mp4")]
+    public void AFolderThatThePlayerDidNotMakeIsRefusedAndStaysAsItIs(string name)
+    {
+        string file = Path.Combine(folder, name);
+        Directory.CreateDirectory(Path.GetDirectoryName(file)!);
+        File.WriteAllText(file, "mine");
+        string[] before = Directory.GetFileSystemEntries(folder, "*", SearchOption.AllDirectories);
+        Assert.That(() => OutputFolder.Open(folder, 0, film: false), Throws.TypeOf<UsageException>().With.Message.Contains($"is not empty, and the player did not make it. Name a new folder, such as '{folder}{Path.DirectorySeparatorChar}play'"));
+        Assert.That(Directory.GetFileSystemEntries(folder, "*", SearchOption.AllDirectories), Is.EquivalentTo(before));
+    }
+
+    [Test]
+    public void AFolderInUseIsRefusedUntilItIsGivenUp()
+    {
+        string path = Path.Combine(folder, "new");
+        using (OutputFolder first = OutputFolder.Open(path, 3, film: true))
+        {
+            // Also before the first has written a list.
+            Assert.That(() => OutputFolder.Open(path, 3, film: true), Throws.TypeOf<UsageException>().With.Message.Contains("another run writes to"));
+            first.Begin();
+            Assert.That(() => OutputFolder.Open(path, 3, film: true), Throws.TypeOf<UsageException>().With.Message.Contains("another run writes to"));
+        }
+        OutputFolder.Open(path, 3, film: true).Dispose();
+        Assert.That(Directory.GetFiles(path).Select(Path.GetFileName), Is.EqualTo(new[] { OutputFolder.ListName }));
+    }
+
+    [Test]
+    public void AFolderThatWasMadeForNothingGoes()
+    {
+        OutputFolder.Open(Path.Combine(folder, "new", "below"), 3, film: true).Dispose();
+        Assert.That(Directory.GetFileSystemEntries(folder), Is.Empty);
     }
 
     [TestCase("film.mp4")]
@@ -39,6 +81,7 @@ public sealed class OutputFolderTests
     public void AFileOfTheUsersWithANameThatIsNeededIsLeftAndNamed(string name)
     {
         string file = Add(name);
+        Add(OutputFolder.ListName, "");
         Assert.That(() => OutputFolder.Open(folder, 3, film: true), Throws.TypeOf<UsageException>().With.Message.Contains($"holds {name}, which the player did not write"));
         Assert.That(File.ReadAllText(file), Is.EqualTo("mine"));
     }
@@ -47,7 +90,8 @@ public sealed class OutputFolderTests
     public void WithoutPicturesFilmsOfTheUsersAreInNobodysWay()
     {
         string film = Add("film.mp4"), frame = Add("frame_00000.png");
-        OutputFolder.Open(folder, 0, film: false);
+        Add(OutputFolder.ListName, "");
+        using (OutputFolder figures = OutputFolder.Open(folder, 0, film: false)) figures.Begin();
         Assert.That(File.Exists(film) && File.Exists(frame), Is.True);
     }
 
@@ -56,7 +100,7 @@ public sealed class OutputFolderTests
     {
         string precious = Add("thesis.tex");
         Add(OutputFolder.ListName, "thesis.tex\n../thesis.tex\n/etc/hostname\n");
-        OutputFolder.Open(folder, 3, film: true);
+        using (OutputFolder obeying = OutputFolder.Open(folder, 3, film: true)) obeying.Begin();
         Assert.That(File.Exists(precious), Is.True);
     }
 
@@ -69,7 +113,7 @@ public sealed class OutputFolderTests
         string later = Add("frame_00002.png");
         Assert.That(() => OutputFolder.Open(folder, 3, film: true), Throws.TypeOf<UsageException>().With.Message.Contains("frame_00002.png"));
         File.Delete(later);
-        OutputFolder.Open(folder, 3, film: true);
+        using (OutputFolder now = OutputFolder.Open(folder, 3, film: true)) now.Begin();
         Assert.That(Directory.GetFiles(folder).Select(Path.GetFileName), Is.EqualTo(new[] { OutputFolder.ListName }));
     }
 

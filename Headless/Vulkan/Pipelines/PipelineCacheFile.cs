@@ -69,15 +69,16 @@ internal sealed unsafe class PipelineCacheFile : IDisposable
             }
         }
 
+        string temporary = $"{path}.{Environment.ProcessId}";
         try
         {
             Directory.CreateDirectory(Path.GetDirectoryName(path)!);
-            string temporary = $"{path}.{Environment.ProcessId}";
             File.WriteAllBytes(temporary, data.AsSpan(0, (int)size).ToArray());
             File.Move(temporary, path, overwrite: true);
         }
         catch (Exception error) when (error is IOException or UnauthorizedAccessException)
         {
+            if (File.Exists(temporary)) File.Delete(temporary);
         }
     }
 }

@@ -69,8 +69,15 @@ namespace SphFluid.Validation.Editor
                 ChooseArguments arguments = ChooseArguments.Parse(Words().ToArray());
                 using (var session = new ChooseSession(arguments, null, new SessionProgress(lines.Add, null)))
                 {
-                    while (session.Step())
+                    try
                     {
+                        while (session.Step())
+                        {
+                        }
+                    }
+                    catch (IncompleteException)
+                    {
+                        // No answer: the lines say so, and the picture shows what is near.
                     }
                 }
                 ShowPicture(System.IO.Path.Combine(arguments.OutputFolder, "choose.png"));

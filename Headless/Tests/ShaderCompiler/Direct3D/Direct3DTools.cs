@@ -10,7 +10,7 @@ internal static class Direct3DTools
     /// <summary>Started once for all tests.</summary>
     private static readonly Lazy<Direct3DFrontEnd> shared = new(() =>
     {
-        Direct3DFrontEnd compiler = new(EngineSession.CacheFolder);
+        Direct3DFrontEnd compiler = new(CacheFolder.Path);
         AppDomain.CurrentDomain.ProcessExit += (_, _) => compiler.Dispose();
         return compiler;
     });

@@ -51,6 +51,8 @@ namespace SphFluid.Validation
             ChoiceRow.Format.Write(Folder, ChoiceRow.Of(answer));
             string problem = GnuplotScript.Draw(Folder, new GnuplotScript[] { new ChoiceScript(answer) });
             Progress.Say(problem ?? $"{Path.Combine(Folder, "choose.png")}, choose.svg and {ChoiceRow.Format.FileName} are written.");
+            if (answer.Best == null)
+                throw new IncompleteException($"choose: nothing that was measured keeps what was asked; the nearest ways are above and in {Path.Combine(Folder, ChoiceRow.Format.FileName)}.");
         }
     }
 }

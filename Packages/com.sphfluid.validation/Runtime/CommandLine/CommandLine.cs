@@ -12,7 +12,7 @@ namespace SphFluid.Validation
     public static class CommandLine
     {
         const int UsageExitCode = 2;
-        const int FailureExitCode = 1;
+        internal const int FailureExitCode = 1;
 
         /// <summary>
         /// Prepares a play: the flags --method, --surface, --particles and --seed change every simulation of the scene
@@ -184,7 +184,7 @@ namespace SphFluid.Validation
 
         static void EndExport(string message, int exitCode) => Fail("export", message, exitCode);
 
-        static void Fail(string verb, string message, int exitCode = UsageExitCode)
+        internal static void Fail(string verb, string message, int exitCode = UsageExitCode)
         {
             if (message != null)
                 Console.Error.WriteLine(verb + ": " + message);

@@ -46,6 +46,9 @@ namespace SphFluid.Validation
                     read(flag);
                 else if (separator >= 0 && takeWord != null && commandLine[i].Length > 0 && !commandLine[i].StartsWith("-", StringComparison.Ordinal))
                     takeWord(commandLine[i]);
+                else if (separator >= 0 && !commandLine[i].StartsWith("-", StringComparison.Ordinal))
+                    throw new CommandLineException($"'{CommandLineWords.Shown(commandLine[i])}' is not understood by {verb}: flags begin with --, and a scene is named by --scene. " +
+                        $"Its flags are {string.Join(", ", known)}.");
                 else if (separator >= 0)
                     throw new CommandLineException($"{CommandLineWords.Shown(commandLine[i])} is not a flag of {verb}{NearestWord.Question(flag.Name, known)} " +
                         $"Its flags are {string.Join(", ", known)}.");

@@ -58,7 +58,7 @@ namespace SphFluid.Validation
         public static void RequireOneOf(string flag, string value, string[] allowed)
         {
             if (Array.IndexOf(allowed, value) < 0)
-                throw new CommandLineException($"{flag} must be one of {string.Join(", ", allowed)} in this version, found '{Shown(value)}'{NearestWord.Question(value, allowed)}");
+                throw new CommandLineException($"{flag} must be one of {string.Join(", ", allowed)}, found '{Shown(value)}'{NearestWord.Question(value, allowed)}");
         }
 
         /// <summary>Adds what has a name to what is chosen.</summary>

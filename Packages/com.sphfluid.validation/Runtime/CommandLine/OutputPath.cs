@@ -13,7 +13,7 @@ namespace SphFluid.Validation
             string full = Full(flag, value);
             if (System.IO.File.Exists(full))
                 throw new CommandLineException($"{flag}: '{CommandLineWords.Shown(value)}' is a file; name a folder.");
-            RequireParents(flag, value, full);
+            RequireWritable(flag, value, Path.Combine(full, "new"));
             return value;
         }
 
@@ -26,17 +26,29 @@ namespace SphFluid.Validation
             string full = Full(flag, value);
             if (Directory.Exists(full))
                 throw new CommandLineException($"{flag}: '{CommandLineWords.Shown(value)}' is a folder; name a file.");
-            RequireParents(flag, value, full);
+            RequireWritable(flag, value, full);
             return value;
         }
 
-        // A folder cannot be made below a file.
-        static void RequireParents(string flag, string value, string full)
+        // By an empty file beside the first part of the path that is not there yet, which goes at once.
+        static void RequireWritable(string flag, string value, string full)
         {
-            for (string parent = Path.GetDirectoryName(full); !string.IsNullOrEmpty(parent) && !Directory.Exists(parent); parent = Path.GetDirectoryName(parent))
+            string parent = Path.GetDirectoryName(full);
+            for (; !string.IsNullOrEmpty(parent) && !Directory.Exists(parent); parent = Path.GetDirectoryName(parent))
             {
                 if (System.IO.File.Exists(parent))
                     throw new CommandLineException($"{flag}: '{CommandLineWords.Shown(value)}' cannot be made, because '{parent}' is a file.");
+                full = parent;
+            }
+            try
+            {
+                string trial = full + WholeFile.Unfinished;
+                if (!System.IO.File.Exists(trial))
+                    new FileStream(trial, FileMode.CreateNew, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose).Dispose();
+            }
+            catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException)
+            {
+                throw new CommandLineException($"{flag}: '{CommandLineWords.Shown(value)}' cannot be written: {exception.Message}");
             }
         }
 

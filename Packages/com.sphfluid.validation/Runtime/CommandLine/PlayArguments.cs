@@ -93,9 +93,11 @@ namespace SphFluid.Validation
 
         static FluidMethodKind KindOf(string name) => name == AutomaticName ? FluidMethodKind.Automatic : CaseMethod.Find(name).Kind;
 
-        // What is played is not started: it has its own particles.
         void RequireUse()
         {
+            if (Budget != null && Method != null && Method != FluidMethodKind.Automatic)
+                throw new CommandLineException($"--budget acts with --method {AutomaticName} only; give --method {AutomaticName}, or no budget.");
+            // What is played is not started: it has its own particles.
             string idle = Sequence == null ? null : Method != null ? "--method" : Budget != null ? "--budget" : Particles != null ? "--particles" : Seed != null ? "--seed" : null;
             if (idle != null)
                 throw new CommandLineException($"{idle} changes how a liquid starts, and --sequence plays one that is there; give one of them.");

@@ -13,6 +13,8 @@ namespace SphFluid.Validation
         {
             if (arguments.Sequence != null)
                 SetSequence(arguments.Sequence, simulations);
+            if (arguments.Budget != null && !simulations.Any(s => (arguments.Method ?? s.Method) == FluidMethodKind.Automatic))
+                throw new CommandLineException("--budget acts with --method automatic only, and no liquid of the scene has that method; give --method automatic, or no budget.");
             foreach (FluidSimulation simulation in simulations)
             {
                 if (arguments.Method is FluidMethodKind method)

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using UnityEngine;
 
 namespace SphFluid.Validation
@@ -60,7 +61,11 @@ namespace SphFluid.Validation
             }
             frames.Add(steps - stepsBefore, particles);
             stepsBefore = steps;
+            if (simulations.Count > 0 && simulations.All(IsRefused))
+                CommandLine.Fail("play", "no liquid is left to play: all of the scene's were refused or have stopped, see above.", CommandLine.FailureExitCode);
         }
+
+        static bool IsRefused(FluidSimulation simulation) => !simulation.IsRunning && simulation.Messages.Any(m => m.Severity == FluidSeverity.Error);
 
         void Record(int index, FluidSimulation simulation)
         {

@@ -31,12 +31,24 @@ namespace SphFluid.Validation
             }
             catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException || exception is ArgumentException)
             {
-                now.writer?.Dispose();
+                End(now.writer);
                 now.writer = null;
                 Debug.LogError($"{FluidMessage.Prefix} '{simulation.name}': the sequence could not be written further: {exception.Message}", simulation);
             }
             now.time = simulation.SimulatedTime;
             written[simulation] = now;
+        }
+
+        static void End(FluidSequenceWriter writer)
+        {
+            try
+            {
+                writer?.Dispose();
+            }
+            catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException)
+            {
+                // Then sequence.json is of a moment before: it lists whole frames, and not all.
+            }
         }
 
         /// <summary>Ends all of them.</summary>

@@ -92,6 +92,7 @@ namespace SphFluid.Tests
             {
                 Assert.That(Expect(parse, "--out", "--out", file), Does.Contain("is a file; name a folder"));
                 Assert.That(Expect(parse, "--out", "--out", Path.Combine(file, "below")), Does.Contain("is a file"));
+                Assert.That(Expect(parse, "--out", "--out", Path.Combine(Path.GetTempPath(), new string('x', 300))), Does.Contain("cannot be written"));
             }
             finally
             {
@@ -110,6 +111,16 @@ namespace SphFluid.Tests
         public void TwoResultsInOneFileAreRefused()
         {
             Expect(w => PlayArguments.Parse(w), "--mesh", "--state", "a.ply", "--mesh", "./a.ply");
+        }
+
+        [TestCase("--state", ".ply")]
+        [TestCase("--mesh", ".ply")]
+        [TestCase("--record", ".csv")]
+        public void AFileThatCannotBeWrittenIsRefused(string flag, string ending)
+        {
+            Assert.That(Expect(w => PlayArguments.Parse(w), flag, flag, Path.Combine(Path.GetTempPath(), new string('x', 300) + ending)), Does.Contain("cannot be written"));
+            PlayArguments.Parse(new[] { "player", "--", flag, Path.Combine(Path.GetTempPath(), "no such folder", "a" + ending) });
+            Assert.That(Directory.Exists(Path.Combine(Path.GetTempPath(), "no such folder")), Is.False, "nothing is made before there is something to write");
         }
 
         static string Expect(Action<string[]> parse, string flag, params string[] words)

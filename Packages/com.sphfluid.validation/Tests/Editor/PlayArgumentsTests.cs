@@ -83,6 +83,19 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void ABudgetWithoutAutomaticIsRefused()
+        {
+            Assert.That(() => Parse("player", "--", "--method", "standard", "--budget", "4"), Throws.TypeOf<CommandLineException>().With.Message.StartsWith("--budget acts with --method automatic only"));
+        }
+
+        [TestCase("Samples~/Fountain/Fountain.unity")]
+        [TestCase("Fountain")]
+        public void AWordBesideFlagsIsToldHowASceneIsNamed(string word)
+        {
+            Assert.That(() => Parse("player", "--", "--seed", "1", word), Throws.TypeOf<CommandLineException>().With.Message.StartsWith($"'{word}' is not understood by play's liquid: flags begin with --, and a scene is named by --scene."));
+        }
+
+        [Test]
         public void ReadsTheFoldersOfSequences()
         {
             PlayArguments arguments = Parse("player", "--", "--sequence", "a", "--write-sequence", "b");

@@ -43,6 +43,17 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void ABudgetThatNoLiquidOfTheSceneReadsIsRefused()
+        {
+            PlayArguments arguments = PlayArguments.Parse(new[] { "player", "--", "--surface", "particles", "--budget", "4" });
+            Assert.That(() => PlayOverrides.Apply(arguments, new[] { simulation }), Throws.TypeOf<CommandLineException>().With.Message.StartsWith("--budget acts with --method automatic only, and no liquid"));
+
+            simulation.Method = FluidMethodKind.Automatic;
+            PlayOverrides.Apply(arguments, new[] { simulation });
+            Assert.That(simulation.FrameBudget, Is.EqualTo(4f));
+        }
+
+        [Test]
         public void StyleOfTheScenesRendererFollows()
         {
             var drawing = simulation.gameObject.AddComponent<FluidGeometrySurfaceRenderer>();

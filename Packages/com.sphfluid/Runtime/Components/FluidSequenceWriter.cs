@@ -90,7 +90,9 @@ namespace SphFluid
             header.CopyTo(bytes, 0);
             MemoryMarshal.AsBytes(new ReadOnlySpan<StoredParticle>(live)).CopyTo(new Span<byte>(bytes, header.Length, length - header.Length));
             string name = FormattableString.Invariant($"frame-{frames.Count:00000}.ply");
-            using (FileStream stream = File.Create(Path.Combine(folder, name))) stream.Write(bytes, 0, length);
+            // Of no frames at first, and as such refused: frames that a full disk cuts short do not pass for a sequence without sequence.json.
+            if (frames.Count == 0) WriteManifest();
+            WriteWhole(Path.Combine(folder, name), bytes, length);
             frames.Add(new SequenceManifestFrame
             {
                 file = name,
@@ -111,15 +113,30 @@ namespace SphFluid
             if (frames.Count > 0) WriteManifest();
         }
 
-        // Beside the old one first: a program that is ended in the middle leaves one of them whole.
         void WriteManifest()
         {
             manifest.frames = frames.ToArray();
-            string part = ManifestFile + ".part";
-            File.WriteAllText(part, JsonUtility.ToJson(manifest, true));
-            File.Delete(ManifestFile);
-            File.Move(part, ManifestFile);
+            byte[] text = Encoding.UTF8.GetBytes(JsonUtility.ToJson(manifest, true));
+            WriteWhole(ManifestFile, text, text.Length);
             sinceManifest.Restart();
+        }
+
+        // Beside the old one first: a program that is ended in the middle, or a full disk, leaves one of them whole. A frame is never there before.
+        void WriteWhole(string file, byte[] contents, int length)
+        {
+            string part = file + ".part";
+            FileStream stream = File.Create(part);
+            try
+            {
+                using (stream) stream.Write(contents, 0, length);
+                if (file == ManifestFile && File.Exists(file)) File.Replace(part, file, null);
+                else File.Move(part, file);
+            }
+            catch
+            {
+                File.Delete(part);
+                throw;
+            }
         }
 
         static StoredParticle[] Live(IReadOnlyList<FluidParticle> frame)

@@ -182,6 +182,24 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void WhatCannotBeWrittenToItsEndIsNoFrameAndTheManifestStaysWhole()
+        {
+            using (var writer = new FluidSequenceWriter(files.Folder, Domain, 0.02f))
+            {
+                // A folder in place of the file that is being written is refused as a full disk is.
+                Directory.CreateDirectory(files["frame-00000.ply.part"]);
+                Assert.That(() => writer.Write(0.0, Frame(1)), Throws.Exception);
+                Assert.That(() => SequenceFolder.Open(files.Folder, 1.0), Throws.TypeOf<SequenceException>(), "nothing passes for a sequence");
+                Directory.Delete(files["frame-00000.ply.part"]);
+                writer.Write(0.5, Frame(2));
+                Directory.CreateDirectory(files["frame-00001.ply.part"]);
+                Assert.That(() => writer.Write(1.0, Frame(3)), Throws.Exception);
+            }
+            Assert.That(SequenceFolder.Open(files.Folder, 1.0).Frames.Count, Is.EqualTo(1));
+            Assert.That(Directory.GetFiles(files.Folder).Select(Path.GetFileName), Is.EquivalentTo(new[] { "frame-00000.ply", "sequence.json" }));
+        }
+
+        [Test]
         public void ParticlesThatAreRemovedAreNotWritten()
         {
             using (var writer = new FluidSequenceWriter(files.Folder, Domain, 0.02f))
