@@ -2,7 +2,7 @@ using System.Diagnostics;
 using Headless.Files;
 using NUnit.Framework;
 
-namespace Headless.Tests.ShaderCompiler;
+namespace Headless.Tests.Shaders;
 
 /// <summary>Only regular files are read, and none further than is allowed: a pipe is not waited for, and a device has no end.</summary>
 public sealed class BoundedTextTests
