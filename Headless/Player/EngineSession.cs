@@ -40,6 +40,13 @@ internal sealed class EngineSession : IDisposable
         return new EngineSession(opened, scripts) { Assemblies = loaded };
     }
 
+    /// <summary>Statics are the same in each play of a process here, which only such settings ask for.</summary>
+    public static void RequireStaticsThatStay(string flag)
+    {
+        if (EngineState.ReloadsDomain)
+            throw new UsageException($"{flag} plays twice without a domain reload, and the project's settings ask for one: set Edit > Project Settings > Editor > When entering Play Mode to Reload Scene only.");
+    }
+
     /// <summary>
     /// Prints the buffers that nobody released, what the validation layer found, and accesses outside buffers that were checked; true when
     /// there are none of the latter two.

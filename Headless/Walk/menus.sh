@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# A new user's first minutes without the Editor: an empty project with the package in it, the code that GameObject > Fluid > ... calls, and a
-# picture of what each step leaves. Run by hand: ./Headless/Walk/menus.sh [FOLDER], by default Build/walk.
+# A new user's first minutes without the Editor: an empty project of Unity 6000.5 with the package in it, the code that GameObject > Fluid > ...
+# calls, and a picture of what each step leaves. Each is played twice in one process, as without a domain reload, and must show the same pictures.
+# Run by hand: ./Headless/Walk/menus.sh [FOLDER], by default Build/walk.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -13,7 +14,8 @@ project=$(mktemp -d)
 trap 'rm -rf "$project"' EXIT
 mkdir -p "$project/Assets" "$project/Packages" "$pictures"
 cp -r "$root/ProjectSettings" "$project"
-cp "$root/Packages/manifest.json" "$project/Packages"
+printf 'm_EditorVersion: 6000.5.2f1\nm_EditorVersionWithRevision: 6000.5.2f1 (5849259a85f3)\n' > "$project/ProjectSettings/ProjectVersion.txt"
+sed 's/\("com.unity.test-framework": \)"[^"]*"/\1"1.7.0"/' "$root/Packages/manifest.json" > "$project/Packages/manifest.json"
 cp -r "$root/Packages/com.sphfluid" "$project/Packages"
 cd "$project"
 "$player" exec --project "$project" --assemblies "$assemblies" --executeMethod SphFluid.Validation.Editor.NewUserWalk.Write
@@ -21,7 +23,7 @@ cd "$project"
 failed=0
 play() {
     "$player" play --project "$project" --assemblies "$assemblies" --executeMethod SphFluid.Validation.CommandLine.Play \
-        --scene "Assets/NewUser/$1.unity" --seconds "$2" --fps 20 --size 640x360 --out "$pictures/$1" > "$pictures/$1.log" 2>&1
+        --scene "Assets/NewUser/$1.unity" --seconds "$2" --fps 20 --size 640x360 --twice --out "$pictures/$1" > "$pictures/$1.log" 2>&1
 }
 report() {
     local step=$1
@@ -34,7 +36,7 @@ report() {
         failed=$((failed + 1))
     fi
 }
-is_clean() { grep -q '"errors": 0' "$pictures/$1/summary.json" && ! grep -q '^\[\(Warning\|Error\)\]' "$pictures/$1.log"; }
+is_clean() { grep -q '"errors": 0' "$pictures/$1/summary.json" && ! grep -q '^\[\(Warning\|Error\)\]\|--twice: ' "$pictures/$1.log"; }
 names_the_menu() { grep -q 'GameObject > Fluid > Tank' "$pictures/$1.log"; }
 
 # Where there is no liquid yet, the message says how to get one.

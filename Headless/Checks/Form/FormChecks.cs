@@ -9,6 +9,7 @@ internal static class FormChecks
         new MetaFileCheck(packages).Run(),
         new SerializedFieldCheck(packages).Run(),
         new GetterCheck(packages).Run(),
+        new StaticStateCheck(packages).Run(),
         new InspectorCheck(packages).Run(),
         new StrippingCheck(packages).Run(),
         new MaterialCheck(packages).Run(),

@@ -16,7 +16,7 @@ internal static class PackageTypes
 
     private static IEnumerable<(string, TypeDeclarationSyntax)> Of(ProjectPackages packages, Func<PackageAssembly, bool> counts, string[] defines) =>
         from assembly in PackageAssembly.FindAll(packages).Where(counts)
-        from tree in assembly.Parse(defines)
+        from tree in assembly.Parse([.. defines, .. assembly.ModuleDefines])
         from type in tree.GetRoot().DescendantNodes().OfType<TypeDeclarationSyntax>()
         select (Path.GetFileName(tree.FilePath), type);
 }

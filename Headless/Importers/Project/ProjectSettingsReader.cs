@@ -19,6 +19,8 @@ internal static class ProjectSettingsReader
             if (player.Int("m_ActiveColorSpace", 1) == 0)
                 report("ProjectSettings: the colour space is Gamma; pictures are made in Linear here. Set Player > Other Settings > Color Space to Linear for the same look.");
         }
+        EngineState.EnterPlayModeOptions = Read(folder, "EditorSettings.asset") is { } editor && editor.Bool("m_EnterPlayModeOptionsEnabled")
+            ? editor.Int("m_EnterPlayModeOptions", 0) : null;
         if (Read(folder, "TimeManager.asset") is { } time)
         {
             Time.fixedDeltaTime = Within(FixedTimestep(time), "Fixed Timestep", 0.02f, 0.0001f, 10);

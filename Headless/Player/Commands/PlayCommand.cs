@@ -31,12 +31,17 @@ internal sealed class PlayCommand : IDisposable
     private readonly Stopwatch clock = new();
     private OutputFolder folder = null!;
     private TimingsFile timings = null!;
+    private readonly SecondPlay? second;
     private FrameWriter? writer;
     private Film? film;
     private string scene = "";
     private int frames;
 
-    private PlayCommand(PlayOptions options) => this.options = options;
+    private PlayCommand(PlayOptions options)
+    {
+        this.options = options;
+        if (options.Twice) second = new SecondPlay();
+    }
 
     public static int Run(PlayOptions options)
     {
@@ -58,6 +63,7 @@ internal sealed class PlayCommand : IDisposable
         console.Activity = activity;
         activity.Begin("opening the project");
         using EngineSession session = EngineSession.Start(options.Project, options.Assemblies, options.Device, options.Validate, console.Write);
+        if (options.Twice) EngineSession.RequireStaticsThatStay("--twice");
         ShaderCompiler compiler = GraphicsDevice.Compiler;
         activity.Detail = () => compiler.Activity ?? (ProjectAssets.Importing is { } asset ? "importing " + asset : null);
         scene = session.Project.Index.AssetPathOf(options.Scene) is { } path && File.Exists(session.Project.Index.FileOf(path))
@@ -112,13 +118,14 @@ internal sealed class PlayCommand : IDisposable
         SaveFigures(stopped is not null);
         int exitCode = EngineState.ExitCode;
         PlaySession.End();
+        if (stopped is null && exitCode == 0 && console.Errors == 0 && !interruption.Requested) second?.Run(scene, session.Assemblies, activity, interruption);
         bool valid = EngineSession.ReportValidation();
         if (stopped is null) SummaryFile.Change(SummaryPath, "errors", console.Errors);
         Report(stopped is not null);
         stopped?.Throw();
         if (exitCode != 0) return exitCode;
         if (interruption.Requested) return Interruption.ExitCode;
-        return valid && console.Errors == 0 && film is not { HasFailed: true } ? 0 : Failed;
+        return valid && console.Errors == 0 && second?.Difference is null && film is not { HasFailed: true } ? 0 : Failed;
     }
 
     private void SaveFigures(bool stopped)
@@ -180,6 +187,7 @@ internal sealed class PlayCommand : IDisposable
         while (readback.TryTake(finish, out CapturedFrame captured))
         {
             progress.Finished(captured.Frame + 1, clock.Elapsed.TotalSeconds);
+            second?.Remember(captured);
             writer!.Add(captured.Frame, captured.Width, captured.Height, captured.Pixels);
         }
     }
@@ -219,6 +227,7 @@ internal sealed class PlayCommand : IDisposable
         Console.WriteLine(FormattableString.Invariant($"{(interruption.Requested ? "interrupted: " : "")}{frames} frames in {clock.Elapsed.TotalSeconds:0.0} s on {GraphicsDevice.Device.Adapter.Name}"));
         string result = Path.Combine(folder.Path, noFilm is null ? Film.FileName : SummaryFile.FileName);
         if (File.Exists(result)) Console.WriteLine(Shown(result));
+        if (second?.Difference is { } difference) Console.Error.WriteLine(Message.Of($"--twice: {difference}"));
         if (options.Open && !interruption.Requested && noFilm is null && FilmViewer.Open(result) is { } unseen)
             Console.Error.WriteLine(Message.Of($"--open: {unseen}; the film is {Shown(result)}."));
     }

@@ -25,6 +25,7 @@ public sealed record PlayOptions
         CommonFlags.Device,
         Flag.Switch("--no-images", "no pictures and no film, only figures"),
         Flag.Switch("--open", "shows the film at the end, with the desktop's program for films"),
+        Flag.Switch("--twice", "plays it again without a domain reload, and fails where a picture differs"),
         CommonFlags.Validate,
         CommonFlags.ExecuteMethod("called before the scene is loaded"),
     ];
@@ -41,6 +42,9 @@ public sealed record PlayOptions
     public string? ExecuteMethod { get; init; }
     public bool Images { get; init; } = true;
     public bool Validate { get; init; }
+
+    /// <summary>Whether the scene is played a second time in the same process, which must show the same pictures.</summary>
+    public bool Twice { get; init; }
 
     /// <summary>Whether the film is shown at the end.</summary>
     public bool Open { get; init; }
@@ -67,10 +71,12 @@ public sealed record PlayOptions
             Images = !arguments.Has("--no-images"),
             Validate = arguments.Has("--validate"),
             Open = arguments.Has("--open"),
+            Twice = arguments.Has("--twice"),
         };
         if (options.Seconds * options.Fps > MaximumFrames)
             throw new UsageException(string.Create(CultureInfo.InvariantCulture, $"--seconds {options.Seconds} at --fps {options.Fps} are more than {MaximumFrames} frames; play less time or fewer frames a second."));
         if (options.Open && !options.Images) throw new UsageException("--open shows a film, and --no-images makes none: give one of them.");
+        if (options.Twice && !options.Images) throw new UsageException("--twice compares pictures, and --no-images makes none: give one of them.");
         if (!options.Scene.EndsWith(".unity", StringComparison.Ordinal)) throw new UsageException($"--scene must be a .unity file, found '{OneLine.Value(options.Scene)}'.");
         return options;
     }

@@ -28,6 +28,7 @@ internal static class TestCommand
         using var output = new TestRunOutput(Console.Out);
         using EngineSession session = EngineSession.Start(
             options.Project, options.Assemblies, options.Device, options.Validate, output.AddConsoleLine, direct3D, options.Checks);
+        if (options.Twice is not null) EngineSession.RequireStaticsThatStay("--twice");
         Console.WriteLine($"graphics device: {GraphicsDevice.Device.Adapter}{options.Checks}");
         var definitions = new AssemblyDefinitions(session.Project.Index);
         ILookup<bool, Assembly> tests = session.Assemblies.Where(HasTests)
@@ -50,13 +51,15 @@ internal static class TestCommand
         Direct3DFrontEnd? direct3D)
     {
         int passed = 0, failed = 0, skipped = 0;
-        foreach (TestPlatform mode in new[] { TestPlatform.EditMode, TestPlatform.PlayMode })
+        List<(TestPlatform, TestSelection)> runs = [(TestPlatform.EditMode, selection), (TestPlatform.PlayMode, selection)];
+        if (options.Twice is { } again) runs.Add((TestPlatform.PlayMode, selection with { Within = again }));
+        foreach ((TestPlatform mode, TestSelection selected) in runs)
         {
             bool edit = mode == TestPlatform.EditMode;
             if (failed > 0 && options.StopOnFail) break;
             if (!(edit ? options.Mode.Edit : options.Mode.Play) || !tests[edit].Any()) continue;
             Console.WriteLine($"{mode}:");
-            TestRunResult result = UnityTestRunner.Run([.. tests[edit]], mode, selection, output, coverage is null ? null : coverage.Add);
+            TestRunResult result = UnityTestRunner.Run([.. tests[edit]], mode, selected, output, coverage is null ? null : coverage.Add);
             passed += result.Passed;
             failed += result.Failed + result.Inconclusive;
             skipped += result.Skipped;

@@ -17,6 +17,7 @@ public sealed record TestOptions
         new("--filter", "TEXT", "tests whose full names match; several with ';'"),
         new("--tests", "FILE", "tests by full name, one a line, in this order"),
         Flag.Switch("--stop-on-fail", "ends with the first failure"),
+        new("--twice", "TEXT", "tests of play mode that run again in a second play, without a domain reload; as in --filter, all with '.'"),
         Flag.Switch("--again", "then each line of standard input names a file of tests to run next"),
         new("--coverage", "FILE", "writes what each test took and used"),
         new("--compiler", "NAME", "what compiles the kernels", "glslang") { Choices = Compilers },
@@ -42,6 +43,9 @@ public sealed record TestOptions
 
     /// <summary>After the run, each line of standard input names a file of tests to run next, with the shaders as they then are.</summary>
     public bool Again { get; init; }
+
+    /// <summary>Which of the tests of play mode run in a second play too; null for none.</summary>
+    public string? Twice { get; init; }
     public string? Device { get; init; }
     public bool Validate { get; init; }
     public MemoryChecks Checks { get; init; } = new(false, false);
@@ -62,6 +66,7 @@ public sealed record TestOptions
             Tests = arguments.Has("--tests") ? ReadNames(arguments.Required("--tests")) : null,
             Coverage = arguments.Text("--coverage"),
             Again = arguments.Has("--again"),
+            Twice = arguments.Text("--twice"),
             StopOnFail = arguments.Has("--stop-on-fail"),
             Device = arguments.Text("--device"),
             Validate = arguments.Has("--validate"),

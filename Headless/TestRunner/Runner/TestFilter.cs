@@ -14,6 +14,7 @@ sealed class TestFilter
     readonly string? m_Exact;
     readonly List<string> m_Wanted = new();
     readonly List<string> m_Unwanted = new();
+    TestFilter? m_And;
 
     public TestFilter(string? text)
     {
@@ -29,9 +30,17 @@ sealed class TestFilter
     /// <summary>One test by its whole name.</summary>
     public static TestFilter Exactly(string fullName) => new(fullName, true);
 
+    /// <summary>Lets through only what another filter does too.</summary>
+    public TestFilter And(string text)
+    {
+        m_And = new TestFilter(text);
+        return this;
+    }
+
     public bool Selects(Test test)
     {
         if (!(test is TestMethod || !test.HasChildren)) return ((TestSuite)test).Tests.Any(child => Selects((Test)child));
+        if (m_And?.Selects(test) == false) return false;
         if (m_Exact is not null) return test.FullName == m_Exact;
         if (m_Unwanted.Any(term => Matches(test, term))) return false;
         if (m_Wanted.Count > 0) return m_Wanted.Any(term => Matches(test, term));

@@ -12,8 +12,12 @@ sealed record TestSelection
     /// <summary>Whole names of tests in the order in which they run; null for the order of the assemblies. Names of no test are passed over.</summary>
     public IReadOnlyList<string>? Names { get; init; }
 
+    /// <summary>A filter that tests must pass besides; null for none.</summary>
+    public string? Within { get; init; }
+
     /// <summary>Nothing runs after the first failure.</summary>
     public bool StopOnFail { get; init; }
 
-    public IEnumerable<TestFilter> Filters() => Names is null ? [new TestFilter(Filter)] : Names.Select(TestFilter.Exactly);
+    public IEnumerable<TestFilter> Filters() =>
+        (Names is null ? [new TestFilter(Filter)] : Names.Select(TestFilter.Exactly)).Select(f => Within is null ? f : f.And(Within));
 }

@@ -73,6 +73,44 @@ public sealed class EditorFormTests
         Assert.That(new GetterCheck(package.Packages).Run().Findings, Is.Empty);
     }
 
+    [TestCase("static int count;", "count")]
+    [TestCase("static int count; [Hook] static void Reset() { if (count > 0) other = 1; } static int other;", "count")]
+    [TestCase("static int count; static void Reset() => count = 0;", "count")]
+    [TestCase("static readonly List<int> all = new List<int>();", "all")]
+    [TestCase("static readonly List<int> all = new List<int>(); [Hook] static void Reset() => Debug.Log(all);", "all")]
+    [TestCase("static System.Collections.Generic.Queue<int> Waiting { get; } = new System.Collections.Generic.Queue<int>();", "Waiting")]
+    [TestCase("public static int Count { get; private set; }", "Count")]
+    [TestCase("static event System.Action changed;", "changed")]
+    [TestCase("#if UNITY_EDITOR\nstatic int count;\n#endif", "count")]
+    public void AStaticThatChangesAndIsNotResetIsFound(string members, string name)
+    {
+        Assert.That(Statics(members), Is.EqualTo(new[]
+        {
+            $"A.cs: the static A.{name} changes and is not reset when play begins without a domain reload: reset it at SubsystemRegistration, or say by [OutlivesPlay] why it may stay",
+        }));
+    }
+
+    [TestCase("static int count; [Hook] static void Reset() => count = 0;")]
+    [TestCase("static int a, b; [Hook] static void Reset() => (a, b) = (0, 0);")]
+    [TestCase("static readonly List<int> all = new List<int>(); [Hook] static void Reset() => Forget(); static void Forget() { all.Clear(); }")]
+    [TestCase("static Camera[] found = new Camera[4]; [Hook] static void Reset() => System.Array.Clear(found, 0, found.Length);")]
+    [TestCase("public static int Count { get; set; } } static class B { [Hook] static void Reset() => A.Count = 0;")]
+    [TestCase("[Hook] static void Reset() => Parts<int>.Clear(); } static class Parts<T> { static readonly List<T> all = new List<T>(); public static void Clear() => all.Clear();")]
+    [TestCase("[OutlivesPlay(\"it is only compared\")] static int count;")]
+    [TestCase("const int Most = 4; static readonly int[] table = { 1 }; static readonly string name = \"\"; static readonly Rule rule = new Rule();")]
+    [TestCase("int count; public static int Most => 4; static readonly IReadOnlyList<int> all = new List<int>();")]
+    public void AStaticThatIsResetOrNeverChangesPasses(string members) => Assert.That(Statics(members), Is.Empty);
+
+    [Test]
+    public void AStaticThatIsResetIsNotSaidToStay() =>
+        Assert.That(Statics("[OutlivesPlay(\"\")] static int count; [Hook] static void Reset() => count = 0;"), Has.One.Contains("A.count is reset when play begins, so [OutlivesPlay] is wrong"));
+
+    private List<string> Statics(string members)
+    {
+        package.Write("Runtime/A.cs", $"static class A {{\n{members.Replace("[Hook]", "[RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]")}\n}}");
+        return new StaticStateCheck(package.Packages).Run().Findings;
+    }
+
     [TestCase("*GameObject > Fluid > Simulation*", "there is no menu 'GameObject > Fluid > Simulation'")]
     [TestCase("*Window > SPH Fluid > Bench*", "there is no menu 'Window > SPH Fluid > Bench'")]
     [TestCase("Choose *Add Component > SPH Fluid > Nothing*.", "there is no menu 'Add Component > SPH Fluid > Nothing'")]

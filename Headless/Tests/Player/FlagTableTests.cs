@@ -19,10 +19,10 @@ public sealed partial class FlagTableTests
     [
         ("play", ["--project", ".", "--scene", "a.unity"], w => PlayOptions.Parse(w),
             [("--seconds", NoNumbers), ("--fps", NoNumbers), ("--size", NoSizes), ("--assemblies", NoFolders), ("--out", Nothing), ("--device", Nothing), ("--executeMethod", Nothing)],
-            ["--no-images", "--open", "--validate"]),
+            ["--no-images", "--open", "--twice", "--validate"]),
         ("play", ["--project", "."], w => PlayOptions.Parse(w), [("--scene", NoScenes)], []),
         ("play", ["--scene", "a.unity"], w => PlayOptions.Parse(w), [("--project", NoFolders)], []),
-        ("test", ["--project", "."], w => TestOptions.Parse(w), [("--assemblies", NoFolders), ("--mode", NoModes), ("--filter", Nothing), ("--device", Nothing)], ["--validate"]),
+        ("test", ["--project", "."], w => TestOptions.Parse(w), [("--assemblies", NoFolders), ("--mode", NoModes), ("--filter", Nothing), ("--twice", Nothing), ("--device", Nothing)], ["--validate"]),
         ("exec", ["--project", ".", "--executeMethod", "A.B"], w => ExecOptions.Parse(w), [("--assemblies", NoFolders), ("--device", Nothing)], ["--validate"]),
         ("exec", ["--project", "."], w => ExecOptions.Parse(w), [("--executeMethod", Nothing)], []),
     ];

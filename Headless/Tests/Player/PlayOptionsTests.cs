@@ -53,6 +53,10 @@ public sealed class PlayOptionsTests
         Assert.That(() => Parse("--speed", "3"), Throws.TypeOf<UsageException>().With.Message.StartsWith("--speed is not a flag of play. Its flags are --assemblies, --device"));
 
     [Test]
+    public void PicturesThatAreNotMadeCannotBeCompared() =>
+        Assert.That(() => Parse("--no-images", "--twice"), Throws.TypeOf<UsageException>().With.Message.StartsWith("--twice compares pictures, and --no-images makes none"));
+
+    [Test]
     public void AFilmThatIsNotMadeCannotBeShown() =>
         Assert.That(() => Parse("--no-images", "--open"), Throws.TypeOf<UsageException>().With.Message.StartsWith("--open shows a film, and --no-images makes none"));
 

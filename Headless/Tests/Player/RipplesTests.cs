@@ -118,6 +118,15 @@ public sealed class RipplesTests
         foreach (string file in Directory.GetFiles(output, "frame_*.png")) Assert.That(Picture.Read(file).Width, Is.EqualTo(Width));
     }
 
+    [Test]
+    public void AStaticThatShowsInTheSecondPlayIsFound()
+    {
+        string output = Path.Combine(folder, "twice");
+        PlayerProcess twice = PlayerProcess.Run(Arguments(output, "--seconds", "0.1", "--twice", "--executeMethod", "Ripples.Afterglow.TurnOn"));
+        Assert.That((twice.ExitCode, twice.Errors.TrimEnd()), Is.EqualTo((1, "sphplayer: --twice: frame 1 of the second play differs from the first's. What did the first leave in a static?")));
+        Assert.That(Directory.GetFiles(output, "frame_*.png"), Has.Length.EqualTo(4), "the first play's");
+    }
+
     [TestCase("--speed", "3", "--speed is not a flag of play")]
     [TestCase("--scene", "Assets/Scenes/Nowhere.unity", "--scene is given twice")]
     [TestCase("--seconds", "none", "--seconds must be a number of seconds")]

@@ -9,6 +9,8 @@ public sealed class EditorApplication
 {
     public delegate void CallbackFunction();
 
+    static string s_OpenScene = "";
+
     public static CallbackFunction? update;
     public static CallbackFunction? delayCall;
 
@@ -40,17 +42,19 @@ public sealed class EditorApplication
     {
         if (EngineState.IsPlaying) return;
         playModeStateChanged?.Invoke(PlayModeStateChange.ExitingEditMode);
-        string path = SceneManager.GetActiveScene().path;
+        s_OpenScene = SceneManager.GetActiveScene().path;
         SceneTable.DestroyAll();
-        PlaySession.Begin(path.Length > 0 ? path : null, EngineState.ScriptAssemblies);
+        PlaySession.Begin(s_OpenScene.Length > 0 ? s_OpenScene : null, EngineState.ScriptAssemblies);
         playModeStateChanged?.Invoke(PlayModeStateChange.EnteredPlayMode);
     }
 
+    /// <summary>The scene that was open before is open again.</summary>
     public static void ExitPlaymode()
     {
         if (!EngineState.IsPlaying) return;
         playModeStateChanged?.Invoke(PlayModeStateChange.ExitingPlayMode);
         PlaySession.End();
+        if (s_OpenScene.Length > 0) SceneManagement.EditorSceneManager.OpenScene(s_OpenScene);
         playModeStateChanged?.Invoke(PlayModeStateChange.EnteredEditMode);
     }
 

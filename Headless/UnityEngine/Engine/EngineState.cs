@@ -12,6 +12,13 @@ static class EngineState
     public static bool IsBatchMode { get; set; } = true;
     public static bool QuitRequested { get; set; }
     public static int ExitCode { get; set; }
+
+    /// <summary>What entering play mode leaves out, as bits of the Editor's EnterPlayModeOptions; null where those options are off.</summary>
+    public static int? EnterPlayModeOptions { get; set; }
+
+    /// <summary>Whether the project's scripts, and with them their statics, are new in each play.</summary>
+    public static bool ReloadsDomain => (EnterPlayModeOptions & 1) != 1;
+
     public static string ProjectPath { get; set; } = Directory.GetCurrentDirectory();
     public static string ProductName { get; set; } = "Headless";
     public static string CompanyName { get; set; } = "DefaultCompany";

@@ -30,12 +30,19 @@ static class FrameClock
 
     public static void Reset()
     {
-        s_FirstFrame = s_FirstFixedStep = true;
-        Time = UnscaledTime = FixedTime = FixedUnscaledTime = s_LevelLoadTime = 0.0;
-        DeltaTime = UnscaledDeltaTime = SmoothDeltaTime = FixedDeltaTime = 0.02f;
+        Restart();
+        FixedDeltaTime = 0.02f;
         MaximumDeltaTime = 1f / 3f;
         TimeScale = 1f;
         CaptureDeltaTime = 0f;
+    }
+
+    /// <summary>Time and frames begin at zero; the settings stay.</summary>
+    public static void Restart()
+    {
+        s_FirstFrame = s_FirstFixedStep = true;
+        Time = UnscaledTime = FixedTime = FixedUnscaledTime = s_LevelLoadTime = 0.0;
+        DeltaTime = UnscaledDeltaTime = SmoothDeltaTime = 0.02f;
         InFixedStep = false;
         FrameCount = 0;
         FixedStepCount = 0;

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Headless.Engine;
 
-/// <summary>Enters and leaves play mode around a scene.</summary>
+/// <summary>Enters and leaves play mode around a scene. Scripts are never loaded anew: their statics outlive a play.</summary>
 static class PlaySession
 {
     /// <summary>Play mode with the given scene (name or path), or with an empty one.</summary>
@@ -13,6 +13,7 @@ static class PlaySession
         EngineState.IsPlaying = true;
         EngineState.QuitRequested = false;
         EngineState.ScriptAssemblies = scriptAssemblies;
+        FrameClock.Restart();
         RuntimeInitialize.Run(RuntimeInitializeLoadType.SubsystemRegistration);
         RuntimeInitialize.Run(RuntimeInitializeLoadType.AfterAssembliesLoaded);
         RuntimeInitialize.Run(RuntimeInitializeLoadType.BeforeSplashScreen);

@@ -10,9 +10,9 @@ namespace SphFluid.Editor
         const float LeakSize = 3f; // of the spacing
 
         static readonly Color LeakColor = new Color(1f, 0.25f, 0.2f, 1f);
-        static readonly Dictionary<FluidSimulation, PreviewMemory> Known = new Dictionary<FluidSimulation, PreviewMemory>();
-        static FillPoints drawn;
-        static Vector3[] segments;
+        [OutlivesPlay("inspectors forget what they show")] static readonly Dictionary<FluidSimulation, PreviewMemory> Known = new Dictionary<FluidSimulation, PreviewMemory>();
+        [OutlivesPlay("nothing is drawn in play")] static FillPoints drawn;
+        [OutlivesPlay("nothing is drawn in play")] static Vector3[] segments;
 
         /// <summary>What is known of a simulation's start is shown while the simulation or one of its volumes is selected.</summary>
         public static void Show(FluidSimulation simulation, PreviewMemory memory) => Known[simulation] = memory;

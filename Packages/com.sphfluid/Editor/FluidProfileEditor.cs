@@ -9,7 +9,7 @@ namespace SphFluid.Editor
     [CustomEditor(typeof(FluidProfile)), CanEditMultipleObjects]
     public sealed class FluidProfileEditor : UnityEditor.Editor
     {
-        static bool showsOthers;
+        [OutlivesPlay("what the user has unfolded")] static bool showsOthers;
         ProfileViscosity viscosity;
 
         /// <inheritdoc/>

@@ -13,7 +13,7 @@ namespace SphFluid.Editor
         [InitializeOnLoadMethod]
         static void Install()
         {
-            if (!Application.isBatchMode && FluidSimulation.StartWatcher == null) FluidSimulation.StartWatcher = new StartProgressBar();
+            if (!Application.isBatchMode) FluidSimulation.EditorWatcher = new StartProgressBar();
         }
 
         public bool Continue(FluidSimulation simulation, FluidStartProgress progress)

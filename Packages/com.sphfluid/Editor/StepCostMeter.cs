@@ -7,8 +7,8 @@ namespace SphFluid.Editor
     /// <summary>Measures in play what steps cost on this device: each liquid until its means are complete, once in a session of play.</summary>
     static class StepCostMeter
     {
-        static readonly HashSet<FluidSimulation> Under = new HashSet<FluidSimulation>();
-        static readonly HashSet<FluidSimulation> Done = new HashSet<FluidSimulation>();
+        [OutlivesPlay("Restart empties it")] static readonly HashSet<FluidSimulation> Under = new HashSet<FluidSimulation>();
+        [OutlivesPlay("Restart empties it")] static readonly HashSet<FluidSimulation> Done = new HashSet<FluidSimulation>();
 
         /// <summary>Looks at the running liquids.</summary>
         internal static void Look()

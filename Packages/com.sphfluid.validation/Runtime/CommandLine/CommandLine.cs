@@ -134,9 +134,9 @@ namespace SphFluid.Validation
         internal static void Prepare(PlayArguments arguments)
         {
             bool begun = false;
-            FluidSimulation.StartWatcher = new ConsoleStartWatcher(SessionProgress.OfConsole());
             SceneManager.sceneLoaded += (scene, mode) =>
             {
+                FluidSimulation.StartWatcher = new ConsoleStartWatcher(SessionProgress.OfConsole());
                 try
                 {
                     PlayOverrides.Apply(arguments, FluidSimulation.Active);

@@ -14,12 +14,12 @@ namespace SphFluid.Validation
         const int FullSeeds = 3;
 
         // Columns and rows.
-        static readonly Dictionary<string, (int X, int Y)> quickCells = new Dictionary<string, (int X, int Y)>
+        static readonly IReadOnlyDictionary<string, (int X, int Y)> quickCells = new Dictionary<string, (int X, int Y)>
         {
             ["M1"] = (9, 5), ["M2"] = (9, 8), ["M3"] = (9, 7), ["M4"] = (9, 5), ["M5"] = (9, 7), ["M6"] = (9, 7),
         };
 
-        static readonly Dictionary<string, (int X, int Y)> fullCells = new Dictionary<string, (int X, int Y)>
+        static readonly IReadOnlyDictionary<string, (int X, int Y)> fullCells = new Dictionary<string, (int X, int Y)>
         {
             ["M1"] = (17, 9), ["M2"] = (17, 15), ["M3"] = (17, 13), ["M4"] = (17, 8), ["M5"] = (17, 13), ["M6"] = (17, 13),
         };

@@ -78,7 +78,6 @@ namespace SphFluid
 
         void OnDisable() => FluidParts<WallSpec>.Remove(this);
 
-        // Without a domain reload statics outlive play mode.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         internal static void ResetStatics() => FluidParts<WallSpec>.Clear();
     }

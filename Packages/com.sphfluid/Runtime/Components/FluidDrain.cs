@@ -81,7 +81,6 @@ namespace SphFluid
 
         void OnDisable() => FluidParts<DrainSpec>.Remove(this);
 
-        // Without a domain reload statics outlive play mode.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         internal static void ResetStatics() => FluidParts<DrainSpec>.Clear();
     }

@@ -161,7 +161,6 @@ namespace SphFluid
             state.IsOn = false;
         }
 
-        // Without a domain reload statics outlive play mode.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         internal static void ResetStatics() => FluidParts<EmitterSpec>.Clear();
     }

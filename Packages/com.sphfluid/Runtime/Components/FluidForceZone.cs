@@ -151,7 +151,6 @@ namespace SphFluid
             state.Burst = Vector3.zero;
         }
 
-        // Without a domain reload statics outlive play mode.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         internal static void ResetStatics() => FluidParts<ZoneSpec>.Clear();
     }

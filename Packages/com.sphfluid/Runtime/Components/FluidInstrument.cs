@@ -148,7 +148,6 @@ namespace SphFluid
             if (now is FluidMessage message) message.Log();
         }
 
-        // Without a domain reload statics outlive play mode.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         static void ResetStatics() => ActiveList.Clear();
     }

@@ -17,7 +17,7 @@ namespace SphFluid
     internal static class FluidParts<TSpec>
     {
         static readonly List<IFluidPart<TSpec>> Parts = new List<IFluidPart<TSpec>>();
-        static bool isSorted = true;
+        [OutlivesPlay("of no parts it says nothing")] static bool isSorted = true;
 
         /// <summary>The components.</summary>
         public static IReadOnlyList<IFluidPart<TSpec>> InOrder

@@ -43,8 +43,11 @@ namespace SphFluid
         /// <summary>Raised for each new message, after it was written to the console.</summary>
         public event Action<FluidMessage> Reported;
 
-        /// <summary>Watches starts that take long, and may end them; null: nobody does.</summary>
+        /// <summary>Watches starts that take long, and may end them; null: the Editor's progress bar, in builds nobody. Each play begins with null.</summary>
         public static IFluidStartWatcher StartWatcher { get; set; }
+
+        /// <summary>Watches where nothing else does.</summary>
+        [OutlivesPlay("set once, when the Editor loads")] internal static IFluidStartWatcher EditorWatcher { get; set; }
 
         /// <summary>Enabled simulations of all loaded scenes, running or not.</summary>
         public static IReadOnlyList<FluidSimulation> Active => ActiveList;
@@ -130,7 +133,7 @@ namespace SphFluid
         internal CollisionScene Collision => run?.Collision;
 
         /// <summary>Watches a start, and may end it.</summary>
-        internal StartWatch Watch => StartWatcher is IFluidStartWatcher watcher
+        internal StartWatch Watch => (StartWatcher ?? EditorWatcher) is IFluidStartWatcher watcher
             ? new StartWatch(progress => watcher.Continue(this, progress), () => watcher.Ended(this)) : default;
 
         /// <summary>All that the simulation is to be, as of now.</summary>
@@ -474,8 +477,11 @@ namespace SphFluid
             Stopped?.Invoke(this);
         }
 
-        // Without a domain reload statics outlive play mode.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        internal static void ResetStatics() => ActiveList.Clear();
+        internal static void ResetStatics()
+        {
+            ActiveList.Clear();
+            StartWatcher = null;
+        }
     }
 }

@@ -82,7 +82,6 @@ namespace SphFluid
 
         void OnDisable() => FluidParts<VolumeSpec>.Remove(this);
 
-        // Without a domain reload statics outlive play mode.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         internal static void ResetStatics() => FluidParts<VolumeSpec>.Clear();
     }

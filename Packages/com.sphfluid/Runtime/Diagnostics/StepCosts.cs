@@ -15,10 +15,10 @@ namespace SphFluid
         const string Root = "SPH Fluid/Step costs/";
 
         static StepCostTable table;
-        static bool isKept = true;
+        [OutlivesPlay("what tests have set")] static bool isKept = true;
 
         /// <summary>Grows with every cost that is noted or forgotten.</summary>
-        public static int Revision { get; private set; }
+        [OutlivesPlay("it is only compared")] public static int Revision { get; private set; }
 
         /// <summary>Takes in a measurement.</summary>
         /// <param name="key">Of which steps it is.</param>

@@ -17,7 +17,7 @@ namespace SphFluid
         const int Pending = 64;
         const ProfilerRecorderOptions Options = ProfilerRecorderOptions.Default | ProfilerRecorderOptions.GpuRecorder | ProfilerRecorderOptions.StartImmediately;
 
-        static int made;
+        [OutlivesPlay("names stay unique")] static int made;
 
         readonly ProfilerMarker marker;
         readonly List<ProfilerRecorderSample> samples = new List<ProfilerRecorderSample>();

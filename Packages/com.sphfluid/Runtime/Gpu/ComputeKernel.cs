@@ -64,7 +64,7 @@ namespace SphFluid
         public Vector3Int GroupSize { get; }
 
         /// <summary>Dispatches recorded by all kernels since the program started: benchmarks count by its difference.</summary>
-        public static long DispatchesRecorded { get; private set; }
+        [OutlivesPlay("only differences are read")] public static long DispatchesRecorded { get; private set; }
 
         /// <summary>A profiler marker that measures GPU time where the device can.</summary>
         /// <param name="name">Name of the block.</param>

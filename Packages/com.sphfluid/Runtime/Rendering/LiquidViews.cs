@@ -74,6 +74,13 @@ namespace SphFluid
             return volume.Touches(placement.WorldBounds) || (placement.CastShadows && IsShadowSeen(volume, placement.WorldBounds));
         }
 
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        static void ResetStatics()
+        {
+            while (sources.Count > 0) Remove(sources[0]);
+            seen.Clear();
+        }
+
         static void PrepareScriptable(ScriptableRenderContext context, Camera camera) => Prepare(camera);
 
         /// <summary>Whether an enabled camera may show a drawing or a shadow of it, or a reflection probe.</summary>

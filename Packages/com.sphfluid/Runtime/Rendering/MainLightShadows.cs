@@ -19,7 +19,7 @@ namespace SphFluid
         internal const float Universal = 4f;
 
         static readonly List<Object> receivers = new List<Object>();
-        static readonly SceneLighting lighting = new SceneLighting();
+        static SceneLighting lighting;
         static KeptShadowMap map;
         static CommandBuffer cmd;
 
@@ -47,9 +47,15 @@ namespace SphFluid
                 StopListening();
         }
 
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        static void ResetStatics()
+        {
+            while (IsListening) Remove(receivers[0]);
+        }
+
         static void Listen(FluidShaderSet shaders)
         {
-            map = new KeptShadowMap(shaders);
+            (map, lighting) = (new KeptShadowMap(shaders), new SceneLighting());
             cmd = new CommandBuffer { name = "Fluid Shadow Source" };
             Camera.onPreCull += PrepareBuiltIn;
             RenderPipelineManager.beginCameraRendering += PrepareScriptable;
@@ -60,7 +66,7 @@ namespace SphFluid
             Camera.onPreCull -= PrepareBuiltIn;
             RenderPipelineManager.beginCameraRendering -= PrepareScriptable;
             map.Dispose();
-            map = null;
+            (map, lighting) = (null, null);
             cmd.Dispose();
             cmd = null;
             Shader.SetGlobalVector(RenderShaderIds.FluidShadowSource, Vector4.zero);

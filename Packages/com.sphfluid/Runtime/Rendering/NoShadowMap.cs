@@ -8,7 +8,7 @@ namespace SphFluid
     /// </summary>
     static class NoShadowMap
     {
-        static RenderTexture map;
+        [OutlivesPlay("one texel that serves every play")] static RenderTexture map;
 
         /// <summary>Sets it under both names, once.</summary>
         public static void Bind()

@@ -80,6 +80,13 @@ namespace SphFluid
             return null;
         }
 
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        static void ResetStatics()
+        {
+            while (IsListening) Remove(passes[0], null);
+            behind.Clear();
+        }
+
         static void Listen()
         {
             cmd = new CommandBuffer { name = "Fluid Water" };

@@ -126,8 +126,7 @@ namespace SphFluid
 
         readonly float SupportRatio => HasProfile ? Profile.Rules.SupportRatio : FluidRuleInput.Water.SupportRatio;
 
-        // Used at once by whoever asks.
-        static readonly List<ColliderState> Pipes = new List<ColliderState>();
+        [OutlivesPlay("it is filled anew, and used at once, by whoever asks")] static readonly List<ColliderState> Pipes = new List<ColliderState>();
 
         /// <summary>Where to look for colliders; for an owner that is in a scene.</summary>
         public readonly CollisionQuery Query() => new CollisionQuery

@@ -130,7 +130,7 @@ namespace SphFluid
 
         sealed class Slot
         {
-            static readonly uint[] Numbers = new uint[SpeedCounts.Size];
+            [OutlivesPlay("it is filled anew for each use")] static readonly uint[] Numbers = new uint[SpeedCounts.Size];
 
             public AsyncGPUReadbackRequest Request;
             public SpeedSample Sample;

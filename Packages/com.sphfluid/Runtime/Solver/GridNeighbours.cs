@@ -20,7 +20,7 @@ namespace SphFluid
         static readonly int CellsOfSmoothLength = Shader.PropertyToID("_CellsOfH");
 
         // Copied when recorded, so one array serves; command buffers are recorded on the main thread.
-        static readonly int[] Counts = new int[3];
+        [OutlivesPlay("it is filled anew for each use")] static readonly int[] Counts = new int[3];
 
         public static void SetGrid(CommandBuffer cmd, ComputeKernel kernel, in FluidGrid grid)
         {

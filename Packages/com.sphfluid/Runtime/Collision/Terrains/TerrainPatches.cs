@@ -15,7 +15,7 @@ namespace SphFluid
 
 #if SPHFLUID_TERRAIN
         // All terrains' edits: what was read is compared with what is read then.
-        static int edits;
+        [OutlivesPlay("it is only compared")] static int edits;
 
         readonly Dictionary<Collider, Patch> patches = new Dictionary<Collider, Patch>();
 

@@ -13,8 +13,8 @@ namespace SphFluid
         FluidMethodChoice advised;
         FluidLiveKey key;
         AutomaticSpec asked;
-        static FluidMethodKind? fallback;
-        static FluidShaderSet fallbackOf;
+        FluidMethodKind? fallback;
+        FluidShaderSet fallbackOf;
 
         /// <summary>The choice in use; null where there is none yet.</summary>
         public FluidMethodChoice Choice { get; private set; }
@@ -96,7 +96,7 @@ namespace SphFluid
         }
 
         /// <summary>The method that a simulation is taken for before there is a choice: the first that may be picked and runs here; Standard where none does.</summary>
-        static FluidMethodKind Fallback(in FluidSpec spec)
+        FluidMethodKind Fallback(in FluidSpec spec)
         {
             if (fallback.HasValue && ReferenceEquals(fallbackOf, spec.Profile.Shaders)) return fallback.Value;
             (fallback, fallbackOf) = (FluidMethodKind.Standard, spec.Profile.Shaders);

@@ -35,7 +35,7 @@ namespace SphFluid
         static readonly int DomainHalfSize = Shader.PropertyToID("_DomainHalfSize");
 
         // Copied when recorded, so one array serves; command buffers are recorded on the main thread.
-        static readonly int[] Counts = new int[3];
+        [OutlivesPlay("it is filled anew for each use")] static readonly int[] Counts = new int[3];
 
         /// <summary>CellRows.hlsl: the cells.</summary>
         public static void SetCells(CommandBuffer cmd, ComputeKernel kernel, in CellRows cells)

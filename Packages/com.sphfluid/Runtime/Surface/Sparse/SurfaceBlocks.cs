@@ -70,7 +70,7 @@ namespace SphFluid
         static readonly int BlockCapacityId = Shader.PropertyToID("_BlockCapacity");
 
         // Copied when recorded, so one array serves; command buffers are recorded on the main thread.
-        static readonly int[] CountsValue = new int[3];
+        [OutlivesPlay("it is filled anew for each use")] static readonly int[] CountsValue = new int[3];
 
         FluidBuffer table, list, samples, ranges, counters, roundArguments;
 

@@ -32,7 +32,7 @@ namespace SphFluid
         // Keys are rounded so that sizes that differ in the last bits share a value.
         const double KeySteps = 4096.0;
 
-        static readonly Dictionary<(long, long, long, int, long, bool), float> Known =
+        [OutlivesPlay("values follow from their keys")] static readonly Dictionary<(long, long, long, int, long, bool), float> Known =
             new Dictionary<(long, long, long, int, long, bool), float>();
 
         /// <summary>The iso value of a smooth field.</summary>
