@@ -4,19 +4,19 @@ using Microsoft.CodeAnalysis.CSharp.Syntax;
 
 namespace Headless.Checks.Api;
 
-/// <summary>Compiles every assembly of the packages as C# 9 for .NET Standard 2.1 against the real public API of a
-/// Unity line, as the Editor does and, for runtime assemblies, as a player build does. The product is compiled first and sees
-/// nothing of the packages that build on it: a game that installs it alone compiles.</summary>
-internal sealed class ApiCheck(ProjectPackages packages)
+/// <summary>
+/// Compiles every assembly of the packages and their samples as C# 9 for .NET Standard 2.1 against the real public API of each Unity line, as
+/// the Editor does and, for runtime assemblies, as a player build does. The product is compiled first and sees nothing of the packages that
+/// build on it: a game that installs it alone compiles. The oldest line's Editor compiles every file; in the other passes only those files
+/// are compiled that can notice a difference to it.
+/// </summary>
+internal sealed class ApiCheck
 {
-    private static readonly Dictionary<string, string[]> lineDefines = new()
-    {
-        ["2022.3"] = ["UNITY_2022_3", "UNITY_2022_3_OR_NEWER", "UNITY_2022_2_OR_NEWER", "UNITY_2022_1_OR_NEWER", "UNITY_2021_3_OR_NEWER", "UNITY_5_3_OR_NEWER"],
-        ["6000.0"] = ["UNITY_6000", "UNITY_6000_0", "UNITY_6000_0_OR_NEWER", "UNITY_2023_1_OR_NEWER", "UNITY_2022_3_OR_NEWER", "UNITY_2022_2_OR_NEWER", "UNITY_2022_1_OR_NEWER", "UNITY_2021_3_OR_NEWER", "UNITY_5_3_OR_NEWER"],
-    };
+    // A leftover of projects that came from older lines: URP drew without its render graph.
+    private const string Leftover = "URP_COMPATIBILITY_MODE";
 
     // Unity ships NUnit 3.5; the oldest framework on NuGet is 3.6, which added these.
-    private static readonly string[] laterNUnit = ["M:NUnit.Framework.Assert.Multiple", "M:NUnit.Framework.Assert.Warn", "T:NUnit.Framework.Warn", "M:NUnit.Framework.Warn."];
+    private static readonly string[] laterNUnit = ["M:NUnit.Framework.Assert.Multiple", "M:NUnit.Framework.Assert.Warn", "T:NUnit.Framework.Warn"];
 
     /// <summary>Compiler messages about members that a Unity line marks obsolete.</summary>
     internal static readonly string[] Obsolete = ["CS0612", "CS0618", "CS0619", "CS0672"];
@@ -24,69 +24,144 @@ internal sealed class ApiCheck(ProjectPackages packages)
     // Serialised fields are assigned by the Editor.
     private static readonly string[] ignored = ["CS0649", "CS0414", "CS1701", "CS1702"];
 
-    public IEnumerable<CheckReport> Run()
+    private readonly ProjectPackages packages;
+    private readonly Dictionary<string, List<PackageAssembly>> assemblies;
+    private readonly PackageSources sources;
+
+    public ApiCheck(ProjectPackages packages)
     {
-        var editorOnly = ApiList.LoadEditorOnlyMembers();
-        foreach (var line in ApiList.Lines)
-        {
-            var references = ReferenceAssemblies.Of(line);
-            foreach (var editor in new[] { true, false })
-            {
-                var built = new Dictionary<string, CSharpCompilation>();
-                foreach (var package in packages.All) yield return Compile(package, line, references, editor, editorOnly, built);
-            }
-            yield return Compile(packages.Product, line, references, editor: false, editorOnly, [], modules: false);
-        }
+        this.packages = packages;
+        assemblies = packages.All.ToDictionary(p => p, p => (List<PackageAssembly>)[.. PackageAssembly.FindAll(p), .. PackageAssembly.FindSamples(p)]);
+        sources = new PackageSources(assemblies.Values.SelectMany(a => a));
     }
 
-    /// <param name="built">Assemblies of the packages before this one; gets this one's.</param>
-    /// <param name="modules">Whether the project has the modules of the engine that the package can do without: terrain.</param>
-    private static CheckReport Compile(
-        string package, string line, ReferenceAssemblies references, bool editor, IReadOnlySet<string> editorOnly, Dictionary<string, CSharpCompilation> built,
-        bool modules = true)
+    public IEnumerable<CheckReport> Run()
     {
-        var report = new CheckReport($"API {line} {(editor ? "Editor" : "player")}, {Path.GetFileName(package)}{(modules ? "" : " without modules")}");
-        var used = new HashSet<string>();
-        var before = built.Count;
-        foreach (var assembly in PackageAssembly.FindAll(package))
+        var (oldest, newer) = (UnityLine.All[0], UnityLine.All.Skip(1).ToList());
+        var all = assemblies.Values.SelectMany(a => a).ToList();
+        string[] defines = [.. oldest.Defines(editor: true)];
+        var bases = all.SelectMany(a => sources.Parse(a, defines)).SelectMany(PackageSources.Declarations).OfType<TypeDeclarationSyntax>()
+            .SelectMany(t => t.BaseList?.Types ?? []).SelectMany(b => b.DescendantNodes().OfType<SimpleNameSyntax>()).Select(n => n.Identifier.ValueText).ToHashSet();
+        var references = newer.ConvertAll(l => new ReferenceAssemblies(l, sources.Words));
+        IReadOnlyList<ApiDifference> differences = [];
+        references.Insert(0, new ReferenceAssemblies(oldest, sources.Words, types => differences = references.ConvertAll(r => new ApiDifference(types, r.Types, bases))));
+
+        var whole = new WholePass();
+        for (var i = 0; i < UnityLine.All.Count; i++)
         {
-            if (!editor && (assembly.EditorOnly || assembly.IsTest)) continue;
-            var compilation = CreateCompilation(assembly, line, references, editor, modules, built, report.Findings);
-            built[assembly.Name] = compilation;
-            foreach (var diagnostic in compilation.GetDiagnostics())
-                if (IsFinding(diagnostic, assembly)) report.Findings.Add($"{assembly.Name}: {Describe(diagnostic)}");
-            CollectUsedMembers(compilation, used, report.Findings, editorOnly, forPlayers: !assembly.EditorOnly && !assembly.IsTest);
+            var line = UnityLine.All[i];
+            var difference = i == 0 ? null : differences[i - 1];
+            foreach (var report in Compile(new Pass(line, references[i], Editor: true, Optional: true, difference), whole, packages.All)) yield return report;
+            foreach (var report in Compile(new Pass(line, references[i], Editor: false, Optional: true, difference), whole, packages.All)) yield return report;
+            foreach (var report in Compile(new Pass(line, references[i], Editor: false, Optional: false, difference), whole, [packages.Product])) yield return report;
         }
-        if (!modules) report.Findings.AddRange(used.Where(id => id.Contains(":UnityEngine.Terrain")).Select(id => $"{id} needs a module that a project may not have"));
-        report.Figures = $"{built.Count - before} {(built.Count - before == 1 ? "assembly compiles" : "assemblies compile")}, {used.Count} Unity members used, {references.MemberCount} known";
-        return report;
     }
 
     /// <summary>What a script of a user's is compiled with in the Editor: Unity, NUnit and the packages' runtime assemblies that are referenced without asking.</summary>
-    public static (IReadOnlyList<MetadataReference> References, CSharpParseOptions Options) ReferencesForUsers(ProjectPackages packages, string line)
+    /// <param name="line">The line of Unity.</param>
+    /// <param name="text">The scripts.</param>
+    public (IReadOnlyList<MetadataReference> References, CSharpParseOptions Options) ReferencesForUsers(UnityLine line, string text)
     {
-        var unity = ReferenceAssemblies.Of(line);
+        var unity = new ReferenceAssemblies(line, sources.Words.Union(PackageSources.WordsOf(text)).ToHashSet());
+        var pass = new Pass(line, unity, Editor: true, Optional: true, null);
         var built = new Dictionary<string, CSharpCompilation>();
         foreach (var assembly in packages.All.SelectMany(PackageAssembly.FindAll).Where(a => !a.EditorOnly && !a.IsTest && !a.IsOptional))
-            built[assembly.Name] = CreateCompilation(assembly, line, unity, editor: true, modules: true, built, []);
-        return ([.. ReferenceAssemblies.NetStandard, unity.Engine, unity.Editor, unity.EngineTestRunner, ReferenceAssemblies.NUnit, .. unity.Packages.Values, .. built.Values.Select(b => b.ToMetadataReference())],
-            new CSharpParseOptions(LanguageVersion.CSharp9, preprocessorSymbols: Defines(line, editor: true)));
+            built[assembly.Name] = Create(pass, assembly, built, []);
+        return ([.. ReferenceAssemblies.NetStandard, unity.Engine, unity.Editor, unity.EngineTestRunner, ReferenceAssemblies.NUnit, .. unity.Packages.Values.Distinct(), .. built.Values.Select(b => b.ToMetadataReference())],
+            new CSharpParseOptions(LanguageVersion.CSharp9, preprocessorSymbols: line.Defines(editor: true)));
     }
 
-    private static List<string> Defines(string line, bool editor)
+    /// <summary>What a compilation is for.</summary>
+    /// <param name="Line">The line of Unity.</param>
+    /// <param name="References">Its assemblies.</param>
+    /// <param name="Editor">Whether the Editor compiles for itself, or for a player.</param>
+    /// <param name="Optional">Whether the project has the modules of the engine that the package can do without: terrain.</param>
+    /// <param name="Difference">What differs from the oldest line; null for that itself.</param>
+    private sealed record Pass(UnityLine Line, ReferenceAssemblies References, bool Editor, bool Optional, ApiDifference? Difference)
     {
-        var defines = new List<string>(lineDefines[line]) { "UNITY_STANDALONE", "UNITY_STANDALONE_WIN", "NET_STANDARD_2_1", "NET_STANDARD", "ENABLE_MONO" };
-        if (editor) defines.AddRange(["UNITY_EDITOR", "UNITY_EDITOR_WIN", "UNITY_INCLUDE_TESTS", "ENABLE_PROFILER"]);
-        return defines;
+        public int Bit => 1 << (UnityLine.All.ToList().IndexOf(Line) - 1);
     }
 
-    private static CSharpCompilation CreateCompilation(PackageAssembly assembly, string line, ReferenceAssemblies references, bool editor, bool modules,
-        Dictionary<string, CSharpCompilation> built, List<string> findings)
+    /// <summary>What the first pass, which compiles every file, leaves for the others: its files, and what uses of the API they have.</summary>
+    private sealed class WholePass
     {
-        var defines = Defines(line, editor);
-        if (modules) defines.AddRange(assembly.ModuleDefines);
+        public Dictionary<string, SyntaxTree> Trees { get; } = [];
+
+        /// <summary>Files that another line, a player or a project without modules may see otherwise.</summary>
+        public ILookup<string, string> Marks { get; set; } = Array.Empty<string>().ToLookup(s => s);
+
+        /// <summary>Names whose declarations hang on defines.</summary>
+        public HashSet<string> Changed(IEnumerable<SyntaxTree> trees) => trees.Where(t => Trees[t.FilePath] != t).SelectMany(t =>
+        {
+            var (here, before) = (Heads(t), Heads(Trees[t.FilePath]));
+            return here.Except(before).Concat(before.Except(here)).Select(h => h.Name);
+        }).ToHashSet();
+
+        public bool Concerns(Pass pass, SyntaxTree tree, PackageSources.Source file, HashSet<string> changed) =>
+            Trees[tree.FilePath] != tree || changed.Overlaps(file.Words) || Marks[tree.FilePath].Any(m => Concerns(pass, m))
+            || (pass.Difference?.Concerns(file) ?? false) || (!pass.Editor && file.Words.Contains("UnityEditor"));
+
+        private static bool Concerns(Pass pass, string mark) => !mark.StartsWith(ReferenceAssemblies.Marked, StringComparison.Ordinal)
+            || (pass.Difference is not null && (LinesOf(mark) & pass.Bit) != 0)
+            || (!pass.Editor && mark.Contains('E')) || (!pass.Optional && mark.Contains('M'));
+
+        // Declarations without their bodies.
+        private static HashSet<(string Name, string Text)> Heads(SyntaxTree tree) => PackageSources.Declarations(tree).SelectMany(Heads).ToHashSet();
+
+        private static IEnumerable<(string Name, string Text)> Heads(MemberDeclarationSyntax declaration) => declaration switch
+        {
+            TypeDeclarationSyntax type => [(type.Identifier.ValueText, $"{type.Modifiers} {type.TypeParameterList} {type.BaseList}")],
+            MethodDeclarationSyntax method => [(method.Identifier.ValueText, method.ToString()[..(method.ParameterList.Span.End - method.SpanStart)])],
+            ConstructorDeclarationSyntax made => [(made.Identifier.ValueText, $"{made.Modifiers} {made.ParameterList}")],
+            PropertyDeclarationSyntax property => [(property.Identifier.ValueText, $"{property.Modifiers} {property.Type}")],
+            BaseFieldDeclarationSyntax field => field.Declaration.Variables.Select(v => (v.Identifier.ValueText, $"{field.Modifiers} {field.Declaration.Type}")),
+            BaseTypeDeclarationSyntax or DelegateDeclarationSyntax => [(declaration.DescendantTokens().First(t => t.IsKind(SyntaxKind.IdentifierToken)).ValueText, declaration.ToString())],
+            _ => [],
+        };
+    }
+
+    private IEnumerable<CheckReport> Compile(Pass pass, WholePass whole, IReadOnlyList<string> order)
+    {
+        var built = new Dictionary<string, CSharpCompilation>();
+        var isWhole = whole.Trees.Count == 0;
+        var marks = new List<(string File, string Mark)>();
+        HashSet<string> changed = [];
+        foreach (var package in order)
+        {
+            var report = new CheckReport($"API {pass.Line} {(pass.Editor ? "Editor" : "player")}, {Path.GetFileName(package)}{(pass.Optional ? "" : " without modules")}");
+            var findings = pass.Line.IsAlpha ? report.Notes : report.Findings;
+            var mine = assemblies[package].FindAll(a => pass.Editor || !(a.EditorOnly || a.IsTest));
+            foreach (var assembly in mine) built[assembly.Name] = Create(pass, assembly, built, findings);
+            if (!isWhole) changed.UnionWith(whole.Changed(mine.SelectMany(a => built[a.Name].SyntaxTrees)));
+            var files = 0;
+            foreach (var assembly in mine)
+            {
+                var compilation = built[assembly.Name];
+                var trees = isWhole ? [.. compilation.SyntaxTrees] : compilation.SyntaxTrees.Where(t => whole.Concerns(pass, t, sources.Of(t), changed)).ToList();
+                files += trees.Count;
+                var diagnostics = isWhole ? compilation.GetDiagnostics() : trees.SelectMany(t => compilation.GetSemanticModel(t).GetDiagnostics());
+                foreach (var diagnostic in diagnostics)
+                {
+                    var isFinding = IsFinding(diagnostic, pass, assembly);
+                    if (isFinding) findings.Add($"{assembly.Name}: {Describe(diagnostic)}");
+                    if ((isFinding || IsMark(diagnostic)) && diagnostic.Location.SourceTree is { } tree) marks.Add((tree.FilePath, diagnostic.Id));
+                }
+                if (isWhole && assembly.IsTest) findings.AddRange(LaterNUnit(compilation).Select(f => $"{assembly.Name}: {f}"));
+            }
+            report.Figures = $"{mine.Count} {(mine.Count == 1 ? "assembly compiles" : "assemblies compile")} against {pass.References.MemberCount} members, {files} files";
+            yield return report;
+        }
+        if (!isWhole) yield break;
+        whole.Marks = marks.Distinct().ToLookup(m => m.File, m => m.Mark);
+        foreach (var tree in built.Values.SelectMany(b => b.SyntaxTrees)) whole.Trees.Add(tree.FilePath, tree);
+    }
+
+    private CSharpCompilation Create(Pass pass, PackageAssembly assembly, Dictionary<string, CSharpCompilation> built, List<string> findings)
+    {
+        var references = pass.References;
+        string[] defines = [.. pass.Line.Defines(pass.Editor), .. pass.Optional ? assembly.ModuleDefines : [], .. assembly.IsOptional ? [Leftover] : (string[])[]];
         var metadata = new List<MetadataReference>(ReferenceAssemblies.NetStandard) { references.Engine };
-        if (editor) metadata.Add(references.Editor);
+        if (pass.Editor) metadata.Add(references.Editor);
         foreach (var name in assembly.References)
         {
             if (name == "UnityEngine.TestRunner") metadata.Add(references.EngineTestRunner);
@@ -96,45 +171,36 @@ internal sealed class ApiCheck(ProjectPackages packages)
             else findings.Add($"{assembly.Name}: references {name}, which is neither Unity's nor of a package that it may build on");
         }
         if (assembly.IsTest) metadata.Add(ReferenceAssemblies.NUnit);
-        return CSharpCompilation.Create(assembly.Name, assembly.Parse(defines), metadata,
+        return CSharpCompilation.Create(assembly.Name, sources.Parse(assembly, defines), metadata.Distinct(),
             new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, warningLevel: 4, allowUnsafe: assembly.AllowsUnsafe));
     }
 
-    private static bool IsFinding(Diagnostic diagnostic, PackageAssembly assembly)
+    private static bool IsMark(Diagnostic diagnostic) => diagnostic.Id.StartsWith(ReferenceAssemblies.Marked, StringComparison.Ordinal);
+
+    private static int LinesOf(string mark) => Convert.ToInt32(mark.Substring(ReferenceAssemblies.Marked.Length, 2), 16);
+
+    private static bool IsFinding(Diagnostic diagnostic, Pass pass, PackageAssembly assembly)
     {
+        if (IsMark(diagnostic)) return (!pass.Editor && diagnostic.Id.Contains('E')) || (!pass.Optional && diagnostic.Id.Contains('M'));
         if (diagnostic.Severity == DiagnosticSeverity.Error || Obsolete.Contains(diagnostic.Id)) return true;
         if (diagnostic.Severity != DiagnosticSeverity.Warning || ignored.Contains(diagnostic.Id)) return false;
-        return !(assembly.IsTest && diagnostic.Id == "CS1591");
+        return !((assembly.IsTest || assembly.IsSample) && diagnostic.Id == "CS1591");
     }
 
     private static string Describe(Diagnostic diagnostic)
     {
-        var span = diagnostic.Location.GetLineSpan();
-        return $"{Path.GetFileName(span.Path)}({span.StartLinePosition.Line + 1}): {diagnostic.Id} {diagnostic.GetMessage()}";
+        var message = !IsMark(diagnostic) ? $"{diagnostic.Id} {diagnostic.GetMessage()}"
+            : $"{diagnostic.GetMessage().Split('\'')[1]} {(diagnostic.Id.Contains('E') ? "exists only in the Editor" : "needs a module that a project may not have")}";
+        return $"{Place(diagnostic.Location)}: {message}";
     }
 
-    private static void CollectUsedMembers(CSharpCompilation compilation, HashSet<string> used, List<string> findings, IReadOnlySet<string> editorOnly, bool forPlayers)
-    {
-        foreach (var tree in compilation.SyntaxTrees)
-        {
-            var model = compilation.GetSemanticModel(tree);
-            foreach (var node in tree.GetRoot().DescendantNodes().OfType<SimpleNameSyntax>())
-            {
-                var symbol = model.GetSymbolInfo(node).Symbol;
-                if (symbol is IMethodSymbol { ReducedFrom: { } original }) symbol = original;
-                var assembly = symbol?.ContainingAssembly?.Name;
-                if (assembly == "nunit.framework" && symbol!.OriginalDefinition.GetDocumentationCommentId() is { } nunit && laterNUnit.Any(nunit.StartsWith))
-                    findings.Add($"{Place(compilation, tree, node)}: {nunit} is newer than Unity's NUnit 3.5");
-                if (assembly is null || !assembly.StartsWith("Unity", StringComparison.Ordinal)) continue;
-                var id = symbol!.OriginalDefinition.GetDocumentationCommentId();
-                if (id is null) continue;
-                used.Add(id);
-                if (forPlayers && editorOnly.Contains(id))
-                    findings.Add($"{Place(compilation, tree, node)}: {id} exists only in the Editor");
-            }
-        }
-    }
+    private static IEnumerable<string> LaterNUnit(CSharpCompilation compilation) =>
+        from tree in compilation.SyntaxTrees
+        from node in tree.GetRoot().DescendantNodes().OfType<SimpleNameSyntax>()
+        where node.Identifier.ValueText is "Multiple" or "Warn"
+        let id = compilation.GetSemanticModel(tree).GetSymbolInfo(node).Symbol?.OriginalDefinition.GetDocumentationCommentId()
+        where id is not null && laterNUnit.Any(id.StartsWith)
+        select $"{Place(node.GetLocation())}: {id} is newer than Unity's NUnit 3.5";
 
-    private static string Place(CSharpCompilation compilation, SyntaxTree tree, SyntaxNode node) =>
-        $"{compilation.AssemblyName}: {Path.GetFileName(tree.FilePath)}({node.GetLocation().GetLineSpan().StartLinePosition.Line + 1})";
+    private static string Place(Location location) => $"{Path.GetFileName(location.SourceTree?.FilePath)}({location.GetLineSpan().StartLinePosition.Line + 1})";
 }

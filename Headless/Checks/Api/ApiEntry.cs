@@ -11,7 +11,24 @@ internal sealed record ApiEntry(char Kind, string Id, string Rest)
         return new ApiEntry(id[0], id[2..], space < 0 ? "" : line[(space + 1)..]);
     }
 
+    /// <summary>Its name without namespace, type, number of type parameters and parameters: <c>Log</c>, <c>#ctor</c>, <c>op_Implicit</c>.</summary>
+    public string Name { get; } = NameOf(Id);
+
+    private static string NameOf(string id)
+    {
+        var end = id.AsSpan().IndexOfAny('(', '~');
+        if (end < 0) end = id.Length;
+        var start = id.LastIndexOf('.', end - 1) + 1;
+        var tick = id.IndexOf('`', start);
+        return id[start..(tick >= 0 && tick < end ? tick : end)];
+    }
+
     public string DocumentationId => $"{Kind}:{Id}";
+    public bool IsExtension => Rest.Contains("(this ", StringComparison.Ordinal);
+
+    /// <summary>All but where it is declared.</summary>
+    public string Signature => $"{DocumentationId} {(Module.Length > 0 ? Rest[..Rest.LastIndexOf('@')].TrimEnd() : Rest)}";
+
     public bool Has(string word) => (" " + Rest + " ").Contains(" " + word + " ", StringComparison.Ordinal);
     public bool IsEditorOnly => Rest.Contains("!editor-only", StringComparison.Ordinal);
     public bool IsObsoleteError => Has("!obsolete-error");

@@ -3,12 +3,19 @@ using System.Reflection;
 
 namespace Headless.Checks.Api;
 
-/// <summary>The public API of one Unity line ("2022.3" or "6000.0"), one entry a member.</summary>
+/// <summary>The public API of one Unity line, one entry a member.</summary>
 internal sealed class ApiList
 {
-    public static readonly string[] Lines = ["2022.3", "6000.0"];
+    // Assemblies of packages, each after those it builds on. Where a line lists nothing for one, it is a module of the engine.
+    private static readonly (string Assembly, string List)[] packages =
+    [
+        ("Unity.Burst", "burst"), ("Unity.Mathematics", "mathematics"),
+        ("Unity.RenderPipelines.Core.Runtime", "render-pipelines.core"), ("Unity.RenderPipelines.Universal.Runtime", "render-pipelines.universal"),
+    ];
 
-    public string Line { get; }
+    private static readonly Dictionary<string, List<(int Lines, ApiEntry Entry)>> read = [];
+
+    public UnityLine Line { get; }
     public IReadOnlyList<ApiEntry> Engine { get; }
     public IReadOnlyList<ApiEntry> Editor { get; }
     public IReadOnlyList<ApiEntry> TestFramework { get; }
@@ -16,28 +23,18 @@ internal sealed class ApiList
     /// <summary>Packages that the fluid package uses, each after those it builds on: by assembly name, members that a player build has.</summary>
     public IReadOnlyList<KeyValuePair<string, IReadOnlyList<ApiEntry>>> Packages { get; }
 
-    private ApiList(string line)
+    private ApiList(UnityLine line)
     {
         Line = line;
-        Engine = Read($"{line}/engine.txt.gz");
-        Editor = Read($"{line}/editor.txt.gz");
-        TestFramework = Read($"{line}/test-framework.txt.gz");
-        Packages =
-        [
-            Package("Unity.Burst", "burst"),
-            Package("Unity.Mathematics", "mathematics"),
-            Package("Unity.RenderPipelines.Core.Runtime", "render-pipelines.core"),
-            Package("Unity.RenderPipelines.Universal.Runtime", "render-pipelines.universal"),
-        ];
-
-        KeyValuePair<string, IReadOnlyList<ApiEntry>> Package(string assembly, string list) => new(assembly, OfPlayer(Read($"{line}/{list}.txt.gz")));
+        Engine = Of(line, "engine");
+        Editor = Of(line, "editor");
+        TestFramework = Of(line, "test-framework");
+        Packages = [.. packages.Select(p => new KeyValuePair<string, IReadOnlyList<ApiEntry>>(p.Assembly, Of(line, p.List).FindAll(e => !e.IsEditorOnly)))];
     }
 
     public IEnumerable<ApiEntry> All => Engine.Concat(Editor).Concat(TestFramework).Concat(Packages.SelectMany(p => p.Value));
 
-    public static ApiList Load(string line) => new(line);
-
-    private static List<ApiEntry> OfPlayer(List<ApiEntry> entries) => entries.FindAll(e => !e.IsEditorOnly);
+    public static ApiList Load(UnityLine line) => new(line);
 
     public static IReadOnlySet<string> LoadEditorOnlyMembers()
     {
@@ -45,12 +42,24 @@ internal sealed class ApiList
         return reader.ReadToEnd().Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries).ToHashSet();
     }
 
-    private static List<ApiEntry> Read(string resource)
+    private static List<ApiEntry> Of(UnityLine line, string list)
+    {
+        List<(int Lines, ApiEntry Entry)>? all;
+        lock (read)
+            if (!read.TryGetValue(list, out all)) read.Add(list, all = Read(list + ".txt.gz"));
+        var bit = 1 << UnityLine.All.ToList().IndexOf(line);
+        return [.. all.Where(e => (e.Lines & bit) != 0).Select(e => e.Entry)];
+    }
+
+    // A header that names the lines; then an entry a line, after the hexadecimal sum of the lines that have it: 1 for the first, 2 for the second, 4.
+    private static List<(int, ApiEntry)> Read(string resource)
     {
         using var reader = new StreamReader(new GZipStream(Open(resource), CompressionMode.Decompress));
-        var entries = new List<ApiEntry>();
+        var header = "# " + string.Join(' ', UnityLine.All);
+        if (reader.ReadLine() is var first && first != header) throw new InvalidDataException($"{resource} begins with '{first}' and not with '{header}'.");
+        var entries = new List<(int, ApiEntry)>();
         while (reader.ReadLine() is { } line)
-            if (line.Length > 2 && line[1] == ':') entries.Add(ApiEntry.Parse(line));
+            entries.Add((Convert.ToInt32(line[..2], 16), ApiEntry.Parse(line[3..])));
         return entries;
     }
 

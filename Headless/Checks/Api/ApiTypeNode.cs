@@ -10,7 +10,16 @@ internal sealed class ApiTypeNode(ApiEntry entry, string ns, string name, int ar
     public ApiTypeNode? Parent { get; set; }
     public List<ApiTypeNode> Nested { get; } = [];
     public List<ApiEntry> Members { get; } = [];
+
+    /// <summary>Members that a stub gets; null where the type gets none itself.</summary>
+    public List<ApiEntry>? Reached { get; set; }
+
     private string[]? typeParameters;
+
+    /// <summary>Namespace, outer types and name, without numbers of type parameters.</summary>
+    public string FullName => Parent is { } parent ? $"{parent.FullName}.{Name}" : Namespace.Length > 0 ? $"{Namespace}.{Name}" : Name;
+
+    public IEnumerable<ApiTypeNode> WithNested() => Nested.SelectMany(n => n.WithNested()).Prepend(this);
 
     /// <summary>All type parameters in scope, outer types first.</summary>
     public string[] TypeParameters => typeParameters ??= [.. Parent?.TypeParameters ?? [], .. OwnTypeParameters()];

@@ -6,7 +6,7 @@ namespace Headless.Checks.Api;
 internal sealed class ListedApi
 {
     private readonly HashSet<string> ids;
-    public string Line { get; }
+    public UnityLine Line { get; }
 
     public ListedApi(ApiList list)
     {

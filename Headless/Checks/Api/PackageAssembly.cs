@@ -5,14 +5,20 @@ using System.Text.Json;
 namespace Headless.Checks.Api;
 
 /// <summary>An assembly definition of the package and its sources. An optional one is compiled only in projects with another package.</summary>
-internal sealed record PackageAssembly(string Name, string Folder, IReadOnlyList<string> References, bool EditorOnly, bool IsTest, bool IsOptional, IReadOnlyList<string> ModuleDefines, bool AllowsUnsafe = false)
+internal sealed record PackageAssembly(string Name, string Folder, IReadOnlyList<string> References, bool EditorOnly, bool IsTest, bool IsOptional, bool IsSample, IReadOnlyList<string> ModuleDefines, bool AllowsUnsafe = false)
 {
-    public static List<PackageAssembly> FindAll(string packageRoot)
+    /// <summary>Those of a package, without its samples'.</summary>
+    public static List<PackageAssembly> FindAll(string packageRoot) => Find(packageRoot, samples: false);
+
+    /// <summary>Those of a package's samples, which the Editor compiles once they are copied into a project.</summary>
+    public static List<PackageAssembly> FindSamples(string packageRoot) => Find(packageRoot, samples: true);
+
+    private static List<PackageAssembly> Find(string packageRoot, bool samples)
     {
         var found = new List<PackageAssembly>();
         foreach (var file in Directory.GetFiles(packageRoot, "*.asmdef", SearchOption.AllDirectories).Order())
         {
-            if (file.Contains('~')) continue;
+            if (samples != Path.GetRelativePath(packageRoot, file).StartsWith("Samples~", StringComparison.Ordinal)) continue;
             using var json = JsonDocument.Parse(File.ReadAllText(file));
             var root = json.RootElement;
             found.Add(new PackageAssembly(
@@ -22,6 +28,7 @@ internal sealed record PackageAssembly(string Name, string Folder, IReadOnlyList
                 root.GetProperty("includePlatforms").EnumerateArray().Any(p => p.GetString() == "Editor"),
                 Constraints(root).Contains("UNITY_INCLUDE_TESTS"),
                 Constraints(root).Intersect(VersionDefines(root, "")).Any(),
+                samples,
                 [.. VersionDefines(root, "com.unity.modules.")],
                 root.TryGetProperty("allowUnsafeCode", out JsonElement allowed) && allowed.GetBoolean()));
         }

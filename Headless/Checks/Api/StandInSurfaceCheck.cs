@@ -18,7 +18,7 @@ internal sealed class StandInSurfaceCheck(string assemblyFolder)
             report.Findings.Add($"no stand-in assemblies in '{assemblyFolder}': build the player first");
             return report;
         }
-        var lists = ApiList.Lines.Select(l => new ListedApi(ApiList.Load(l))).ToList();
+        var lists = UnityLine.All.Take(2).Select(l => new ListedApi(ApiList.Load(l))).ToList();
         var references = Directory.GetFiles(assemblyFolder, "*.dll").Concat(Directory.GetFiles(Path.GetDirectoryName(typeof(object).Assembly.Location)!, "*.dll"))
             .Select(f => (MetadataReference)MetadataReference.CreateFromFile(f)).ToList();
         var compilation = CSharpCompilation.Create("surface", references: references);

@@ -3,16 +3,19 @@ using System.Text;
 namespace Headless.Checks.Api;
 
 /// <summary>Writes signature-only C# source for the types of an API list.</summary>
-internal sealed class StubWriter(StringBuilder output)
+/// <param name="output">Receives it.</param>
+/// <param name="diagnosticOf">The compiler message that a use of an entry gets beside those of the list; null for none.</param>
+internal sealed class StubWriter(StringBuilder output, Func<ApiTypeNode, ApiEntry, string?> diagnosticOf)
 {
-    public static string Write(IEnumerable<ApiTypeNode> roots)
+    /// <summary>Types that are reached, with their reached members, and all namespaces.</summary>
+    public static string Write(IEnumerable<ApiTypeNode> roots, Func<ApiTypeNode, ApiEntry, string?> diagnosticOf)
     {
         var text = new StringBuilder("#pragma warning disable\n");
-        var writer = new StubWriter(text);
+        var writer = new StubWriter(text, diagnosticOf);
         foreach (var group in roots.GroupBy(r => r.Namespace))
         {
             if (group.Key.Length > 0) text.Append("namespace ").Append(group.Key).Append(" {\n");
-            foreach (var node in group) writer.WriteType(node);
+            foreach (var node in group.Where(n => n.Reached is not null)) writer.WriteType(node);
             if (group.Key.Length > 0) text.Append("}\n");
         }
         return text.ToString();
@@ -20,7 +23,7 @@ internal sealed class StubWriter(StringBuilder output)
 
     private void WriteType(ApiTypeNode node)
     {
-        WriteObsolete(node.Entry);
+        WriteAttributes(node, node.Entry);
         var access = node.Entry.Has("protected") ? "protected" : "public";
         var generic = node.Arity == 0 ? "" : "<" + string.Join(",", node.OwnParameters) + ">";
         var constraints = string.Concat(node.Entry.Constraints.Select(c => $" where {c.Name}:{ConstraintSource(c.Constraint)}"));
@@ -42,19 +45,19 @@ internal sealed class StubWriter(StringBuilder output)
         output.Append(access).Append(kind == "enum" ? " enum " : $" unsafe {kind} ").Append(TypeSyntax.Escape(node.Name)).Append(generic);
         if (bases.Length > 0) output.Append(" : ").Append(bases);
         output.Append(constraints).Append(" {\n");
-        if (kind == "enum") foreach (var member in node.Members.Where(m => m.Kind == 'F')) WriteEnumMember(member);
+        if (kind == "enum") foreach (var member in node.Reached!.Where(m => m.Kind == 'F')) WriteEnumMember(node, member);
         else
         {
             var members = new StubMemberWriter(output, node, kind);
-            foreach (var member in node.Members) { WriteObsolete(member); members.Write(member); }
+            foreach (var member in node.Reached!) { WriteAttributes(node, member); members.Write(member); }
         }
-        foreach (var nested in node.Nested) WriteType(nested);
+        foreach (var nested in node.Nested.Where(n => n.Reached is not null)) WriteType(nested);
         output.Append("}\n");
     }
 
-    private void WriteEnumMember(ApiEntry member)
+    private void WriteEnumMember(ApiTypeNode node, ApiEntry member)
     {
-        WriteObsolete(member);
+        WriteAttributes(node, member);
         output.Append(TypeSyntax.Escape(member.Id[(member.Id.LastIndexOf('.') + 1)..])).Append(",\n");
     }
 
@@ -65,8 +68,9 @@ internal sealed class StubWriter(StringBuilder output)
         output.Append($"{access} unsafe delegate {TypeSyntax.FromSource(invoke.ReturnType)} {node.Name}{generic}({parameters}){constraints};\n");
     }
 
-    private void WriteObsolete(ApiEntry entry)
+    private void WriteAttributes(ApiTypeNode node, ApiEntry entry)
     {
+        if (diagnosticOf(node, entry) is { } diagnostic) output.Append($"[global::System.Diagnostics.CodeAnalysis.Experimental(\"{diagnostic}\")] ");
         if (entry.IsObsolete) output.Append($"[global::System.Obsolete(\"obsolete\", {(entry.IsObsoleteError ? "true" : "false")})] ");
     }
 
@@ -76,7 +80,7 @@ internal sealed class StubWriter(StringBuilder output)
         foreach (var kind in new[] { "interface", "enum", "struct", "class" })
             if (words.Contains(kind))
                 return kind is "class" && words[0] is "static" or "abstract" or "sealed" ? $"{words[0]} class"
-                    : kind is "struct" && words[0] is "readonly" or "ref" ? (words[0] == "ref" ? "ref struct" : "struct") : kind;
+                    : kind is "struct" && words.Contains("ref") ? "ref struct" : kind;
         return "class";
     }
 

@@ -11,5 +11,6 @@ internal static class DocumentChecks
         new FileNameCheck(packages).Run(),
         new FieldNameCheck(packages).Run(),
         new SnippetCheck(packages).Run(),
+        new SupportedUnityCheck(packages).Run(),
     ];
 }

@@ -37,6 +37,9 @@ internal sealed partial class Snippet(MarkdownFile document, Fence fence)
     /// <summary>Why it is not compiled, else null.</summary>
     public string? NotCompiled => Excuse().Match(fence.Comments) is { Success: true } excuse ? excuse.Groups[1].Value.Trim() : null;
 
+    /// <summary>All words of it, and of what it takes for granted.</summary>
+    public string Text => Usings + Scene + fence.Comments + fence.Text;
+
     public SyntaxTree Parse(CSharpParseOptions options) => CSharpSyntaxTree.ParseText(Whole(options), options, document.Shown);
 
     private string Whole(CSharpParseOptions options)

@@ -11,14 +11,16 @@ internal sealed class SnippetCheck(ProjectPackages packages)
     {
         var report = new CheckReport("code in documents");
         var snippets = MarkdownFile.FindAll(packages).SelectMany(Snippet.Of).ToList();
-        foreach (var line in ApiList.Lines)
+        var check = new ApiCheck(packages);
+        var lines = UnityLine.All.Where(l => !l.IsAlpha).ToList();
+        foreach (var line in lines)
         {
-            var (references, options) = ApiCheck.ReferencesForUsers(packages, line);
+            var (references, options) = check.ReferencesForUsers(line, string.Join('\n', snippets.Select(s => s.Text)));
             foreach (var snippet in snippets.Where(s => s.NotCompiled is null))
                 report.Findings.AddRange(Problems(snippet, references, options).Select(p => $"{snippet.Place}: {p}").Except(report.Findings));
         }
         report.Notes.AddRange(snippets.Where(s => s.NotCompiled is not null).Select(s => $"{s.Place} is not compiled: {s.NotCompiled}"));
-        report.Figures = $"{snippets.Count(s => s.NotCompiled is null)} pieces compile against {string.Join(" and ", ApiList.Lines)}";
+        report.Figures = $"{snippets.Count(s => s.NotCompiled is null)} pieces compile against {string.Join(", ", lines)}";
         return report;
     }
 

@@ -1,3 +1,4 @@
+using Headless.Checks.Api;
 using System.Text.Json;
 using System.Text.RegularExpressions;
 
@@ -20,7 +21,7 @@ internal sealed partial class PackageManifestCheck(string packageRoot)
         var version = Text(root, "version");
         if (Text(root, "name") != Path.GetFileName(packageRoot)) report.Findings.Add("package.json: 'name' differs from the folder's name");
         if (!SemanticVersion().IsMatch(version)) report.Findings.Add($"package.json: version '{version}' is not a semantic version");
-        if (Text(root, "unity") != "2022.3") report.Findings.Add("package.json: 'unity' must be the floor, 2022.3");
+        if (Text(root, "unity") != UnityLine.All[0].Name) report.Findings.Add($"package.json: 'unity' must be the oldest line, {UnityLine.All[0]}");
         foreach (var key in new[] { "displayName", "description", "license" })
             if (Text(root, key).Length == 0) report.Findings.Add($"package.json: '{key}' is missing");
         CheckChangelog(version, report);

@@ -7,12 +7,12 @@ namespace Headless.Tests.Checks;
 public sealed class ApiCheckTests
 {
     [Test]
-    public void CodeOfBothLinesPasses()
+    public void CodeOfAllLinesPasses()
     {
         var reports = Run("using UnityEngine; class A : MonoBehaviour { void Update() => transform.position += Vector3.up * Time.deltaTime; }");
 
         Assert.That(reports.SelectMany(r => r.Findings), Is.Empty);
-        Assert.That(reports, Has.Count.EqualTo(6));
+        Assert.That(reports, Has.Count.EqualTo(3 * UnityLine.All.Count));
     }
 
     [TestCase("UnityEngine.Object.FindObjectsOfType<UnityEngine.Camera>()", "6000.0", "CS0618", TestName = "obsolete in the newer line")]
@@ -20,11 +20,70 @@ public sealed class ApiCheckTests
     [TestCase("UnityEngine.Mathf.NoSuchThing()", "2022.3", "CS0117", TestName = "absent in both")]
     [TestCase("new UnityEngine.Camera().scene", "player", "only in the Editor", TestName = "an engine member of the Editor")]
     [TestCase("UnityEditor.EditorApplication.isPlaying", "player", "CS0234", TestName = "the Editor's API in a player")]
+    [TestCase("new UnityEngine.Terrain()", "without modules", "needs a module", TestName = "a module that a project may not have")]
     public void MembersThatAUserDoesNotHaveAreFound(string expression, string where, string message)
     {
         var reports = Run($"class A {{ object B() => {expression}; }}");
 
         Assert.That(reports.Where(r => r.Name.Contains(where)).SelectMany(r => r.Findings), Has.Some.Contains(message));
+    }
+
+    [TestCase("new UnityEngine.Camera().GetInstanceID()", "6000.5", "6000.3", "CS0619", TestName = "an error from 6000.5 on")]
+    [TestCase("UnityEngine.Object.FindObjectsByType<UnityEngine.Camera>()", "6000.3", "6000.5", "CS1501", TestName = "there from 6000.4 on")]
+    [TestCase("UnityEngine.Object.FindObjectsByType<UnityEngine.Camera>(UnityEngine.FindObjectsSortMode.None)", "6000.5", "6000.3", "CS0618", TestName = "obsolete from 6000.4 on")]
+    [TestCase("(Unity.Mathematics.float3)new UnityEngine.Rigidbody().velocity", "6000.0", "2022.3", "CS0618", TestName = "obsolete behind a conversion")]
+    public void EachLineIsCheckedByItsOwnApi(string expression, string fails, string passes, string message)
+    {
+        var reports = Run($"class A {{ object B() => {expression}; }}", """[ "Unity.Mathematics" ]""");
+
+        Assert.That(reports.Where(r => r.Name.Contains(fails)).SelectMany(r => r.Findings), Has.Some.Contains(message));
+        Assert.That(reports.Where(r => r.Name.Contains(passes)).SelectMany(r => r.Findings), Is.Empty);
+    }
+
+    [Test]
+    public void AnAlphaOnlyGetsANote()
+    {
+        var reports = Run("class A { object B() => new UnityEngine.Camera().GetInstanceID(); }").FindAll(r => r.Name.Contains("6000.7"));
+
+        Assert.That(reports.SelectMany(r => r.Findings), Is.Empty);
+        Assert.That(reports.SelectMany(r => r.Notes), Has.Some.Contains("CS0619"));
+    }
+
+    [Test]
+    public void SamplesAreChecked()
+    {
+        using var package = new TemporaryPackage().Write("Runtime/A.cs", "class A { }")
+            .Write("Samples~/S/S.asmdef", """{ "name": "S", "references": [], "includePlatforms": [], "defineConstraints": [] }""")
+            .Write("Samples~/S/S.cs", "public class S { object B() => new UnityEngine.Camera().GetInstanceID(); }");
+
+        Assert.That(new ApiCheck(package.Packages).Run().SelectMany(r => r.Findings).Distinct(), Is.EqualTo(new[] { "S: S.cs(1): CS0619 'Object.GetInstanceID()' is obsolete: 'obsolete'" }));
+    }
+
+    // Only files that can notice a difference are compiled again: these two do not name what differs.
+    [Test]
+    public void UsesOfWhatAnotherFileDeclaresAreFound()
+    {
+        using var package = new TemporaryPackage().Write("Runtime/A.cs", """
+            static class A
+            {
+            #if UNITY_EDITOR
+                public static void InTheEditor() { }
+            #endif
+            #if UNITY_6000_0_OR_NEWER
+                public static float Mass() => 0;
+            #else
+                public static int Mass() => 0;
+            #endif
+            }
+            """).Write("Runtime/B.cs", "class B { void Call() => A.InTheEditor(); }").Write("Runtime/C.cs", "class C { int Call() => A.Mass(); }");
+        var reports = new ApiCheck(package.Packages).Run().ToList();
+
+        Assert.That(Files("2022.3 Editor"), Is.Empty);
+        Assert.That(Files("2022.3 player"), Is.EqualTo(new[] { "A: B.cs(1): CS0117" }));
+        Assert.That(Files("6000.3 Editor"), Is.EqualTo(new[] { "A: C.cs(1): CS0266" }));
+        Assert.That(Files("6000.3 player"), Is.EqualTo(new[] { "A: B.cs(1): CS0117", "A: C.cs(1): CS0266" }));
+
+        IEnumerable<string> Files(string pass) => reports.Where(r => r.Name.Contains(pass + ",") && !r.Name.Contains("without")).SelectMany(r => r.Findings).Select(f => f[..f.IndexOf(' ', f.IndexOf("CS"))]);
     }
 
     [Test]
@@ -66,9 +125,10 @@ public sealed class ApiCheckTests
         Assert.That(reports.SelectMany(r => r.Findings), Is.Empty);
     }
 
-    private static List<CheckReport> Run(string source)
+    private static List<CheckReport> Run(string source, string references = "[]")
     {
-        using var package = new TemporaryPackage().Write("Runtime/A.cs", source);
+        using var package = new TemporaryPackage().Write("Runtime/A.cs", source)
+            .Write("Runtime/A.asmdef", $$"""{ "name": "A", "references": {{references}}, "includePlatforms": [], "defineConstraints": [] }""");
         return new ApiCheck(package.Packages).Run().ToList();
     }
 }

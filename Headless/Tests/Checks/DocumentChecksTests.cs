@@ -110,6 +110,23 @@ public sealed class DocumentChecksTests
     [TestCase("```csharp\nvar all = Object.FindObjectsOfType<Camera>();\n```", "CS0618")]
     public void CodeThatDoesNotCompileIsFoundWithItsLine(string text, string finding) => Assert.That(Code(text), Has.Some.Contains(finding));
 
+    [TestCase("Unity 2022.3 to\n6000.7 and a GPU", 0)]
+    [TestCase("the lists of 2022.3, 6000.0, 6000.3, 6000.5 and the alpha 6000.7; in 6000.4 lights differ", 0)]
+    [TestCase("Unity 2022.3 LTS, or 6000.0 and newer", 2)]
+    [TestCase("2022.3 and 6000.0", 1)]
+    public void TheSupportedUnityIsSaidTheOneWay(string text, int findings)
+    {
+        Write(text);
+        Assert.That(new SupportedUnityCheck(package.Packages).Run().Findings, Has.Count.EqualTo(findings));
+    }
+
+    [Test]
+    public void ManualsSayTheSupportedUnity()
+    {
+        package.Write("Documentation~/platforms.md", "Any Unity.\n");
+        Assert.That(new SupportedUnityCheck(package.Packages).Run().Findings, Has.One.Contains("platforms.md does not say"));
+    }
+
     [Test]
     public void APictureInHtmlLeadsSomewhere()
     {
