@@ -44,7 +44,7 @@ namespace SphFluid
         public bool HasValue => samples.Count > 0;
 
         /// <summary>How far back single samples are kept [simulated s], 1 by default: as long as the longest mean that is asked for.</summary>
-        /// <exception cref="ArgumentException">It is negative or not finite.</exception>
+        /// <exception cref="System.ArgumentException">It is negative or not finite.</exception>
         public double Memory { get => samples.Memory; set => samples.Memory = Require.NotNegative(value, nameof(value)); }
 
 
@@ -66,7 +66,7 @@ namespace SphFluid
         /// <summary>Mean force on the wall, against the normal [N].</summary>
         /// <param name="seconds">Simulated time before <see cref="Time"/> to take the mean of; at most <see cref="Memory"/>. 0: the last sample alone.</param>
         /// <returns>The force; 0 while no sum has arrived.</returns>
-        /// <exception cref="ArgumentException">The time is negative or not finite.</exception>
+        /// <exception cref="System.ArgumentException">The time is negative or not finite.</exception>
         public double MeanForce(double seconds) => samples.Mean(Require.NotNegative(seconds, nameof(seconds)));
 
 
