@@ -11,10 +11,13 @@ namespace Headless.Tests.Player;
 [Category("Gpu")]
 public sealed class LongPlayTests
 {
-    private const int WarmUp = 100, FrameRate = 500;
+    private const int WarmUp = 150, FrameRate = 500;
+
+    // Bytes, in hexadecimal: the managed heap collects its youngest objects each MiB, so that it is as large after the warm-up as it gets.
+    private const string YoungestObjects = "100000";
     private const double MostKiBPerFrame = 20;
 
-    private static readonly int Frames = int.Parse(Environment.GetEnvironmentVariable("SPHFLUID_LONG_PLAY") ?? "250", CultureInfo.InvariantCulture);
+    private static readonly int Frames = int.Parse(Environment.GetEnvironmentVariable("SPHFLUID_LONG_PLAY") ?? "300", CultureInfo.InvariantCulture);
 
     // Water and whitewater; then water with emitters and drains, and water beside opaque liquids.
     private static IEnumerable<string> Samples() => Frames < 1000 ? ["DamBreak"] : ["DamBreak", "Fountain", "Liquids"];
@@ -26,6 +29,7 @@ public sealed class LongPlayTests
         try
         {
             string[] few = sample == "Liquids" ? [] : ["--", "--particles", "300"];
+            Environment.SetEnvironmentVariable("DOTNET_GCgen0size", YoungestObjects);
             using Process process = PlayerProcess.Start([
                 "play", "--project", FuzzProject.Repository, "--assemblies", Path.Combine(FuzzProject.Repository, "Build/ScriptAssemblies"),
                 "--executeMethod", "SphFluid.Validation.CommandLine.Play", "--scene", $"Packages/com.sphfluid/Samples~/{sample}/{sample}.unity", "--size", "32x18",
@@ -40,6 +44,7 @@ public sealed class LongPlayTests
         }
         finally
         {
+            Environment.SetEnvironmentVariable("DOTNET_GCgen0size", null);
             Directory.Delete(folder, recursive: true);
         }
     }

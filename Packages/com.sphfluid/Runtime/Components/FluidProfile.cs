@@ -215,7 +215,7 @@ namespace SphFluid
             wallDampingRatio = ClampFinite(wallDampingRatio, 0f, 1f, 1f);
             maxParticles = Mathf.Clamp(maxParticles, 1, ParticleLimit);
             soundSpeedMode = Limits.Known(soundSpeedMode);
-            thesisSwitches.AccelerationLimit = Limits.Known(thesisSwitches.AccelerationLimit);
+            thesisSwitches = thesisSwitches.Limited();
             version = CurrentVersion;
         }
 

@@ -50,7 +50,7 @@ namespace SphFluid
         /// <summary>Colour that white light has after one metre of water. Not a number counts as 0.</summary>
         public Color ColorAtOneMetre { get => Limits.Finite(colorAtOneMetre); set => colorAtOneMetre = value; }
 
-        /// <summary>How far one sees in it [m], 0.01 or more: at that distance 2 % of the contrast is left.</summary>
+        /// <summary>How far one sees in it [m], 0.01 or more: at that distance 2 % of the contrast is left; infinity counts as the largest number, and nothing scatters.</summary>
         public float Visibility { get => Limits.Clamp(visibility, 0.01f); set => visibility = value; }
 
         /// <summary>Colour of the light that it scatters back. Not a number counts as 0.</summary>
@@ -121,7 +121,7 @@ namespace SphFluid
             get
             {
                 Color tint = InShaderColours(Scattering);
-                return new Vector4(tint.r, tint.g, tint.b, 0f) * (VisibilityConstant / Visibility);
+                return new Vector4(tint.r, tint.g, tint.b, 0f) * (Visibility < float.MaxValue ? VisibilityConstant / Visibility : 0f);
             }
         }
 

@@ -142,7 +142,7 @@ namespace SphFluid
             Require.NotNegative(SurfaceTension, nameof(SurfaceTension));
             Require.Within(ContactAngle, 0.0, 180.0, nameof(ContactAngle));
             Require.Within(Substeps, 1.0, MostSubsteps, nameof(Substeps));
-            Require.Known(Switches.AccelerationLimit, nameof(Switches.AccelerationLimit));
+            Switches.Validate();
         }
     }
 }

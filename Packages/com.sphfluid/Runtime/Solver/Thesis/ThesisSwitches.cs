@@ -65,6 +65,15 @@ namespace SphFluid
             OctantSearch = true,
         };
 
+        internal readonly ThesisSwitches Limited()
+        {
+            ThesisSwitches limited = this;
+            limited.AccelerationLimit = Limits.Known(AccelerationLimit);
+            return limited;
+        }
+
+        internal readonly void Validate() => Require.Known(AccelerationLimit, nameof(AccelerationLimit));
+
         /// <inheritdoc/>
         public bool Equals(ThesisSwitches other) =>
             SelfDensity == other.SelfDensity && PressureClamp == other.PressureClamp && PressureHalf == other.PressureHalf &&

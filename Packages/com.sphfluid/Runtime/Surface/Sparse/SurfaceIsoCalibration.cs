@@ -32,8 +32,8 @@ namespace SphFluid
         // Keys are rounded so that sizes that differ in the last bits share a value.
         const double KeySteps = 4096.0;
 
-        [OutlivesPlay("values follow from their keys")] static readonly Dictionary<(long, long, long, int, long, bool), float> Known =
-            new Dictionary<(long, long, long, int, long, bool), float>();
+        [OutlivesPlay("values follow from their keys")]
+        static readonly Dictionary<(long, long, long, int, long, bool), float> Known = new Dictionary<(long, long, long, int, long, bool), float>();
 
         /// <summary>The iso value of a smooth field.</summary>
         /// <param name="supportRatio">R/dx of the field's kernel, 1 to 64.</param>

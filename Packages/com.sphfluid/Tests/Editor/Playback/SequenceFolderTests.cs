@@ -171,7 +171,7 @@ namespace SphFluid.Tests
             {
                 writer.Write(0.5, Frame(1));
                 Assert.That(() => writer.Write(0.5, Frame(1)), Throws.InvalidOperationException);
-                Assert.That(() => writer.Write(double.NaN, Frame(1)), Throws.InvalidOperationException);
+                Assert.That(() => writer.Write(double.NaN, Frame(1)), Throws.ArgumentException.With.Message.Contains("time"));
                 Assert.That(() => writer.Write(1.0, new[] { new FluidParticle(Vector3.zero, Vector3.zero, 1u), new FluidParticle(Vector3.one, Vector3.zero, 1u) }),
                     Throws.ArgumentException.With.Message.Contains("the id 1"));
                 Assert.That(() => writer.Write(1.0, null), Throws.ArgumentNullException);
