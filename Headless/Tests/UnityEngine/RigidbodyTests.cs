@@ -19,6 +19,7 @@ public class RigidbodyTests : EngineFixture
 
     static void Simulate(int steps)
     {
+        Physics.simulationMode = SimulationMode.Script;
         for (int i = 0; i < steps; i++) Physics.Simulate(Step);
     }
 
@@ -147,5 +148,44 @@ public class RigidbodyTests : EngineFixture
         Simulate(60);
         Assert.That(b.velocity.x, Is.GreaterThan(1f));
         Assert.That(3f * a.velocity.x + b.velocity.x, Is.EqualTo(6f).Within(1e-3f));
+    }
+
+    [TestCase("velocity")]
+    [TestCase("angularVelocity")]
+    [TestCase("position")]
+    [TestCase("rotation")]
+    [TestCase("force")]
+    [TestCase("torque")]
+    public void WhatIsNotFiniteIsRefusedInUnitysWords(string name)
+    {
+        Rigidbody body = Make<BoxCollider>(new Vector3(0f, 1f, 0f));
+        body.useGravity = false;
+        foreach (float bad in new[] { float.NaN, float.PositiveInfinity })
+        {
+            var vector = new Vector3(bad, 0f, 2f);
+            if (name == "velocity") body.velocity = vector;
+            if (name == "angularVelocity") body.angularVelocity = vector;
+            if (name == "position") body.position = vector;
+            if (name == "rotation") body.rotation = new Quaternion(bad, 0f, 2f, 0f);
+            if (name == "force") body.AddForce(vector);
+            if (name == "torque") body.AddTorque(vector);
+            string numbers = $"{(float.IsNaN(bad) ? "NaN" : "Infinity")}, 0.000000, 2.000000{(name == "rotation" ? ", 0.000000" : "")}";
+            Assert.That(Console[^1], Does.Contain($"rigidbody.{name} assign attempt for 'Body' is not valid. Input {name} is {{ {numbers} }}."));
+        }
+        Simulate(1);
+        Assert.That((body.position, body.rotation, body.velocity, body.angularVelocity),
+            Is.EqualTo((new Vector3(0f, 1f, 0f), Quaternion.identity, Vector3.zero, Vector3.zero)));
+    }
+
+    [TestCase(0f, 1e-7f)]
+    [TestCase(-3f, 1e-7f)]
+    [TestCase(2f, 2f)]
+    [TestCase(float.NaN, 5f)]
+    public void AMassIsNeverBelowTheLeast(float given, float expected)
+    {
+        Rigidbody body = Make<BoxCollider>();
+        body.mass = 5f;
+        body.mass = given;
+        Assert.That(body.mass, Is.EqualTo(expected));
     }
 }

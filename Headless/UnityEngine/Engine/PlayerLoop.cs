@@ -17,6 +17,7 @@ static class PlayerLoop
         ProfilerFrames.BeginFrame();
         EngineHooks.BeginFrame?.Invoke();
         SceneLoading.RunPending();
+        PhysicsWorld.ResetPoses();
         ScriptSchedule.RunStarts();
         while (FrameClock.StepFixed())
         {
@@ -25,7 +26,9 @@ static class PlayerLoop
             CoroutineScheduler.Run(WaitKind.FixedUpdate);
             ScriptSchedule.RunStarts();
         }
+        PhysicsWorld.Interpolate();
         ScriptSchedule.Update();
+        if (Physics.simulationMode == SimulationMode.Update) PhysicsWorld.Simulate(Time.deltaTime);
         ScriptSchedule.RunStarts();
         ScriptSchedule.RunInvokes();
         CoroutineScheduler.Run(WaitKind.NextFrame);

@@ -16,10 +16,11 @@ readonly record struct MassProperties(Vector3 Center, Vector3 Moments, Quaternio
 
     static void Add(ref MassSum sum, Collider collider, Rigidbody body)
     {
-        Quaternion back = Quaternion.Inverse(body.rotation);
+        Transform own = body.transform;
+        Quaternion back = Quaternion.Inverse(own.rotation);
         Transform at = collider.transform;
         var scale = new Vector3(Mathf.Abs(at.lossyScale.x), Mathf.Abs(at.lossyScale.y), Mathf.Abs(at.lossyScale.z));
-        Vector3 Place(Vector3 local) => back * (at.TransformPoint(local) - body.position);
+        Vector3 Place(Vector3 local) => back * (at.TransformPoint(local) - own.position);
         Quaternion turn = back * at.rotation;
         switch (collider)
         {

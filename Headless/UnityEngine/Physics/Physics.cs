@@ -14,12 +14,23 @@ public partial class Physics
     public static bool queriesHitBackfaces { get; set; }
     public static bool autoSyncTransforms { get; set; }
     public static SimulationMode simulationMode { get; set; } = SimulationMode.FixedUpdate;
+    public static float sleepThreshold { get; set; } = 0.005f;
     public static float defaultContactOffset { get; set; } = 0.01f;
     public static PhysicsScene defaultPhysicsScene => new(PhysicsWorld.DefaultScene);
 
     public static void SyncTransforms() => PhysicsWorld.Sync();
 
-    public static void Simulate(float step) => PhysicsWorld.Simulate(step);
+    public static void Simulate(float step)
+    {
+        if (MayScriptsSimulate("Physics")) PhysicsWorld.Simulate(step);
+    }
+
+    internal static bool MayScriptsSimulate(string type)
+    {
+        if (simulationMode == SimulationMode.Script) return true;
+        Debug.LogWarning($"{type}.Simulate(...) was called but simulation mode is not set to Script. You should set simulation mode to Script first before calling this function therefore the simulation was not run.");
+        return false;
+    }
 
     public static Vector3 ClosestPoint(Vector3 point, Collider collider, Vector3 position, Quaternion rotation) => collider.ClosestPointAt(point, position, rotation);
 }

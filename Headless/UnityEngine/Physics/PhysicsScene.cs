@@ -37,7 +37,8 @@ public struct PhysicsScene : IEquatable<PhysicsScene>
     public void Simulate(float step)
     {
         RequireValid();
-        PhysicsWorld.Sync();
+        if (m_Handle != PhysicsWorld.DefaultScene) PhysicsWorld.Sync(); // no body of a preview scene moves
+        else if (Physics.MayScriptsSimulate("PhysicsScene")) PhysicsWorld.Simulate(step);
     }
 
     void RequireValid()

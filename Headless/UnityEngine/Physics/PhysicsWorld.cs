@@ -22,10 +22,12 @@ static class PhysicsWorld
 
     public static void Remove(Rigidbody body) => s_Bodies.Remove(body);
 
+    /// <summary>Empties it, with the settings that a script can leave behind.</summary>
     public static void Clear()
     {
         s_Colliders.Clear();
         s_Bodies.Clear();
+        (Physics.simulationMode, Physics.autoSyncTransforms) = (SimulationMode.FixedUpdate, false);
     }
 
     /// <summary>Moves the bodies, then takes over where all is.</summary>
@@ -34,16 +36,63 @@ static class PhysicsWorld
         if (s_Bodies.Count > 0 && step > 0f)
         {
             Sync();
+            foreach (Rigidbody body in s_Bodies) body.Pose.Begin();
             List<Collider> solid = s_Colliders.FindAll(c => !c.isTrigger);
             foreach (Rigidbody body in s_Bodies)
-                if (!body.isKinematic) RigidbodyMotion.Step(body, step, solid);
+                if (body.isKinematic && RigidbodyMotion.StepKinematic(body, step)) WakeTouching(body);
+            foreach (Rigidbody body in s_Bodies)
+                if (!body.isKinematic && !body.IsSleeping()) RigidbodyMotion.Step(body, step, solid);
         }
         Sync();
     }
 
+    /// <summary>Takes over Transforms that others than physics have moved, and puts colliders where their bodies are.</summary>
     public static void Sync()
     {
-        foreach (Collider collider in s_Colliders) collider.SyncPose();
+        foreach (Rigidbody body in s_Bodies) body.TakeTransform();
+        foreach (Collider collider in s_Colliders) SyncPose(collider);
+    }
+
+    /// <summary>Puts the colliders of a body where it is.</summary>
+    public static void SyncColliders(Rigidbody body)
+    {
+        foreach (Collider collider in s_Colliders)
+            if (ReferenceEquals(collider.attachedRigidbody, body)) SyncPose(collider);
+    }
+
+    /// <summary>At the start of a frame: Transforms are where their bodies are.</summary>
+    public static void ResetPoses()
+    {
+        foreach (Rigidbody body in s_Bodies) body.Pose.Reset();
+    }
+
+    /// <summary>After a frame's fixed steps: shows bodies where their interpolation has them at the frame's time.</summary>
+    public static void Interpolate()
+    {
+        if (Physics.simulationMode != SimulationMode.FixedUpdate) return;
+        float since = (float)(FrameClock.Time - FrameClock.FixedTime);
+        foreach (Rigidbody body in s_Bodies)
+            if (body.interpolation == RigidbodyInterpolation.Interpolate) body.Pose.ShowBetween(since / FrameClock.FixedDeltaTime);
+            else if (body.interpolation == RigidbodyInterpolation.Extrapolate) body.Pose.ShowAhead(since * body.velocity, since * body.angularVelocity);
+    }
+
+    static void SyncPose(Collider collider)
+    {
+        if (collider.attachedRigidbody is { IsAdded: true } body) body.Pose.WhereItIs(collider.SyncPose);
+        else collider.SyncPose();
+    }
+
+    // A sleeping body is not woken by what only rests at it.
+    static void WakeTouching(Rigidbody moved)
+    {
+        foreach (Collider mover in s_Colliders)
+        {
+            if (mover.isTrigger || !ReferenceEquals(mover.attachedRigidbody, moved)) continue;
+            Bounds reach = mover.WorldBounds;
+            reach.Expand(2f * mover.contactOffset);
+            foreach (Collider other in s_Colliders)
+                if (!other.isTrigger && other.attachedRigidbody is { isKinematic: false } touched && reach.Intersects(other.WorldBounds)) touched.WakeUp();
+        }
     }
 
     /// <summary>Physics scene of the loaded scenes; a preview scene's is its own handle.</summary>

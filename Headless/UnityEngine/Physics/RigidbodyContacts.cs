@@ -71,6 +71,11 @@ sealed class RigidbodyContacts
         }
         float gap = distance - radius;
         if (gap >= reach) return;
+        if (other is not null && other.IsSleeping())
+        {
+            if (m_Body.Rest.IsMoving) other.WakeUp();
+            else other = null; // what is at rest on it leaves it asleep
+        }
         Vector3 place = point - radius * normal;
         m_Contacts.Add(new Contact
         {
@@ -105,9 +110,7 @@ sealed class RigidbodyContacts
     static float Ease(Rigidbody body, Vector3 arm, Vector3 direction) =>
         1f / body.mass + Vector3.Dot(Vector3.Cross(RigidbodyMotion.PerInertia(body, Vector3.Cross(arm, direction)), arm), direction);
 
-    static void Give(Rigidbody body, Vector3 impulse, Vector3 arm)
-    {
-        body.velocity = RigidbodyMotion.FreeOf(body.constraints, RigidbodyConstraints.FreezePositionX, body.velocity + impulse / body.mass);
-        body.angularVelocity = RigidbodyMotion.Turning(body, body.angularVelocity + RigidbodyMotion.PerInertia(body, Vector3.Cross(arm, impulse)));
-    }
+    static void Give(Rigidbody body, Vector3 impulse, Vector3 arm) => body.SetVelocities(
+        RigidbodyMotion.FreeOf(body.constraints, RigidbodyConstraints.FreezePositionX, body.velocity + impulse / body.mass),
+        RigidbodyMotion.Turning(body, body.angularVelocity + RigidbodyMotion.PerInertia(body, Vector3.Cross(arm, impulse))));
 }

@@ -14,14 +14,29 @@ static class RigidbodyMotion
         body.AddedVelocity = body.AddedAngularVelocity = body.AddedForce = body.AddedTorque = Vector3.zero;
         velocity *= Mathf.Max(0f, 1f - dt * body.drag);
         angular *= Mathf.Max(0f, 1f - dt * body.angularDrag);
-        body.velocity = FreeOf(body.constraints, RigidbodyConstraints.FreezePositionX, velocity);
-        body.angularVelocity = Vector3.ClampMagnitude(Turning(body, angular), body.maxAngularVelocity);
+        body.SetVelocities(FreeOf(body.constraints, RigidbodyConstraints.FreezePositionX, velocity), Vector3.ClampMagnitude(Turning(body, angular), body.maxAngularVelocity));
         Vector3 depth = body.detectCollisions ? new RigidbodyContacts(body, obstacles, dt).Resolve() : Vector3.zero;
         Vector3 center = body.worldCenterOfMass + dt * body.velocity + depth;
         float angle = body.angularVelocity.magnitude * dt;
         Quaternion turn = angle > 0f ? Quaternion.AngleAxis(angle * Mathf.Rad2Deg, body.angularVelocity.normalized) : Quaternion.identity;
         Quaternion rotation = Quaternion.Normalize(turn * body.rotation);
-        body.transform.SetPositionAndRotation(center - rotation * body.centerOfMass, rotation);
+        body.Pose.MoveTo(center - rotation * body.centerOfMass, rotation);
+        if (body.Rest.Pass(body, dt)) body.Sleep();
+    }
+
+    /// <summary>Takes a kinematic body to where it was told to go; its velocities are those of the way there.</summary>
+    /// <returns>Whether it moves.</returns>
+    public static bool StepKinematic(Rigidbody body, float dt)
+    {
+        (Vector3 position, Quaternion rotation) = body.Target ?? (body.position, body.rotation);
+        (rotation * Quaternion.Inverse(body.rotation)).ToAngleAxis(out float angle, out Vector3 axis);
+        if (angle > 180f) angle -= 360f;
+        Vector3 turn = body.Target is null ? Vector3.zero : angle * Mathf.Deg2Rad / dt * axis;
+        body.SetVelocities((position - body.position) / dt, turn);
+        if (body.Target is null) return false;
+        body.Pose.MoveTo(position, rotation);
+        body.Target = null;
+        return !body.velocity.Equals(Vector3.zero) || !turn.Equals(Vector3.zero);
     }
 
     /// <summary>An angular impulse over the inertia.</summary>
