@@ -124,7 +124,7 @@ namespace SphFluid
                 Rest(deltaTime);
                 return;
             }
-            floats?.Follow();
+            floats?.Follow(spec.Owner.gameObject.scene);
             FollowBodies(spec);
             double motion = Math.Max(obstacles.Bodies?.LongestMotion ?? 0.0, deltaTime * flows.FastestSpeed(spec));
             int steps = frameTime == null ? pace.StepOnce(motion) : pace.Advance(deltaTime, motion);
@@ -133,6 +133,7 @@ namespace SphFluid
             Execute(steps);
             flows.End(spec, steps);
             if (steps > 0) floats?.Note(obstacles.Bodies.Floating, Solver.SimulatedTime);
+            floats?.GiveAhead();
             if (steps > 0) pace.Stepped(steps * pace.Clock.TimeStep);
             Know();
             if (substeps.Note(pace.Clock, steps, deltaTime) is string text)
@@ -233,6 +234,7 @@ namespace SphFluid
             Solver.Dispose();
             pace?.Dispose();
             zones.Dispose();
+            floats?.Dispose();
             obstacles?.Dispose();
             commands.Dispose();
         }

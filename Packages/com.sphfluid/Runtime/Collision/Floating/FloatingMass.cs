@@ -45,6 +45,12 @@ namespace SphFluid
             return new FloatingMass(mass, mass / 12f * new Vector3(squares.y + squares.z, squares.z + squares.x, squares.x + squares.y), gravity);
         }
 
+        /// <summary>One that nothing moves.</summary>
+        public static FloatingMass Held => default;
+
+        /// <summary>The part of a vector along which the body moves.</summary>
+        public Vector3 Free(Vector3 v) => new Vector3(Vector3.Dot(FreeX, v), Vector3.Dot(FreeY, v), Vector3.Dot(FreeZ, v));
+
         /// <summary>1/kg.</summary>
         public float InverseMass => Inverse(Mass);
 

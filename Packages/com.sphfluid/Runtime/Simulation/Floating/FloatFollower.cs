@@ -29,7 +29,7 @@ namespace SphFluid
         /// <summary>Frames that are remembered: read-backs that are older do not count.</summary>
         public const int Memory = 32;
 
-        const float Gain = 0.5f;
+        const float Gain = 0.25f;
 
         readonly Entry[] entries = new Entry[Memory];
         FloatChange given;
@@ -39,7 +39,7 @@ namespace SphFluid
         {
             public FloatMotion Motion;
             public FloatChange Given; // between the frame before and this one
-            public double Begin, Time;
+            public double Begin, Time; // Begin: of what was given
         }
 
         /// <summary>Forgets all frames: the body was put elsewhere.</summary>
@@ -53,12 +53,12 @@ namespace SphFluid
         /// <param name="frame">Number of the frame, one more each time.</param>
         /// <param name="time">The liquid's time at its end [s].</param>
         /// <param name="motion">The body.</param>
-        public void Note(long frame, double time, in FloatMotion motion)
+        /// <param name="age">How long what was given since has acted [s]: physics need not step once a frame.</param>
+        public void Note(long frame, double time, in FloatMotion motion, double age)
         {
-            double begin = newest < 0 ? time : entries[newest % Memory].Time;
             if (newest < 0) oldest = frame;
             newest = frame;
-            entries[frame % Memory] = new Entry { Motion = motion, Given = given, Begin = begin, Time = time };
+            entries[frame % Memory] = new Entry { Motion = motion, Given = given, Begin = time - age, Time = time };
             given = default;
         }
 
@@ -80,37 +80,39 @@ namespace SphFluid
             oldest = reader.Read<long>();
         }
 
-        /// <summary>What to give the scene's body now; it counts as given.</summary>
+        /// <summary>What to give the scene's body now.</summary>
         /// <param name="gpu">The body on the GPU.</param>
         /// <param name="frame">Frame that this is of.</param>
+        /// <param name="rates">Accelerations that both are taken to have had since [m/s², rad/s²].</param>
+        /// <param name="mostTurn">Most that the body may be turned [rad].</param>
         /// <returns>Nothing, where the frame is not remembered.</returns>
-        public FloatChange Correct(in FloatMotion gpu, long frame)
+        public FloatChange Correct(in FloatMotion gpu, long frame, in FloatChange rates = default, float mostTurn = float.PositiveInfinity)
         {
             if (newest < 0 || frame < oldest || frame > newest || newest - frame >= Memory) return default;
             Entry then = entries[frame % Memory];
             double now = entries[newest % Memory].Time;
+            float since = (float)(now - then.Time);
+            Vector3 gain = since * rates.Velocity, turning = since * rates.AngularVelocity;
             var gap = new FloatChange
             {
-                Velocity = gpu.Velocity - then.Motion.Velocity,
-                AngularVelocity = gpu.AngularVelocity - then.Motion.AngularVelocity,
+                Velocity = gpu.Velocity - then.Motion.Velocity + gain,
+                AngularVelocity = gpu.AngularVelocity - then.Motion.AngularVelocity + turning,
             };
-            float since = (float)(now - then.Time);
-            gap.Displacement = gpu.Pose.Centre - then.Motion.Pose.Centre + since * gap.Velocity;
-            gap.Rotation = gpu.Pose.TurnFrom(then.Motion.Pose) + since * gap.AngularVelocity;
+            gap.Displacement = gpu.Pose.Centre - then.Motion.Pose.Centre + since * (gap.Velocity - 0.5f * gain);
+            gap.Rotation = gpu.Pose.TurnFrom(then.Motion.Pose) + since * (gap.AngularVelocity - 0.5f * turning);
             for (long j = frame + 1; j <= newest; j++) Subtract(ref gap, entries[j % Memory].Given, (float)(now - entries[j % Memory].Begin));
             Subtract(ref gap, given, 0f);
-            var change = new FloatChange
+            return new FloatChange
             {
                 Velocity = Gain * gap.Velocity,
                 AngularVelocity = Gain * gap.AngularVelocity,
                 Displacement = Gain * gap.Displacement,
-                Rotation = Gain * gap.Rotation,
+                Rotation = Vector3.ClampMagnitude(Gain * gap.Rotation, mostTurn),
             };
-            Add(change);
-            return change;
         }
 
-        void Add(in FloatChange change)
+        /// <summary>The scene's body was given that, by gravity and the liquid's force too.</summary>
+        public void Give(in FloatChange change)
         {
             given.Velocity += change.Velocity;
             given.AngularVelocity += change.AngularVelocity;

@@ -13,10 +13,13 @@ namespace SphFluid
         const float Unexplained = 0.01f;
 
         // Of a velocity, and of 1 m/s or 1 rad/s: what the rounding of a frame's physics steps leaves. Handed on, it would make the liquid depend on what PhysX is given.
-        const float Rounding = 4e-6f;
+        const float Rounding = 1e-5f;
 
         // Over the support radius: farther in a step is no push, the body was put elsewhere.
         const float Elsewhere = 4f;
+
+        // Part of a frame's force that the next is given: what an impact gives at once, corrections have given before it is known as a force.
+        const float Evenness = 0.25f;
 
         // Corrections below this would keep bodies from resting [m, rad].
         const float LeastCorrection = 1e-5f;
@@ -24,19 +27,28 @@ namespace SphFluid
         readonly Rigidbody rigidbody;
         readonly FloatFollower follower = new FloatFollower();
         readonly float reach;
-        FloatMotion last;
-        FloatChange refused;
-        Vector3 expectedVelocity, expectedAngularVelocity; // of the frame, without what others do
-        FloatShift shift;
-        float stepLength;
-        bool isKnown, corrected;
-        uint epoch;
+        State state;
+
+        // What is last seen and given.
+        struct State
+        {
+            public FloatingMass Mass;
+            public FloatMotion Last;
+            public FloatChange Refused, Given, Pull; // Given: with the next steps of physics; Pull: accelerations by the liquid, evened out
+            public Vector3 ExpectedVelocity, ExpectedAngularVelocity; // of the frame, without what others do
+            public FloatShift Shift, Turn;
+            public FloatRest Rest;
+            public float StepLength, Unseen, Acted; // Unseen: what a fall in several steps may differ from one in one; Acted: time since a correction was given
+            public uint Epoch;
+            public bool IsKnown, IsPulled, IsCorrected;
+        }
 
         public RigidbodyFloat(Rigidbody rigidbody, float reach, in FloatSpace space)
         {
             this.rigidbody = rigidbody;
             this.reach = reach;
-            Body = new FloatingBody(RigidbodyMass.Of(rigidbody, space.ToSimulation), PoseOf(space, rigidbody.transform.position, rigidbody.transform.rotation));
+            state.Mass = RigidbodyMass.Of(rigidbody, space.ToSimulation);
+            Body = new FloatingBody(state.Mass, PoseOf(space, rigidbody.transform.position, rigidbody.transform.rotation));
         }
 
         /// <summary>The scene's body.</summary>
@@ -51,52 +63,55 @@ namespace SphFluid
         /// <summary>Whether the liquid can move a Rigidbody.</summary>
         public static bool Moves(Rigidbody rigidbody) => rigidbody != null && !rigidbody.isKinematic;
 
-        /// <summary>Before a physics step: the liquid's force, and once a frame a correction.</summary>
-        public void FixedUpdate(in FloatSpace space, float deltaTime)
+        /// <summary>Physics was stepped, or will be before anything is looked at.</summary>
+        /// <param name="time">For how long [s].</param>
+        /// <param name="unseen">Whether that may have been in several steps.</param>
+        public void Stepped(float time, bool unseen)
+        {
+            state.StepLength += time;
+            state.Unseen = unseen ? 0.5f * time * time * state.Mass.Gravity.magnitude : 0f;
+        }
+
+        /// <summary>Before physics is stepped for a time: the liquid's force, and once a frame a correction.</summary>
+        public void Give(in FloatSpace space, float time)
         {
             Sample(space);
-            FloatingMass mass = Body.Mass;
-            Vector3 velocity = Vector3.zero, angularVelocity = Vector3.zero;
+            if (rigidbody.IsSleeping()) return;
+            FloatChange change = default;
             if (Body.KnownFrame >= 0)
             {
-                FloatingState known = Body.Known;
-                float part = known.Time > 0f ? deltaTime / known.Time : 0f;
-                Quaternion axes = last.Pose.Rotation;
-                velocity = mass.InverseMass * part * known.Impulse;
-                angularVelocity = axes * Vector3.Scale(mass.InverseInertia, Quaternion.Inverse(axes) * (part * known.AngularImpulse));
-                if (!corrected) Correct(space, known, deltaTime, ref velocity, ref angularVelocity);
+                (change.Velocity, change.AngularVelocity) = (time * state.Pull.Velocity, time * state.Pull.AngularVelocity);
+                if (!state.IsCorrected) Correct(Body.Known, time, ref change);
             }
 
-            velocity = new Vector3(Vector3.Dot(mass.FreeX, velocity), Vector3.Dot(mass.FreeY, velocity), Vector3.Dot(mass.FreeZ, velocity));
-            float kept = Kept(mass.Damping, deltaTime);
-            Vector3 change = velocity + deltaTime * mass.Gravity;
-            expectedVelocity = kept * (expectedVelocity + change);
-            expectedAngularVelocity = Kept(mass.AngularDamping, deltaTime) * (expectedAngularVelocity + angularVelocity);
-            velocity += shift.Begin(kept * (last.Velocity + change), kept);
+            change.Velocity = state.Mass.Free(change.Velocity);
+            state.Given = change;
+            Vector3 velocity = change.Velocity + state.Shift.Begin(), angularVelocity = change.AngularVelocity + state.Turn.Begin();
             if (velocity != Vector3.zero) rigidbody.AddForce(space.ToWorld * velocity, ForceMode.VelocityChange);
             if (angularVelocity != Vector3.zero) rigidbody.AddTorque(space.ToWorld * angularVelocity, ForceMode.VelocityChange);
-            stepLength = deltaTime;
         }
 
         /// <summary>Once a frame, before the liquid's steps: where the Rigidbody is, and what others than the liquid did to it.</summary>
         public void Follow(in FloatSpace space)
         {
-            bool wasKnown = isKnown;
+            bool wasKnown = state.IsKnown;
             Sample(space);
-            FloatingMass mass = RigidbodyMass.Of(rigidbody, space.ToSimulation);
-            if (!mass.IsNear(Body.Mass)) Body.Mass = mass;
+            FloatingMass found = RigidbodyMass.Of(rigidbody, space.ToSimulation);
+            if (!found.IsNear(state.Mass)) state.Mass = found;
+            Rest();
+            Body.Mass = rigidbody.IsSleeping() ? FloatingMass.Held : state.Mass;
             Look(space); // as the colliders are seen: interpolated, where it is
-            Body.Velocity = last.Velocity;
-            Body.AngularVelocity = last.AngularVelocity;
+            Body.Velocity = state.Last.Velocity;
+            Body.AngularVelocity = state.Last.AngularVelocity;
             if (!wasKnown) Restart();
-            else if (refused.Displacement.magnitude > Elsewhere * reach) Restart();
-            else Body.Push(Beyond(last.Velocity - expectedVelocity, expectedVelocity, Rounding, Rounding),
-                Beyond(last.AngularVelocity - expectedAngularVelocity, expectedAngularVelocity, Rounding, Rounding),
-                refused.Displacement, refused.Rotation);
-            refused = default;
-            expectedVelocity = last.Velocity;
-            expectedAngularVelocity = last.AngularVelocity;
-            corrected = false;
+            else if (state.Refused.Displacement.magnitude > Elsewhere * reach) Restart();
+            else Body.Push(Beyond(state.Last.Velocity - state.ExpectedVelocity, state.ExpectedVelocity, Rounding, Rounding),
+                Beyond(state.Last.AngularVelocity - state.ExpectedAngularVelocity, state.ExpectedAngularVelocity, Rounding, Rounding),
+                state.Refused.Displacement, state.Refused.Rotation);
+            state.Refused = default;
+            state.ExpectedVelocity = state.Last.Velocity;
+            state.ExpectedAngularVelocity = state.Last.AngularVelocity;
+            state.IsCorrected = false;
         }
 
         /// <summary>The steps of the frame were recorded.</summary>
@@ -105,11 +120,12 @@ namespace SphFluid
         /// <param name="lead">How much later that is than the last physics step [s].</param>
         public void Note(long frame, double time, float lead)
         {
-            if (epoch != Body.Epoch) follower.Restart(); // of what was before a seed nothing holds
-            epoch = Body.Epoch;
-            FloatMotion now = last;
-            now.Pose = Turned(last.Pose, lead * last.Velocity, lead * last.AngularVelocity);
-            follower.Note(frame, time, now);
+            if (state.Epoch != Body.Epoch) follower.Restart(); // of what was before a seed nothing holds
+            state.Epoch = Body.Epoch;
+            FloatMotion now = state.Last;
+            now.Pose = Turned(now.Pose, lead * now.Velocity, lead * now.AngularVelocity);
+            follower.Note(frame, time, now, lead + state.Acted);
+            state.Acted = 0f;
         }
 
         /// <summary>Where the colliders of the Rigidbody are seen now.</summary>
@@ -120,15 +136,7 @@ namespace SphFluid
         {
             Body.Save(writer);
             follower.Save(writer);
-            writer.Write(last);
-            writer.Write(refused);
-            writer.Write(expectedVelocity);
-            writer.Write(expectedAngularVelocity);
-            writer.Write(shift);
-            writer.Write(stepLength);
-            writer.Write(isKnown);
-            writer.Write(corrected);
-            writer.Write(epoch);
+            writer.Write(state);
         }
 
         /// <summary>Goes on from a save.</summary>
@@ -136,15 +144,8 @@ namespace SphFluid
         {
             Body.Load(reader);
             follower.Load(reader);
-            last = reader.Read<FloatMotion>();
-            refused = reader.Read<FloatChange>();
-            expectedVelocity = reader.Read<Vector3>();
-            expectedAngularVelocity = reader.Read<Vector3>();
-            shift = reader.Read<FloatShift>();
-            stepLength = reader.Read<float>();
-            isKnown = reader.Read<bool>();
-            corrected = reader.Read<bool>();
-            epoch = reader.Read<uint>();
+            state = reader.Read<State>();
+            if (Body.Mass.InverseMass == 0f) rigidbody.Sleep();
         }
 
         void Restart()
@@ -153,38 +154,95 @@ namespace SphFluid
             follower.Restart();
         }
 
-        // A displacement is given as a velocity of one step, which contacts may refuse; a turn at once, since PhysX bounds angular velocities.
-        void Correct(in FloatSpace space, in FloatingState known, float deltaTime, ref Vector3 velocity, ref Vector3 angularVelocity)
+        // Accelerations by the liquid's force as last known.
+        FloatChange PullOf(in FloatingState known)
         {
-            corrected = true;
-            FloatChange change = follower.Correct(
-                new FloatMotion { Pose = known.Pose, Velocity = known.Velocity, AngularVelocity = known.AngularVelocity }, Body.KnownFrame);
-            velocity += change.Velocity;
-            angularVelocity += change.AngularVelocity;
-            if (change.Displacement.magnitude < LeastCorrection && change.Rotation.magnitude < LeastCorrection) return;
-            shift.Next = change.Displacement / deltaTime;
-            last.Pose = Turned(last.Pose, Vector3.zero, change.Rotation);
-            Quaternion rotation = space.ToWorld * last.Pose.Rotation * Quaternion.Inverse(RigidbodyMass.Axes(rigidbody));
-            rigidbody.rotation = rotation;
-            rigidbody.position = space.ToWorld * last.Pose.Centre + space.Position - rotation * rigidbody.centerOfMass;
+            float part = known.Time > 0f ? 1f / known.Time : 0f;
+            Quaternion axes = state.Last.Pose.Rotation;
+            return new FloatChange
+            {
+                Velocity = state.Mass.Free(state.Mass.InverseMass * part * known.Impulse),
+                AngularVelocity = axes * Vector3.Scale(state.Mass.InverseInertia, Quaternion.Inverse(axes) * (part * known.AngularImpulse)),
+            };
         }
 
-        // What the last physics step did beside going on by its velocities.
+        // A displacement and a turn are velocities of one step; PhysX bounds how fast a body turns.
+        void Correct(in FloatingState known, float time, ref FloatChange given)
+        {
+            state.IsCorrected = true;
+            FloatChange rates = state.Pull;
+            rates.Velocity += state.Mass.Gravity;
+            float mostTurn = time * Mathf.Max(0f, rigidbody.maxAngularVelocity - state.Last.AngularVelocity.magnitude);
+            FloatChange change = follower.Correct(
+                new FloatMotion { Pose = known.Pose, Velocity = known.Velocity, AngularVelocity = known.AngularVelocity }, Body.KnownFrame, rates, mostTurn);
+            given.Velocity += change.Velocity;
+            given.AngularVelocity += change.AngularVelocity;
+            if (change.Displacement.magnitude < LeastCorrection && change.Rotation.magnitude < LeastCorrection) return;
+            (given.Displacement, given.Rotation) = (change.Displacement, change.Rotation);
+            state.Shift.Next = change.Displacement / time;
+            state.Turn.Next = change.Rotation / time;
+        }
+
+        // The liquid's force evened out; and a body in calm liquid may sleep, which forces alone would never let it.
+        void Rest()
+        {
+            if (Body.KnownFrame < 0) return;
+            FloatingState known = Body.Known;
+            FloatChange pull = PullOf(known);
+            float part = state.IsPulled ? Evenness : 1f;
+            state.Pull.Velocity += part * (pull.Velocity - state.Pull.Velocity);
+            state.Pull.AngularVelocity += part * (pull.AngularVelocity - state.Pull.AngularVelocity);
+            state.IsPulled = true;
+            bool asleep = rigidbody.IsSleeping();
+            float energy = Mathf.Max(Energy(known.Velocity, known.AngularVelocity), Energy(state.Last.Velocity, state.Last.AngularVelocity));
+            Vector3 acceleration = pull.Velocity + state.Mass.Free(state.Mass.Gravity);
+            if (!state.Rest.Turns(asleep, acceleration, energy, rigidbody.sleepThreshold, known.Time)) return;
+            if (asleep) rigidbody.WakeUp();
+            else rigidbody.Sleep();
+        }
+
+        // Over the mass, or somewhat more of what turns.
+        float Energy(Vector3 velocity, Vector3 angularVelocity) =>
+            0.5f * (velocity.sqrMagnitude + state.Mass.InverseMass * state.Mass.Inertia.magnitude * angularVelocity.sqrMagnitude);
+
+        // What steps of physics did beside going on by its velocities.
         void Sample(in FloatSpace space)
         {
             FloatMotion now = MotionOf(space);
-            if (isKnown)
+            float step = state.StepLength;
+            if (state.IsKnown && !rigidbody.IsSleeping())
             {
-                Vector3 displacement = stepLength * now.Velocity, rotation = stepLength * now.AngularVelocity;
-                refused.Displacement += Beyond(now.Pose.Centre - last.Pose.Centre - displacement, displacement, LeastCorrection, Unexplained);
-                refused.Rotation += Beyond(now.Pose.TurnFrom(last.Pose) - rotation, rotation, LeastCorrection, Unexplained);
-                if (stepLength > 0f) refused.Displacement -= stepLength * shift.End(now.Velocity);
+                Vector3 displacement = step * now.Velocity, rotation = step * now.AngularVelocity;
+                state.Refused.Displacement += Beyond(now.Pose.Centre - state.Last.Pose.Centre - displacement, displacement, LeastCorrection + state.Unseen, Unexplained);
+                state.Refused.Rotation += Beyond(now.Pose.TurnFrom(state.Last.Pose) - rotation, rotation, LeastCorrection, Unexplained);
+                if (step > 0f) EndStep(space, step, ref now);
             }
 
-            stepLength = 0f;
-            now.Velocity -= shift.Left;
-            last = now;
-            isKnown = true;
+            if (step > 0f || rigidbody.IsSleeping()) (state.StepLength, state.Given, state.Shift, state.Turn) = (0f, default, default, default);
+            state.Last = now;
+            state.IsKnown = true;
+        }
+
+        // What the liquid, gravity and damping made of the velocities is expected. Shifts are taken back, so that scripts find a body's own velocities.
+        void EndStep(in FloatSpace space, float step, ref FloatMotion now)
+        {
+            float kept = Kept(state.Mass.Damping, step), keptTurn = Kept(state.Mass.AngularDamping, step);
+            Vector3 velocity = state.Given.Velocity + step * state.Mass.Gravity, angularVelocity = state.Given.AngularVelocity;
+            (state.Given.Velocity, state.Acted) = (velocity, state.Acted + step);
+            follower.Give(state.Given);
+            state.ExpectedVelocity = kept * (state.ExpectedVelocity + velocity);
+            state.ExpectedAngularVelocity = keptTurn * (state.ExpectedAngularVelocity + angularVelocity);
+            state.Refused.Displacement -= step * state.Shift.End(now.Velocity, kept * (state.Last.Velocity + velocity), kept, out Vector3 left);
+            state.Refused.Rotation -= step * state.Turn.End(now.AngularVelocity, keptTurn * (state.Last.AngularVelocity + angularVelocity), keptTurn, out Vector3 leftTurn);
+            now.Velocity -= left;
+            now.AngularVelocity -= leftTurn;
+            if (leftTurn != Vector3.zero) rigidbody.angularVelocity -= space.ToWorld * leftTurn;
+            if (left == Vector3.zero) return;
+#if UNITY_6000_0_OR_NEWER
+            rigidbody.linearVelocity -= space.ToWorld * left;
+#else
+            rigidbody.velocity -= space.ToWorld * left;
+#endif
         }
 
         // As PhysX damps.

@@ -1,16 +1,20 @@
 using System.Collections.Generic;
 using UnityEngine;
+using UnityEngine.SceneManagement;
 
 namespace SphFluid
 {
     /// <summary>The Rigidbodies that a liquid moves: those in its domain that are not kinematic and have no collider that opts out.</summary>
-    internal sealed class RigidbodyFloats : IFloatingOwners
+    internal sealed class RigidbodyFloats : IFloatingOwners, System.IDisposable
     {
         readonly float reach;
         readonly Dictionary<Rigidbody, RigidbodyFloat> floats = new Dictionary<Rigidbody, RigidbodyFloat>();
         readonly List<RigidbodyFloat> ordered = new List<RigidbodyFloat>();
         readonly List<Rigidbody> gone = new List<Rigidbody>();
+        readonly PhysicsClock clock = new PhysicsClock();
         FloatSpace space;
+        float stepped, taken, behind; // time of the last frame with steps of physics, of this one's, and how much later than them it is now [s]
+        bool atAnyTime; // physics is stepped otherwise than once after each FixedUpdate
 
         /// <param name="reach">Support radius [m].</param>
         public RigidbodyFloats(float reach)
@@ -45,10 +49,15 @@ namespace SphFluid
         }
 
         /// <summary>Once a frame after the look, before the liquid's steps.</summary>
-        public void Follow()
+        /// <param name="scene">Where they are.</param>
+        public void Follow(Scene scene)
         {
             if (ordered.Count == 0) return;
             Leave();
+            atAnyTime = Physics.simulationMode != SimulationMode.FixedUpdate || scene.GetPhysicsScene() != Physics.defaultPhysicsScene;
+            taken = 0f;
+            if (atAnyTime) TakeSteps(scene);
+            else clock.Dispose();
             foreach (RigidbodyFloat known in ordered) known.Follow(space);
         }
 
@@ -59,17 +68,23 @@ namespace SphFluid
         {
             if (ordered.Count == 0) return;
             bodies.Request();
+            float age = atAnyTime ? behind : Time.time - Time.fixedTime;
             foreach (RigidbodyFloat known in ordered)
-                if (bodies.Has(known.Body)) known.Note(bodies.Frame - 1, time, Time.time - Time.fixedTime);
+                if (bodies.Has(known.Body)) known.Note(bodies.Frame - 1, time, age);
         }
 
         /// <summary>Before a physics step.</summary>
         public void FixedUpdate(Vector3 position, Quaternion rotation, float deltaTime)
         {
-            if (ordered.Count == 0) return;
-            var now = new FloatSpace(position, rotation);
-            foreach (KeyValuePair<Rigidbody, RigidbodyFloat> known in floats)
-                if (RigidbodyFloat.Moves(known.Key)) known.Value.FixedUpdate(now, deltaTime);
+            if (atAnyTime) return;
+            Give(new FloatSpace(position, rotation), deltaTime);
+            foreach (RigidbodyFloat known in ordered) known.Stepped(deltaTime, false);
+        }
+
+        /// <summary>After a frame with steps of physics, where it is not known when the next come: for as long as those took.</summary>
+        public void GiveAhead()
+        {
+            if (taken > 0f) Give(space, taken);
         }
 
         /// <summary>Writes the bodies, once no read-back is under way.</summary>
@@ -98,6 +113,22 @@ namespace SphFluid
                 if (isThere) known.Load(own);
             }
             foreach (RigidbodyFloat known in ordered) known.Look(space);
+        }
+
+        public void Dispose() => clock.Dispose();
+
+        void Give(in FloatSpace now, float time)
+        {
+            foreach (KeyValuePair<Rigidbody, RigidbodyFloat> known in floats)
+                if (RigidbodyFloat.Moves(known.Key)) known.Value.Give(now, time);
+        }
+
+        void TakeSteps(Scene scene)
+        {
+            taken = clock.Take(scene);
+            if (taken > 0f) stepped = taken;
+            behind = Mathf.Clamp(behind + Time.deltaTime - taken, 0f, stepped);
+            foreach (RigidbodyFloat known in ordered) known.Stepped(taken, true);
         }
 
         string KeyOf(FloatingBody body)
