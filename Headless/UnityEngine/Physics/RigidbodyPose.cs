@@ -74,15 +74,10 @@ sealed class RigidbodyPose
     /// <summary>Does something with the Transform where physics has the body.</summary>
     public void WhereItIs(System.Action action)
     {
-        if (IsShown)
-        {
-            action();
-            return;
-        }
-        (Vector3 position, Quaternion rotation) = (m_Seen, m_SeenTurn);
-        Show(Position, Rotation);
+        m_Transform.GetLocalPositionAndRotation(out Vector3 position, out Quaternion rotation);
+        m_Transform.SetPositionAndRotation(Position, Rotation);
         action();
-        Show(position, rotation);
+        m_Transform.SetLocalPositionAndRotation(position, rotation); // with what a script has made of it
     }
 
     bool IsShown => m_Seen.Equals(Position) && m_SeenTurn.Equals(Rotation);
