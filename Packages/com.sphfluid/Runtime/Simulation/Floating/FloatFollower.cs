@@ -21,7 +21,7 @@ namespace SphFluid
     }
 
     /// <summary>
-    /// Brings a body of the scene's physics to where the GPU has it, known some frames late: half of the gap a frame, less what was given
+    /// Brings a body of the scene's physics to where the GPU has it, known some frames late: a part of the gap a frame, less what was given
     /// since. The GPU's body feels none of it, so nothing that is late acts back on it.
     /// </summary>
     internal sealed class FloatFollower
@@ -29,7 +29,8 @@ namespace SphFluid
         /// <summary>Frames that are remembered: read-backs that are older do not count.</summary>
         public const int Memory = 32;
 
-        const float Gain = 0.25f;
+        // Of the gap, free and where something refuses corrections: they hold the GPU's body off then, and nothing is seen of them.
+        const float Gain = 0.25f, HeldGain = 0.5f;
 
         readonly Entry[] entries = new Entry[Memory];
         FloatChange given;
@@ -39,7 +40,7 @@ namespace SphFluid
         {
             public FloatMotion Motion;
             public FloatChange Given; // between the frame before and this one
-            public double Begin, Time; // Begin: of what was given
+            public double Begin, Time, Acted; // Begin: of what was given; Acted: for how long
         }
 
         /// <summary>Forgets all frames: the body was put elsewhere.</summary>
@@ -53,12 +54,13 @@ namespace SphFluid
         /// <param name="frame">Number of the frame, one more each time.</param>
         /// <param name="time">The liquid's time at its end [s].</param>
         /// <param name="motion">The body.</param>
-        /// <param name="age">How long what was given since has acted [s]: physics need not step once a frame.</param>
-        public void Note(long frame, double time, in FloatMotion motion, double age)
+        /// <param name="acted">Time that physics was stepped since the last one [s].</param>
+        /// <param name="lead">How much later the liquid's time is than the last of these steps [s].</param>
+        public void Note(long frame, double time, in FloatMotion motion, double acted, double lead = 0.0)
         {
             if (newest < 0) oldest = frame;
             newest = frame;
-            entries[frame % Memory] = new Entry { Motion = motion, Given = given, Begin = time - age, Time = time };
+            entries[frame % Memory] = new Entry { Motion = motion, Given = given, Begin = time - lead - acted, Time = time, Acted = acted };
             given = default;
         }
 
@@ -85,29 +87,34 @@ namespace SphFluid
         /// <param name="frame">Frame that this is of.</param>
         /// <param name="rates">Accelerations that both are taken to have had since [m/s², rad/s²].</param>
         /// <param name="mostTurn">Most that the body may be turned [rad].</param>
+        /// <param name="held">Whether something refuses what the scene's body is given, so that it has not fallen as the GPU's would.</param>
         /// <returns>Nothing, where the frame is not remembered.</returns>
-        public FloatChange Correct(in FloatMotion gpu, long frame, in FloatChange rates = default, float mostTurn = float.PositiveInfinity)
+        public FloatChange Correct(in FloatMotion gpu, long frame, in FloatChange rates = default, float mostTurn = float.PositiveInfinity,
+            bool held = false)
         {
             if (newest < 0 || frame < oldest || frame > newest || newest - frame >= Memory) return default;
             Entry then = entries[frame % Memory];
             double now = entries[newest % Memory].Time;
             float since = (float)(now - then.Time);
-            Vector3 gain = since * rates.Velocity, turning = since * rates.AngularVelocity;
+            Vector3 hastened = since * rates.Velocity, turning = since * rates.AngularVelocity;
+            double fall = held ? 0.0 : 0.5 * since * since; // [s²]
+            for (long j = frame + 1; held && j <= newest; j++) fall += (now - entries[j % Memory].Begin) * entries[j % Memory].Acted;
             var gap = new FloatChange
             {
-                Velocity = gpu.Velocity - then.Motion.Velocity + gain,
+                Velocity = gpu.Velocity - then.Motion.Velocity + hastened,
                 AngularVelocity = gpu.AngularVelocity - then.Motion.AngularVelocity + turning,
             };
-            gap.Displacement = gpu.Pose.Centre - then.Motion.Pose.Centre + since * (gap.Velocity - 0.5f * gain);
-            gap.Rotation = gpu.Pose.TurnFrom(then.Motion.Pose) + since * (gap.AngularVelocity - 0.5f * turning);
+            gap.Displacement = gpu.Pose.Centre - then.Motion.Pose.Centre + since * (gap.Velocity - hastened) + (float)fall * rates.Velocity;
+            gap.Rotation = gpu.Pose.TurnFrom(then.Motion.Pose) + since * (gap.AngularVelocity - turning) + (float)fall * rates.AngularVelocity;
             for (long j = frame + 1; j <= newest; j++) Subtract(ref gap, entries[j % Memory].Given, (float)(now - entries[j % Memory].Begin));
             Subtract(ref gap, given, 0f);
+            float gain = held ? HeldGain : Gain;
             return new FloatChange
             {
-                Velocity = Gain * gap.Velocity,
-                AngularVelocity = Gain * gap.AngularVelocity,
-                Displacement = Gain * gap.Displacement,
-                Rotation = Vector3.ClampMagnitude(Gain * gap.Rotation, mostTurn),
+                Velocity = gain * gap.Velocity,
+                AngularVelocity = gain * gap.AngularVelocity,
+                Displacement = gain * gap.Displacement,
+                Rotation = Vector3.ClampMagnitude(gain * gap.Rotation, mostTurn),
             };
         }
 

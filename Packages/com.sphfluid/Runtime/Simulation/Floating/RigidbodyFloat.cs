@@ -24,6 +24,9 @@ namespace SphFluid
         // Corrections below this would keep bodies from resting [m, rad].
         const float LeastCorrection = 1e-5f;
 
+        // A body farther than this from the GPU's does not fall asleep there [m].
+        const float RestGap = 1e-3f;
+
         readonly Rigidbody rigidbody;
         readonly FloatFollower follower = new FloatFollower();
         readonly float reach;
@@ -40,7 +43,7 @@ namespace SphFluid
             public FloatRest Rest;
             public float StepLength, Unseen, Acted; // Unseen: what a fall in several steps may differ from one in one; Acted: time since a correction was given
             public uint Epoch;
-            public bool IsKnown, IsPulled, IsCorrected;
+            public bool IsKnown, IsPulled, IsCorrected, IsHeld; // IsHeld: the last correction was refused
         }
 
         public RigidbodyFloat(Rigidbody rigidbody, float reach, in FloatSpace space)
@@ -124,7 +127,7 @@ namespace SphFluid
             state.Epoch = Body.Epoch;
             FloatMotion now = state.Last;
             now.Pose = Turned(now.Pose, lead * now.Velocity, lead * now.AngularVelocity);
-            follower.Note(frame, time, now, lead + state.Acted);
+            follower.Note(frame, time, now, state.Acted, lead);
             state.Acted = 0f;
         }
 
@@ -174,7 +177,8 @@ namespace SphFluid
             rates.Velocity += state.Mass.Gravity;
             float mostTurn = time * Mathf.Max(0f, rigidbody.maxAngularVelocity - state.Last.AngularVelocity.magnitude);
             FloatChange change = follower.Correct(
-                new FloatMotion { Pose = known.Pose, Velocity = known.Velocity, AngularVelocity = known.AngularVelocity }, Body.KnownFrame, rates, mostTurn);
+                new FloatMotion { Pose = known.Pose, Velocity = known.Velocity, AngularVelocity = known.AngularVelocity }, Body.KnownFrame,
+                rates, mostTurn, state.IsHeld);
             given.Velocity += change.Velocity;
             given.AngularVelocity += change.AngularVelocity;
             if (change.Displacement.magnitude < LeastCorrection && change.Rotation.magnitude < LeastCorrection) return;
@@ -196,7 +200,8 @@ namespace SphFluid
             bool asleep = rigidbody.IsSleeping();
             float energy = Mathf.Max(Energy(known.Velocity, known.AngularVelocity), Energy(state.Last.Velocity, state.Last.AngularVelocity));
             Vector3 acceleration = pull.Velocity + state.Mass.Free(state.Mass.Gravity);
-            if (!state.Rest.Turns(asleep, acceleration, energy, rigidbody.sleepThreshold, known.Time)) return;
+            bool isBehind = (known.Pose.Centre - state.Last.Pose.Centre).magnitude > RestGap;
+            if (!state.Rest.Turns(asleep, acceleration, isBehind ? float.PositiveInfinity : energy, rigidbody.sleepThreshold, known.Time)) return;
             if (asleep) rigidbody.WakeUp();
             else rigidbody.Sleep();
         }
@@ -232,7 +237,9 @@ namespace SphFluid
             follower.Give(state.Given);
             state.ExpectedVelocity = kept * (state.ExpectedVelocity + velocity);
             state.ExpectedAngularVelocity = keptTurn * (state.ExpectedAngularVelocity + angularVelocity);
-            state.Refused.Displacement -= step * state.Shift.End(now.Velocity, kept * (state.Last.Velocity + velocity), kept, out Vector3 left);
+            Vector3 refused = state.Shift.End(now.Velocity, kept * (state.Last.Velocity + velocity), kept, out Vector3 left);
+            state.IsHeld = refused != Vector3.zero;
+            state.Refused.Displacement -= step * refused;
             state.Refused.Rotation -= step * state.Turn.End(now.AngularVelocity, keptTurn * (state.Last.AngularVelocity + angularVelocity), keptTurn, out Vector3 leftTurn);
             now.Velocity -= left;
             now.AngularVelocity -= leftTurn;
