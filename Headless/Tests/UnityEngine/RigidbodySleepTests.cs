@@ -111,16 +111,4 @@ public class RigidbodySleepTests : EngineFixture
         }
         Assert.That(body.IsSleeping(), Is.False);
     }
-
-    [Test]
-    public void AStackFallsAsleep()
-    {
-        new GameObject("Floor").AddComponent<BoxCollider>().size = new Vector3(10f, 1f, 10f);
-        Rigidbody lower = Make(new Vector3(0f, 1f, 0f)), upper = Make(new Vector3(0f, 2f, 0f));
-        lower.GetComponent<BoxCollider>().size = new Vector3(1.5f, 1f, 1.5f);
-        (lower.useGravity, upper.useGravity) = (true, true);
-        Simulate(200);
-        Assert.That((lower.IsSleeping(), upper.IsSleeping()), Is.EqualTo((true, true)), $"{lower.velocity} {upper.velocity}");
-        Assert.That(upper.position.y, Is.EqualTo(2f).Within(0.02f));
-    }
 }

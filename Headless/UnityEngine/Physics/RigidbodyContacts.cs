@@ -6,7 +6,8 @@ namespace Headless.Engine;
 
 /// <summary>
 /// Contacts of a body's corners, or of its balls and capsules, with colliders and other bodies: impulses one after the other, Coulomb's
-/// friction of Unity's default material. Less than PhysX does: edges pass edges, and a body in the other's inside only corners push out.
+/// friction of Unity's default material. Less than PhysX does: edges pass edges, and a body in the other's inside only corners push out;
+/// bodies in a stack keep a step of gravity, and stay awake.
 /// </summary>
 sealed class RigidbodyContacts
 {
