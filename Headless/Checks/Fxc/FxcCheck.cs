@@ -24,31 +24,22 @@ internal sealed class FxcCheck(ProjectPackages packages, string cacheFolder)
         var folder = Directory.CreateTempSubdirectory("fxc");
         try
         {
-            var (results, yardstick) = Measure(jobs, toolchain, folder.FullName, report);
-            // A busy moment only lengthens a compilation, and Wine may crash in one: what seems too long, or crashed, is compiled again.
-            for (var turn = 0; turn < 3 && results.Where(r => r.HasCrashed || FxcBudget.IsSlow(r)).Select(r => r.Job).ToList() is { Count: > 0 } odd; turn++)
-                foreach (var again in Measure(jobs with { Jobs = odd }, toolchain, folder.FullName, report).Results)
-                    if (results.FindIndex(r => r.Job == again.Job) is var at && again.IsBetterThan(results[at])) results[at] = again;
+            var results = Compiled(jobs, toolchain, folder.FullName);
+            // Wine may crash in a compilation: that says something of the kernel only where it comes back.
+            for (var turn = 0; turn < 3 && results.Where(r => r.HasCrashed).Select(r => r.Job).ToList() is { Count: > 0 } crashed; turn++)
+                foreach (var again in Compiled(jobs with { Jobs = crashed }, toolchain, folder.FullName))
+                    if (results.FindIndex(r => r.Job == again.Job) is var at && !again.HasCrashed) results[at] = again;
             foreach (var result in results) Check(result, report);
             if (results.Count != jobs.Jobs.Count) report.Findings.Add($"{jobs.Jobs.Count} jobs went in, {results.Count} results came out");
-            var slots = results.Count > 0 ? results.Max(r => r.Slots) : 0;
-            report.Figures = $"{results.Count} entry points and variants of {jobs.Files} files compiled by d3dcompiler_47, at most {slots} instruction slots";
+            report.Figures = $"{results.Count} entry points and variants of {jobs.Files} files compiled by d3dcompiler_47";
             new FxcBudget(packages.Product).Check(results, report);
-            report.Figures += $"; the yardstick took {yardstick:F0} ms";
             new ShaderGroupCheck(packages.Product).Check(results, report);
         }
         finally { folder.Delete(recursive: true); }
     }
 
-    // Times are scaled by the yardstick's.
-    private static (List<FxcResult> Results, double Yardstick) Measure(HlslJobs jobs, WineToolchain toolchain, string folder, CheckReport report)
-    {
-        var all = jobs with { Jobs = [.. jobs.Jobs, FxcYardstick.Job] };
-        var lines = all.Write(folder, profile => profile);
-        var compiled = toolchain.Run(folder, FxcYardstick.Among(lines.SkipLast(1), lines[^1])).Select(line => FxcResult.Parse(line, all.Jobs)).ToList();
-        if (!compiled.Exists(r => r.Job == FxcYardstick.Job && r.Ok) && compiled.Find(r => r.Job == FxcYardstick.Job) is { } lost) report.Findings.Add($"{lost.Job.Name} does not compile: {lost.Messages}");
-        return (FxcYardstick.Scale(compiled), FxcYardstick.Milliseconds(compiled));
-    }
+    private static List<FxcResult> Compiled(HlslJobs jobs, WineToolchain toolchain, string folder) =>
+        [.. toolchain.Run(folder, jobs.Write(folder, profile => profile)).Select(line => FxcResult.Parse(line, jobs.Jobs))];
 
     private static void Check(FxcResult result, CheckReport report)
     {

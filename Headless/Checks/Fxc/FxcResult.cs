@@ -10,9 +10,6 @@ internal sealed record FxcResult(
     /// <summary>Whether the compiler fell over, which says nothing of the kernel when it happens once.</summary>
     public bool HasCrashed => !Ok && Messages.Contains("crashed", StringComparison.Ordinal);
 
-    /// <summary>Whether to take this result of the same job: the other one crashed, or a busy moment lengthened it.</summary>
-    public bool IsBetterThan(FxcResult other) => other.HasCrashed ? !HasCrashed : Milliseconds < other.Milliseconds && !HasCrashed;
-
     public static FxcResult Parse(string line, IReadOnlyList<FxcJob> jobs)
     {
         var fields = line.Split('\t');
