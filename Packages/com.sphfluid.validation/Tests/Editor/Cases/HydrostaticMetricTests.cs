@@ -137,6 +137,7 @@ namespace SphFluid.Tests
             Spacing = (float)(Depth / Layers),
             SupportRadius = (float)(2.25 * Depth / Layers),
             RestDensity = 1000f,
+            TimeStep = 0.001f,
             Gravity = new Vector3(0, -(float)Gravity, 0),
         }.WithOwn(new ThesisSettings { PressureHalf = half, Stiffness = (float)(half ? 2 * soundSquared : soundSquared) });
 

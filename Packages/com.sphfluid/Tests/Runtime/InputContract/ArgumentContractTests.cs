@@ -229,7 +229,7 @@ namespace SphFluid.Tests
             if (type == typeof(FluidBuffers)) return simulation.TryGetBuffers(out FluidBuffers buffers) ? buffers : default;
             if (type == typeof(FluidObstacles)) return Obstacles(simulation.Solver.Settings);
             if (type == typeof(TriangleMesh)) return TriangleMesh.Box(Matrix4x4.Scale(0.1f * Vector3.one));
-            if (type == typeof(Collider)) return new GameObject("Box") { layer = SimulationRig.Layer - 1 }.AddComponent<BoxCollider>();
+            if (type == typeof(Collider)) return Box();
             if (type == typeof(WallForces)) return simulation.Solver.WallForces;
             if (type == typeof(WallPatch)) return Patch(simulation.Solver.WallForces);
             if (type == typeof(SurfaceGrid)) return SurfaceGrid.OverDomain(simulation.DomainSize, SurfaceGridSize.Cells32);
@@ -248,6 +248,13 @@ namespace SphFluid.Tests
             if (type == typeof(FluidSurfaceOptions)) return new FluidSurfaceOptions { Quality = FluidSurfaceQuality.Cheap };
             if (typeof(MonoBehaviour).IsAssignableFrom(type)) return Component(type);
             throw new NotSupportedException($"There is no example of {type.Name}. Add one here.");
+        }
+
+        BoxCollider Box()
+        {
+            GameObject holder = liquid.Rig.NewObject("Box");
+            holder.layer = SimulationRig.Layer - 1;
+            return holder.AddComponent<BoxCollider>();
         }
 
         T Made<T>(T item) where T : IDisposable
