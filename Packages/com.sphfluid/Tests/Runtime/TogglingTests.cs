@@ -65,7 +65,7 @@ namespace SphFluid.Tests
         static GameObject Holder(SimulationRig rig, FluidSimulation simulation, Type type)
         {
             if (type == typeof(FluidPlayback)) return rig.Create(type.Name, position: 5f * Vector3.up).gameObject;
-            if (typeof(FluidRenderer).IsAssignableFrom(type) || type == typeof(FluidDiagnostics) || type == typeof(FluidWhitewater)) return simulation.gameObject;
+            if (typeof(FluidView).IsAssignableFrom(type) || type == typeof(FluidDiagnostics) || type == typeof(FluidWhitewater)) return simulation.gameObject;
             GameObject holder = rig.NewObject(type.Name);
             holder.transform.SetParent(simulation.transform, false);
             holder.transform.localPosition = new Vector3(0.1f, 0.15f, 0.1f);
