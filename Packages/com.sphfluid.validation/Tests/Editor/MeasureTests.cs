@@ -51,7 +51,7 @@ namespace SphFluid.Tests
         public void ALiquidIsAtRestWhereItsMotionLiftsItByATenthOfASpacing(double speed, bool atRest)
         {
             // √(2 · 10 m/s² · 0.01 m) = 0.447 m/s.
-            var settings = new FluidSolverSettings { Gravity = 10f * Vector3.down, Spacing = 0.1f };
+            var settings = new FluidSolverSettings { Gravity = 10f * Vector3.down, Spacing = 0.1f, TimeStep = 0.001f };
             Assert.That(LiquidVolume.IsAtRest(speed, settings), Is.EqualTo(atRest));
         }
 
@@ -66,7 +66,7 @@ namespace SphFluid.Tests
                 new FluidParticle(Vector3.zero, new Vector3(0, float.PositiveInfinity, 0), 3),
             };
             FluidSnapshot snapshot = FluidSnapshot.FromParticles(particles, new[] { 1020f, 900f, 1000f, 1000f }, new float[4], Matrix4x4.identity);
-            var settings = new FluidSolverSettings { DomainSize = Vector3.one, RestDensity = 1000f, ParticleMass = 0.5f };
+            var settings = new FluidSolverSettings { DomainSize = Vector3.one, TimeStep = 0.001f, RestDensity = 1000f, ParticleMass = 0.5f };
 
             SnapshotStatistics statistics = SnapshotStatistics.Of(snapshot, settings);
 

@@ -99,7 +99,7 @@ namespace SphFluid.Tests
             Assert.That(BitConverter.ToSingle(bytes, data + 48 + 36), Is.EqualTo(1001f), "density of id 1");
             Assert.That(BitConverter.ToUInt32(bytes, data + 48 + 44), Is.EqualTo(1u));
             Assert.That(Encoding.ASCII.GetString(bytes, 0, data), Does.Contain("\ncomment metres in world space; the centre of the domain is at 100000 0 -0.5\n"));
-            var settings = new FluidSolverSettings { DomainSize = Vector3.one, RestDensity = 1000f, ParticleMass = 0.5f };
+            var settings = new FluidSolverSettings { DomainSize = Vector3.one, TimeStep = 0.001f, RestDensity = 1000f, ParticleMass = 0.5f };
             Assert.That(SnapshotStatistics.Of(snapshot, settings).Centre.X, Is.EqualTo(100002.0005).Within(1e-9));
         }
 

@@ -98,7 +98,7 @@ namespace SphFluid.Tests
 
         static DropsMetric Metric()
         {
-            var settings = new FluidSolverSettings { Method = FluidMethodKind.Standard, Spacing = 0.05f, RestDensity = 1000f, ParticleMass = 1f, DomainSize = 100f * Vector3.one };
+            var settings = new FluidSolverSettings { Method = FluidMethodKind.Standard, Spacing = 0.05f, TimeStep = 0.001f, RestDensity = 1000f, ParticleMass = 1f, DomainSize = 100f * Vector3.one };
             return new DropsMetric(settings.WithOwn(new StandardSettings { SoundSpeed = 30f }), 3.0, 6.0, 1.0);
         }
 
