@@ -8,10 +8,8 @@ namespace SphFluid.Editor
     internal static class FluidPlacement
     {
         const int RaysASide = 3;
-        const int Attempts = 16;
+        const int Attempts = 16, MostAtAPoint = 16;
         const float PointRadius = 1e-4f; // m
-
-        static readonly Collider[] Found = new Collider[16];
 
         /// <summary>The point that the Scene view turns about; the origin where none is open.</summary>
         public static Vector3 Pivot => SceneView.lastActiveSceneView != null ? SceneView.lastActiveSceneView.pivot : Vector3.zero;
@@ -56,9 +54,10 @@ namespace SphFluid.Editor
 
         static float? TopOfSolid(PhysicsScene physics, Vector3 point)
         {
-            int count = physics.OverlapSphere(point, PointRadius, Found, Physics.DefaultRaycastLayers, QueryTriggerInteraction.Ignore);
+            var found = new Collider[MostAtAPoint];
+            int count = physics.OverlapSphere(point, PointRadius, found, Physics.DefaultRaycastLayers, QueryTriggerInteraction.Ignore);
             for (int i = 0; i < count; i++)
-                if (IsSolid(Found[i])) return Found[i].bounds.max.y + PointRadius;
+                if (IsSolid(found[i])) return found[i].bounds.max.y + PointRadius;
             return null;
         }
 
