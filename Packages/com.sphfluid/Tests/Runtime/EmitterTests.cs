@@ -144,11 +144,11 @@ namespace SphFluid.Tests
         {
             float speed = shape == FluidEmitterShape.Disc ? 2f : 1f;
             FluidSimulation simulation = Tank(true);
-            simulation.DomainSize = new Vector3(0.48f, 0.6f, 0.48f);
+            simulation.DomainSize = new Vector3(0.36f, 0.6f, 0.48f);
             simulation.ExpectedSpeed = 3f;
             simulation.Gravity = 9.81f * Vector3.down;
             FluidVolume water = rig.AddVolume(simulation);
-            water.Size = new Vector3(0.48f, 0.4f, 0.48f);
+            water.Size = new Vector3(0.36f, 0.4f, 0.48f);
             water.transform.localPosition = new Vector3(0f, -0.1f, 0f);
             FluidEmitter emitter = Nozzle(simulation, new Vector3(0f, -0.15f, -0.1f), Vector3.forward, 0.08f, speed);
             emitter.Shape = shape;
@@ -161,7 +161,7 @@ namespace SphFluid.Tests
             var dense = new List<float>();
             var lateral = new List<float>();
             float nearest = 1f;
-            for (int frame = 0; frame < 32; frame++)
+            for (int frame = 0; frame < 26; frame++)
             {
                 yield return null;
                 FluidParticle[] all = GpuTest.Read<FluidParticle>(simulation.Solver.Particles, simulation.Solver.ParticleCount);

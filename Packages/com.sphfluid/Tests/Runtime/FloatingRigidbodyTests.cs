@@ -24,10 +24,10 @@ namespace SphFluid.Tests
             rig = new SimulationRig(1f / 60f);
             Time.fixedDeltaTime = Time.captureDeltaTime; // a physics step a frame: places are of the same time
             simulation = rig.Create(liquid: false);
-            simulation.DomainSize = new Vector3(16f, 20f, 16f) * Spacing;
+            simulation.DomainSize = new Vector3(13f, 20f, 13f) * Spacing;
             simulation.Spacing = Spacing;
             FluidVolume water = rig.AddVolume(simulation);
-            water.Size = new Vector3(16f, 10f, 16f) * Spacing;
+            water.Size = new Vector3(13f, 10f, 13f) * Spacing;
             water.transform.localPosition = new Vector3(0f, -5f * Spacing, 0f);
         }
 
@@ -92,7 +92,7 @@ namespace SphFluid.Tests
         public IEnumerator TheAgeOfTheReadBackDoesNotChangeTheLiquidsBody()
         {
             var found = new List<FloatingState>();
-            foreach (int age in new[] { 1, 2, 3, 4 })
+            foreach (int age in new[] { 1, 4 })
             {
                 Rigidbody crate = AddCrate(0.25f, 0.1f);
                 crate.isKinematic = true;

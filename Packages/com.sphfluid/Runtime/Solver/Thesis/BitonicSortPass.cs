@@ -60,22 +60,32 @@ namespace SphFluid
                     SortRows(cmd, data, level, level, count);
                 }
 
-                // level & ~count: the last level of all runs upwards everywhere.
-                int width = BlockSize;
-                int height = count / BlockSize;
                 for (int level = BlockSize << 1; level <= count && level > 0; level <<= 1)
                 {
-                    for (int distance = level >> 1; distance >= BlockSize * BlockSize; distance >>= 1)
-                    {
-                        RecordMerge(cmd, data, distance, level & ~count, count);
-                    }
-
-                    Transpose(cmd, data, temp, width, height);
-                    SortRows(cmd, temp, Mathf.Min(level / BlockSize, BlockSize), (level & ~count) / BlockSize, count);
-                    Transpose(cmd, temp, data, height, width);
-                    SortRows(cmd, data, BlockSize, level & ~count, count);
+                    RecordLevel(cmd, data, temp, level, count);
                 }
             }
+        }
+
+        /// <summary>Sorts runs of a length, halves of which go up and down by turns.</summary>
+        /// <param name="cmd">Command buffer.</param>
+        /// <param name="data">The pairs, sorted in place.</param>
+        /// <param name="temp">As many pairs again.</param>
+        /// <param name="level">Length of the runs, a power of two above a block.</param>
+        /// <param name="count">Number of pairs, a power of two.</param>
+        public void RecordLevel(CommandBuffer cmd, GraphicsBuffer data, GraphicsBuffer temp, int level, int count)
+        {
+            int width = BlockSize, height = count / BlockSize;
+            for (int distance = level >> 1; distance >= BlockSize * BlockSize; distance >>= 1)
+            {
+                RecordMerge(cmd, data, distance, level & ~count, count);
+            }
+
+            // level & ~count: the last level of all runs upwards everywhere.
+            Transpose(cmd, data, temp, width, height);
+            SortRows(cmd, temp, Mathf.Min(level / BlockSize, BlockSize), (level & ~count) / BlockSize, count);
+            Transpose(cmd, temp, data, height, width);
+            SortRows(cmd, data, BlockSize, level & ~count, count);
         }
 
         void SortRows(CommandBuffer cmd, GraphicsBuffer data, int level, int levelMask, int count)

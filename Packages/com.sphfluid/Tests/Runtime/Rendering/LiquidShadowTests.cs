@@ -283,7 +283,7 @@ namespace SphFluid.Tests
             if (drawn == "particles")
                 simulation.gameObject.AddComponent<FluidParticleRenderer>();
             else if (drawn == "thesis")
-                simulation.gameObject.AddComponent<FluidGeometrySurfaceRenderer>();
+                simulation.gameObject.AddComponent<FluidGeometrySurfaceRenderer>().GridSize = SurfaceGridSize.Cells32;
             else
                 simulation.gameObject.AddComponent<FluidSurfaceRenderer>().Look = drawn == "water" ? FluidSurfaceLook.Water : FluidSurfaceLook.Opaque;
             if (drawn != "water")

@@ -8,55 +8,55 @@ namespace SphFluid.Tests
     {
         const float TimeStep = 0.02f; // in sqrt(H/g)
 
-        // Frames of 5 steps; damped for a while, then free.
-        static RobustLiquid Settled()
+        // Stiffness goes as the step's inverse square: without the memory each change of the steps lifts or drops the liquid by a part of its compression.
+        [Test]
+        public void LiquidAtRestIsCalmAndFramesThatVaryMoveItLittle()
         {
-            RobustLiquid column = RobustLiquid.Column(TimeStep, 4, 12);
+            using (RobustLiquid column = RobustLiquid.Column(TimeStep, 4, 12))
+            {
+                Settle(column);
+                double calm = MeanSpeed(column, 20, () => column.Frame(5));
+                double remembered = MeanSpeed(column, 60, Varied(column, true)), alone = MeanSpeed(column, 60, Varied(column, false));
+
+                string figures = $"v_rms {calm:G3} of sqrt(g H); steps that vary by a fifth, remembered: {remembered:G3}, each alone: {alone:G3}";
+                TestContext.Out.WriteLine(figures);
+                Assert.That(calm, Is.LessThan(0.002), figures);
+                Assert.That(remembered, Is.LessThan(0.02), figures);
+                Assert.That(alone, Is.GreaterThan(0.022), figures + ": the memory is what it is for");
+            }
+        }
+
+        // Frames of 5 steps; damped for a while, then free.
+        static void Settle(RobustLiquid column)
+        {
             for (int frame = 0; frame < 220; frame++)
             {
                 column.Frame(5);
                 if (frame < 30 && frame % 2 == 0) column.Damp(0.2f);
             }
-            return column;
         }
 
-        [Test]
-        public void LiquidAtRestIsCalm()
+        static Action Varied(RobustLiquid column, bool remembers)
         {
-            using (RobustLiquid column = Settled())
+            var random = new Random(1);
+            var clock = new FrameClock(5, 1.0, 5, TimeStep);
+            return () =>
             {
-                double sum = 0.0;
-                for (int frame = 0; frame < 20; frame++)
-                {
-                    column.Frame(5);
-                    sum += column.Speed() / 20.0;
-                }
-                TestContext.Out.WriteLine($"v_rms {sum:G3} of sqrt(g H)");
-                Assert.That(sum, Is.LessThan(0.002));
-            }
+                int steps = clock.Advance(5.0 * TimeStep * (0.8 + 0.4 * random.NextDouble()));
+                column.Solver.LongestStep = remembers ? (float)clock.LongestOfLate : 0f;
+                column.Frame(steps, (float)clock.TimeStep);
+            };
         }
 
-        // Stiffness goes as the step's inverse square: without the memory each change lifts or drops the liquid by a part of its compression.
-        [TestCase(true)]
-        [TestCase(false)]
-        public void FramesThatVaryMoveItLittle(bool remembers)
+        static double MeanSpeed(RobustLiquid column, int frames, Action play)
         {
-            using (RobustLiquid column = Settled())
+            double sum = 0.0;
+            for (int frame = 0; frame < frames; frame++)
             {
-                var random = new Random(1);
-                var clock = new FrameClock(5, 1.0, 5, TimeStep);
-                double sum = 0.0;
-                for (int frame = 0; frame < 60; frame++)
-                {
-                    int steps = clock.Advance(5.0 * TimeStep * (0.8 + 0.4 * random.NextDouble()));
-                    if (remembers) column.Solver.LongestStep = (float)clock.LongestOfLate;
-                    column.Frame(steps, (float)clock.TimeStep);
-                    sum += column.Speed() / 60.0;
-                }
-                TestContext.Out.WriteLine($"steps that vary by a fifth, {(remembers ? "remembered" : "each alone")}: v_rms {sum:G3} of sqrt(g H)");
-                if (remembers) Assert.That(sum, Is.LessThan(0.02));
-                else Assert.That(sum, Is.GreaterThan(0.022), "the memory is what it is for");
+                play();
+                sum += column.Speed() / frames;
             }
+            return sum;
         }
     }
 }

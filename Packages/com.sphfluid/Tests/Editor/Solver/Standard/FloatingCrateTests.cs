@@ -12,9 +12,9 @@ namespace SphFluid.Tests
         [TestCase(0.5f)]
         public void ACrateFloatsUprightAsDeepAsItIsHeavy(float ratio)
         {
-            using (var tank = new FloatingTank(0.06f, 16, 10, 0.3f * new Vector3(1.5f, 1f, 1.5f), ratio, 0.3f * (0.55f - ratio), Quaternion.Euler(5f, 0f, 3f)))
+            using (var tank = new FloatingTank(0.06f, 13, 9, 0.3f * new Vector3(1.5f, 1f, 1.5f), ratio, 0.3f * (0.55f - ratio), Quaternion.Euler(5f, 0f, 3f)))
             {
-                tank.Play(1.6);
+                tank.Play(1.3);
                 string figures = tank.Figures(0.5);
                 Assert.That(tank.Tilt, Is.LessThan(8.0), figures);
                 Assert.That(tank.Draught(0.5), Is.EqualTo(ratio).Within(0.3 * 0.06 / 0.3), figures); // 0.3 dx

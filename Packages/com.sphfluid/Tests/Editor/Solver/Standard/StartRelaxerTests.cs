@@ -8,8 +8,8 @@ namespace SphFluid.Tests
     /// <summary>A relaxed pool does not pop when it is let go; overlapping particles part.</summary>
     public sealed class StartRelaxerTests
     {
-        const float Spacing = 0.025f, Depth = 0.25f;
-        static readonly Vector3 Domain = new Vector3(0.25f, 0.4f, 0.2f);
+        const float Spacing = 0.025f, Depth = 0.15f;
+        static readonly Vector3 Domain = new Vector3(0.25f, 0.3f, 0.2f);
 
         FluidShaderSet shaders;
 

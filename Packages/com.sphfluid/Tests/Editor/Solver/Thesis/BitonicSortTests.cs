@@ -35,7 +35,14 @@ namespace SphFluid.Tests
         [Test]
         public void ColumnsLongerThanABlock()
         {
-            CheckSort(SortPairs.Random(2 * 1024 * 1024, 300000));
+            // The last level alone, of halves that go up and down.
+            const int Count = 2 * BitonicSortPass.BlockSize * BitonicSortPass.BlockSize;
+            ulong[] pairs = SortPairs.Random(Count, 300000);
+            Array.Sort(pairs, 0, Count / 2);
+            Array.Sort(pairs, Count / 2, Count / 2);
+            Array.Reverse(pairs, Count / 2, Count / 2);
+            var sort = new BitonicSortPass(shaders);
+            SortPairs.Check(pairs, (cmd, data, temp, count) => sort.RecordLevel(cmd, data, temp, Count, count));
         }
 
         [Test]

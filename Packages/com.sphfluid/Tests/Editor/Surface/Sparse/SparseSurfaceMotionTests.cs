@@ -8,7 +8,7 @@ namespace SphFluid.Tests
     /// <summary>A dam break, frame by frame: column, splash, wave and drops.</summary>
     public sealed class SparseSurfaceMotionTests
     {
-        const int Frames = 100;
+        const int Frames = 60;
         const int StepsAFrame = 10;
         const float Spacing = 0.03f;
 

@@ -23,7 +23,7 @@ namespace SphFluid.Tests
 
         static Vector3 Domain => Spacing * new Vector3(Narrow + Plate + Wide, Top, Slab);
 
-        // Of Jurin's difference, 5.15 spacings at 60 degrees and as much down at 120, 0.8 and 1.4 come: the paper Standard says why. What is asserted is the
+        // Of Jurin's difference, 5.15 spacings at 60 degrees and as much down at 120, 0.7 and 1.3 come: the paper Standard says why. What is asserted is the
         // direction, more than the half spacing that the slots may differ by at 90 degrees, and that it does not go beyond Jurin's.
         [TestCase(60f)]
         [TestCase(90f)]
@@ -35,12 +35,12 @@ namespace SphFluid.Tests
                 Dip(rig);
                 rig.Start(Pool());
                 var found = new List<double>();
-                while (found.Count < 4)
+                while (found.Count < 2)
                 {
                     Settle(rig, 0.2 * period);
                     found.Add(Rise(rig) / Spacing);
                 }
-                double jurin = (Jurin(Narrow * Spacing, angle) - Jurin(Wide * Spacing, angle)) / Spacing, rise = 0.5 * (found[2] + found[3]);
+                double jurin = (Jurin(Narrow * Spacing, angle) - Jurin(Wide * Spacing, angle)) / Spacing, rise = found[1];
                 string figures = $"{string.Join(", ", found.Select(f => f.ToString("f2")))} spacings after each fifth of a period of {1e3 * period:f0} ms, {jurin:f2} by Jurin";
                 TestContext.WriteLine(figures);
                 Assert.That(rig.Solver.ReadCountersNow().NonFinite, Is.Zero);
