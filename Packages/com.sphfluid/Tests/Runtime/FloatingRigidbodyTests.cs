@@ -17,18 +17,24 @@ namespace SphFluid.Tests
         readonly float fixedDelta = Time.fixedDeltaTime;
         SimulationRig rig;
         FluidSimulation simulation;
+        FluidVolume water;
 
         [SetUp]
-        public void Fill()
+        public void SetUp()
         {
             rig = new SimulationRig(1f / 60f);
             Time.fixedDeltaTime = Time.captureDeltaTime; // a physics step a frame: places are of the same time
             simulation = rig.Create(liquid: false);
-            simulation.DomainSize = new Vector3(13f, 20f, 13f) * Spacing;
             simulation.Spacing = Spacing;
-            FluidVolume water = rig.AddVolume(simulation);
-            water.Size = new Vector3(13f, 10f, 13f) * Spacing;
+            water = rig.AddVolume(simulation);
             water.transform.localPosition = new Vector3(0f, -5f * Spacing, 0f);
+            Fill(13f);
+        }
+
+        void Fill(float across)
+        {
+            simulation.DomainSize = new Vector3(across, 20f, across) * Spacing;
+            water.Size = new Vector3(across, 10f, across) * Spacing;
         }
 
         [TearDown]
@@ -121,6 +127,7 @@ namespace SphFluid.Tests
             GameObject floor = rig.NewObject("Floor");
             floor.AddComponent<BoxCollider>().size = new Vector3(2f, 0.2f, 2f);
             floor.transform.position = new Vector3(0f, -0.5f * simulation.DomainSize.y - 0.06f, 0f); // its top 4 cm above the domain's
+            Fill(16f); // what it displaces gets away
             Rigidbody crate = AddCrate(2f, 0f, 0f);
             yield return Play(2f);
             float top = floor.transform.position.y + 0.1f;

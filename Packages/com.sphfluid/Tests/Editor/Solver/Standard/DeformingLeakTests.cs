@@ -27,7 +27,7 @@ namespace SphFluid.Tests
             FluidSolverSettings settings = BodyRig.Water(domain, Spacing, 12 * Spacing, 5f);
             TriangleMesh ball = PrimitiveTessellator.Capsule(Matrix4x4.identity, Radius, 0f, chordError), skin = Waved(ball, 0f);
             Assert.That(skin.IsClosed);
-            Vector3Int counts = dense ? new Vector3Int(18, 14, 18) : new Vector3Int(7, 7, 7);
+            Vector3Int counts = dense ? new Vector3Int(18, 14, 18) : new Vector3Int(6, 7, 6);
             FluidParticle[] water = FloatingRig.Block(counts, dense ? Spacing : 3f * Spacing, -0.5f * domain).Where(p => !skin.IsNear(p.Position, 0.45f * Spacing)).ToArray();
             for (int i = 0; i < water.Length; i++) water[i].Id = (uint)i;
             bool[] inside = water.Select(p => skin.Contains(p.Position)).ToArray();
@@ -39,10 +39,10 @@ namespace SphFluid.Tests
                 var crossed = new HashSet<int>();
                 var passed = new HashSet<int>();
                 float turned = 0f;
-                for (int frame = 0; frame < 14; frame++)
+                for (int frame = 0; frame < 10; frame++)
                 {
                     skin = Waved(ball, frame / 60f);
-                    if (frame > 7) turned += 3f;
+                    if (frame > 5) turned += 3f;
                     Matrix4x4 pose = Matrix4x4.TRS(0.001f * turned * Vector3.up, Quaternion.Euler(0f, turned, 0f), Vector3.one);
                     obstacles.Reshape(mesh, skin);
                     obstacles.MoveTo(mesh, pose);
