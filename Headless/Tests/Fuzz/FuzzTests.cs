@@ -14,7 +14,7 @@ namespace Headless.Tests.Fuzz;
 [Category("Gpu")]
 public sealed class FuzzTests
 {
-    private const int UsualCount = 600;
+    private const int UsualCount = 300;
     private const int CompileEvery = 8;
 
     private FuzzProject project = null!;

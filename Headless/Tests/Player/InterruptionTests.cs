@@ -52,7 +52,7 @@ public sealed class InterruptionTests
     [Test]
     public void BetweenFrames()
     {
-        using Process process = PlayerProcess.Start(DamBreak());
+        using Process process = PlayerProcess.Start(DamBreak("--", "--particles", "300"));
         WaitFor(process, () => File.Exists(Path.Combine(folder, FrameWriter.Name(3))));
         PlayerProcess ended = End(process, Interrupt);
         Assert.That(ended.Output, Does.Contain("interrupted: "));
