@@ -129,11 +129,18 @@ namespace SphFluid.Tests
             floor.transform.position = new Vector3(0f, -0.5f * simulation.DomainSize.y - 0.06f, 0f); // its top 4 cm above the domain's
             Fill(16f); // what it displaces gets away
             Rigidbody crate = AddCrate(2f, 0f, 0f);
-            yield return Play(2f);
+            yield return Play(1.6f);
             float top = floor.transform.position.y + 0.1f;
-            float gap = (OnTheGpu().Centre - crate.worldCenterOfMass).magnitude;
-            Assert.That(crate.position.y - 0.5f * Crate.y, Is.InRange(top - 0.003f, top + 0.5f * Spacing), "on the floor, or on a film of water that cannot get away");
-            Assert.That(gap, Is.LessThan(0.003f));
+            var gaps = new List<float>();
+            for (int frame = 0; frame < 30; frame++)
+            {
+                yield return null;
+                gaps.Add((OnTheGpu().Centre - crate.worldCenterOfMass).magnitude);
+                Assert.That(crate.position.y - 0.5f * Crate.y, Is.InRange(top - 0.003f, top + 0.5f * Spacing), "on the floor, or on a film of water that cannot get away");
+            }
+            // The floor is PhysX's: the liquid's body is held by what PhysX refuses, some frames late.
+            Assert.That(gaps.Average(), Is.LessThan(0.004f));
+            Assert.That(gaps.Max(), Is.LessThan(0.01f));
         }
 
         [UnityTest]
