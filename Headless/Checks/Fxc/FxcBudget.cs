@@ -22,7 +22,6 @@ internal sealed class FxcBudget(string packageRoot)
         ["ResolveContacts"] = 1800, // four kinds of bodies; those that deform are followed through a step
         // 27 samples a thread in registers through nested loops, two filters.
         ["SampleBlocks"] = 1600,
-        ["KickParticles"] = 1800,
     };
 
     public void Check(IReadOnlyList<FxcResult> results, CheckReport report)
