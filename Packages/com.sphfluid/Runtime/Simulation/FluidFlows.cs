@@ -167,7 +167,8 @@ namespace SphFluid
                     Adopt(emitter.State);
                 }
                 run.IsUsed = true;
-                if (EmitterChecks.Check(emitter, spec, solver.Settings.SoundSpeed) is FluidMessage wrong) report(wrong);
+                double soundSpeed = emitter.State.IsOn ? solver.Settings.SoundSpeed : double.PositiveInfinity; // it falls where nothing comes in
+                if (EmitterChecks.Check(emitter, spec, soundSpeed) is FluidMessage wrong) report(wrong);
                 else run.Emit(emitter, spec, begin, begin + time, solver.Exchange.Births, solver.Exchange.Lifetimes);
             }
             gone.Clear();

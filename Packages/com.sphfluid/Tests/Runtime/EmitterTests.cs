@@ -204,6 +204,19 @@ namespace SphFluid.Tests
             Assert.That(simulation.Messages.Single(m => m.Issue == FluidIssue.EmitterBlocked).Text, Does.StartWith("Of what the emitter gives 100 % finds no place"));
         }
 
+        // The speed of sound follows the liquid down once nothing comes in any more.
+        [UnityTest]
+        public IEnumerator AnEmitterThatIsOffIsNotHeldAgainstTheSpeedOfSound()
+        {
+            FluidSimulation simulation = Tank(false, true);
+            FluidEmitter emitter = Nozzle(simulation, 0.3f * Vector3.up, Vector3.down, 0.08f, 0.1f);
+            emitter.Stop();
+            for (int frame = 0; frame < 3; frame++) yield return null;
+            emitter.Speed = 0.5f * simulation.Solver.Settings.SoundSpeed;
+            for (int frame = 0; frame < 3; frame++) yield return null;
+            Assert.That(simulation.Messages.Where(m => m.Issue == FluidIssue.EmitterInvalid), Is.Empty);
+        }
+
         static float Nearest(FluidParticle[] particles)
         {
             float nearest = float.PositiveInfinity;
