@@ -28,6 +28,7 @@ internal static class TestCommand
         using var output = new TestRunOutput(Console.Out);
         using EngineSession session = EngineSession.Start(
             options.Project, options.Assemblies, options.Device, options.Validate, output.AddConsoleLine, direct3D, options.Checks);
+        AsyncReadbacks.Frames = options.ReadbackFrames;
         if (options.Twice is not null) EngineSession.RequireStaticsThatStay("--twice");
         Console.WriteLine($"graphics device: {GraphicsDevice.Device.Adapter}{options.Checks}");
         var definitions = new AssemblyDefinitions(session.Project.Index);

@@ -22,6 +22,7 @@ public sealed record TestOptions
         new("--coverage", "FILE", "writes what each test took and used"),
         new("--compiler", "NAME", "what compiles the kernels", "glslang") { Choices = Compilers },
         CommonFlags.Device, CommonFlags.Validate,
+        new("--readback-frames", "N", "frames until an asynchronous read-back arrives, at least", "1"),
         Flag.Switch("--poison", "fills what Unity leaves undefined with set bits"),
         Flag.Switch("--check-bounds", "fails a test whose shader indexes outside a buffer"),
     ];
@@ -50,6 +51,9 @@ public sealed record TestOptions
     public bool Validate { get; init; }
     public MemoryChecks Checks { get; init; } = new(false, false);
 
+    /// <summary>Frames until an asynchronous read-back arrives, at least.</summary>
+    public int ReadbackFrames { get; init; } = 1;
+
     public static TestOptions Parse(IReadOnlyList<string> words)
     {
         var arguments = new Arguments("test", words, Flags);
@@ -70,6 +74,7 @@ public sealed record TestOptions
             StopOnFail = arguments.Has("--stop-on-fail"),
             Device = arguments.Text("--device"),
             Validate = arguments.Has("--validate"),
+            ReadbackFrames = arguments.Whole("--readback-frames", 1, 1),
             Checks = new MemoryChecks(
                 environment.Poison || arguments.Has("--poison"), environment.Bounds || arguments.Has("--check-bounds")),
         };

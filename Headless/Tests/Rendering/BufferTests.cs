@@ -1,3 +1,4 @@
+using Headless.Engine;
 using NUnit.Framework;
 using Unity.Collections;
 using UnityEngine;
@@ -145,6 +146,36 @@ public sealed class BufferTests : RenderFixture
         }
 
         Assert.That(seen, Is.EqualTo(4f));
+    }
+
+    [TestCase(1)]
+    [TestCase(3)]
+    public void ReadbacksArriveNoSoonerThanTheyMay(int frames)
+    {
+        using GraphicsBuffer buffer = Floats(4f);
+        AsyncReadbacks.Frames = frames;
+        try
+        {
+            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(buffer);
+            for (int i = 1; i < frames; i++)
+            {
+                Frame();
+                Thread.Sleep(5);
+                Assert.That(request.done, Is.False);
+            }
+
+            for (int i = 0; i < 100 && !request.done; i++)
+            {
+                Frame();
+                Thread.Sleep(5);
+            }
+
+            Assert.That(request.done);
+        }
+        finally
+        {
+            AsyncReadbacks.Frames = 1;
+        }
     }
 
     [Test]

@@ -11,6 +11,11 @@ internal static class AsyncReadbacks
 {
     private static readonly List<ReadbackState> States = [];
 
+    /// <summary>
+    /// Frames until one arrives, at least: 1 is the frame after the request's. In Unity the device works some frames behind, so it is often 2 or 3.
+    /// </summary>
+    public static int Frames { get; set; } = 1;
+
     public static void StartBuffer(ReadbackState state, DeviceBuffer? buffer, int size, int offset)
     {
         States.Add(state);

@@ -14,7 +14,7 @@ internal sealed class ReadbackState
     private ReadbackTicket? ticket;
     private NativeArray<byte> data;
     private Action<ReadOnlyMemory<byte>>? sink;
-    private int age;
+    private int frames, age;
 
     public ReadbackState(Action<AsyncGPUReadbackRequest>? callback, Action<ReadOnlyMemory<byte>>? sink = null)
     {
@@ -42,7 +42,7 @@ internal sealed class ReadbackState
 
     public void Poll()
     {
-        if (!Done && ticket is { IsDone: true })
+        if (!Done && frames >= AsyncReadbacks.Frames && ticket is { IsDone: true })
         {
             Complete(ticket.Data);
         }
@@ -58,6 +58,7 @@ internal sealed class ReadbackState
 
     public void Age()
     {
+        frames++;
         if (Done && ++age == KeptFrames && data.IsCreated)
         {
             data.Dispose();

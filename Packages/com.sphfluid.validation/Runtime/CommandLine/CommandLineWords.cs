@@ -124,7 +124,7 @@ namespace SphFluid.Validation
         /// <summary>A word as a message may show it: on one line, not longer than is read.</summary>
         public static string Shown(string word)
         {
-            const int Longest = 60;
+            const int Longest = 240; // of most paths the end is what tells
             string line = new string(word.Select(c => char.IsControl(c) ? ' ' : c).ToArray());
             return line.Length <= Longest ? line : line.Substring(0, Longest) + "...";
         }

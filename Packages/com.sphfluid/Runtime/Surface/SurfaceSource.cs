@@ -30,8 +30,8 @@ namespace SphFluid
         /// <summary>The particles that left the surface, after <see cref="Make"/>; only where they may.</summary>
         public SprayBuffers Spray => new SprayBuffers(Surface.Spray.Particles, Surface.Spray.DrawArguments, requested.Drops, requested.Field.Spacing);
 
-        // Made, but with buffers that turned out too small: made again until all of it fits.
-        bool IsUpToDate => made.Equals(requested) && Surface.IsSettled;
+        // With buffers that turn out too small it is made again until all of it fits; each attempt waits for the answer to the one before.
+        bool IsUpToDate => made.Equals(requested) && (Surface.IsSettled || Surface.IsAwaited);
 
         /// <summary>
         /// Takes what is to be shown: the particles' present positions. The buffers stay the same until the next call;

@@ -124,6 +124,9 @@ namespace SphFluid
         /// <summary>Whether the last recording is known to have become a complete surface.</summary>
         internal bool IsSettled => recordings > 0 && Status.Number == recordings && Status.IsComplete;
 
+        /// <summary>Whether what became of the last recording is still to arrive, some frames later.</summary>
+        internal bool IsAwaited => SystemInfo.supportsAsyncGPUReadback && readback.Received < recordings && Status.Number != recordings;
+
         /// <summary>Surfaces that were recorded.</summary>
         internal int Recordings => recordings;
 

@@ -104,6 +104,13 @@ namespace SphFluid.Tests
             Assert.IsTrue(Make());
         }
 
+        [Test]
+        public void AnAnswerThatIsOnItsWayIsAwaited()
+        {
+            Assert.IsTrue(Make());
+            Assert.AreEqual(!SystemInfo.supportsAsyncGPUReadback, Make());
+        }
+
         // What was read back may be about an earlier surface.
         [Test]
         public void AnUnfinishedReadBackDoesNotCount()

@@ -63,7 +63,7 @@ namespace SphFluid.Tests
         }
 
         // By the height of the middle of a cap that has the drop's volume.
-        [TestCase(60f, 15f)]
+        [TestCase(60f, 17f)]
         [TestCase(90f, 10f)]
         [TestCase(130f, 12f)]
         public void ADropOnAPlateHasItsContactAngle(float angle, float within)
