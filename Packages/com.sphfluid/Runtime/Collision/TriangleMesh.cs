@@ -13,6 +13,7 @@ namespace SphFluid
         bool? closed;
         Bounds? bounds;
         MeshObstacle obstacle;
+        MeshSurfaces surfaces;
 
         /// <summary>A mesh that keeps its arrays: do not change them.</summary>
         /// <param name="vertices">Corners [m].</param>
@@ -125,8 +126,11 @@ namespace SphFluid
             if (vertices == null) throw new ArgumentNullException(nameof(vertices));
             if (vertices.Length != Vertices.Length)
                 throw new ArgumentException($"The mesh has {Vertices.Length} corners, but {vertices.Length} were given.", nameof(vertices));
-            return new TriangleMesh(vertices, Indices, closed);
+            return new TriangleMesh(vertices, Indices, closed) { surfaces = Surfaces.Deforming };
         }
+
+        /// <summary>Which triangles make up one surface.</summary>
+        internal MeshSurfaces Surfaces => surfaces ??= new MeshSurfaces(this);
 
         /// <summary>Whether another mesh has the same triangles, its corners apart.</summary>
         internal bool HasTrianglesOf(TriangleMesh other)

@@ -12,15 +12,18 @@ namespace SphFluid
         static readonly int TrianglesId = Shader.PropertyToID("_BodyTriangles");
         static readonly int CellsId = Shader.PropertyToID("_BodyCells");
         static readonly int ReferencesId = Shader.PropertyToID("_CellTriangles");
+        static readonly int EdgesId = Shader.PropertyToID("_TriangleEdges");
 
         readonly float reach;
         readonly List<BodyTriangle> triangles = new List<BodyTriangle>();
+        readonly List<uint> edges = new List<uint>(); // of the triangles, as MeshSurfaces has them
         readonly List<BodyTriangle> ends = new List<BodyTriangle>(); // of the body that is being added, where it deforms
         readonly List<BodyGrid> grids = new List<BodyGrid>();
         int first; // triangle of the body that is being added
+        uint surfaces; // of that body
         uint cellCount, referenceCount;
         Lengths steady; // before the bodies that are made anew every frame
-        GraphicsBuffer triangleBuffer, cellBuffer, referenceBuffer;
+        GraphicsBuffer triangleBuffer, edgeBuffer, cellBuffer, referenceBuffer;
 
         /// <param name="reach">How far a cell looks [m].</param>
         public BodyGeometry(float reach)
@@ -35,12 +38,13 @@ namespace SphFluid
         public int LeftOut { get; private set; }
 
         /// <summary>Bytes of the GPU buffers.</summary>
-        public long Bytes => GpuBuffers.Size(triangleBuffer, cellBuffer, referenceBuffer);
+        public long Bytes => GpuBuffers.Size(triangleBuffer, edgeBuffer, cellBuffer, referenceBuffer);
 
         /// <summary>Begins anew.</summary>
         public void Clear()
         {
             triangles.Clear();
+            edges.Clear();
             DisposeGrids();
             first = LeftOut = 0;
             cellCount = referenceCount = 0u;
@@ -54,6 +58,7 @@ namespace SphFluid
         public void RestartDeforming()
         {
             triangles.RemoveRange(steady.Triangles, triangles.Count - steady.Triangles);
+            edges.RemoveRange(steady.Triangles, edges.Count - steady.Triangles);
             DisposeGrids();
             first = steady.Triangles;
             LeftOut = steady.LeftOut;
@@ -65,7 +70,8 @@ namespace SphFluid
         /// <param name="end">The same at its end.</param>
         public void AddDeforming(TriangleMesh start, TriangleMesh end)
         {
-            for (int t = 0; t < start.TriangleCount; t++)
+            MeshSurfaces found = start.Surfaces.Deforming;
+            foreach (int t in found.Order)
             {
                 start.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
                 end.GetTriangle(t, out Vector3 d, out Vector3 e, out Vector3 f);
@@ -74,7 +80,7 @@ namespace SphFluid
                     LeftOut++;
                     continue;
                 }
-                triangles.Add(BodyTriangle.Of(a, b, c));
+                AddTriangle(a, b, c, found.Edges[t]);
                 ends.Add(new BodyTriangle { A = d, B = e, C = f }); // kernels take the normal between the two
             }
         }
@@ -85,12 +91,20 @@ namespace SphFluid
         public void Add(TriangleMesh mesh, Bounds? within)
         {
             Vector3 half = within.HasValue ? within.Value.extents + reach * Vector3.one : Vector3.positiveInfinity;
-            for (int t = 0; t < mesh.TriangleCount; t++)
+            MeshSurfaces found = mesh.Surfaces;
+            foreach (int t in found.Order)
             {
                 mesh.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
                 if (!AffineMath.IsFinite(a) || !AffineMath.IsFinite(b) || !AffineMath.IsFinite(c)) LeftOut++;
-                else if (!within.HasValue || TriangleMath.MayOverlap(within.Value.center, half, a, b, c)) triangles.Add(BodyTriangle.Of(a, b, c));
+                else if (!within.HasValue || TriangleMath.MayOverlap(within.Value.center, half, a, b, c)) AddTriangle(a, b, c, found.Edges[t]);
             }
+            surfaces += (uint)found.Count;
+        }
+
+        void AddTriangle(Vector3 a, Vector3 b, Vector3 c, uint own)
+        {
+            triangles.Add(BodyTriangle.Of(a, b, c));
+            edges.Add(own + (surfaces << MeshSurfaces.NumberShift));
         }
 
         /// <summary>Makes the lists of the triangles added since the last body.</summary>
@@ -123,8 +137,10 @@ namespace SphFluid
                 EndTriangles = (uint)ends.Count,
             };
             triangles.AddRange(ends);
+            edges.AddRange(new uint[ends.Count]);
             ends.Clear();
             first = triangles.Count;
+            surfaces = 0u;
             cellCount += (uint)grid.Starts.Length;
             referenceCount += (uint)grid.References.Length;
             return true;
@@ -132,7 +148,7 @@ namespace SphFluid
 
         /// <summary>Bytes that the buffers take once all is copied.</summary>
         public long PlannedBytes =>
-            GpuBuffers.BytesOf(WithSlack(triangles.Count, steady.Triangles), BodyTriangle.Stride) +
+            GpuBuffers.BytesOf(WithSlack(triangles.Count, steady.Triangles), BodyTriangle.Stride + sizeof(uint)) +
             GpuBuffers.BytesOf(WithSlack(cellCount, steady.Cells), sizeof(uint)) +
             GpuBuffers.BytesOf(WithSlack(referenceCount, steady.References), sizeof(uint));
 
@@ -140,6 +156,7 @@ namespace SphFluid
         public void Upload()
         {
             GpuBuffers.Reserve(ref triangleBuffer, "BodyTriangles", WithSlack(triangles.Count, steady.Triangles), BodyTriangle.Stride);
+            GpuBuffers.Reserve(ref edgeBuffer, "TriangleEdges", WithSlack(edges.Count, steady.Triangles), sizeof(uint));
             GpuBuffers.Reserve(ref cellBuffer, "BodyCells", WithSlack(cellCount, steady.Cells), sizeof(uint));
             GpuBuffers.Reserve(ref referenceBuffer, "CellTriangles", WithSlack(referenceCount, steady.References), sizeof(uint));
             Upload(default);
@@ -157,6 +174,7 @@ namespace SphFluid
         void Upload(Lengths from)
         {
             triangleBuffer.SetData(triangles, from.Triangles, from.Triangles, triangles.Count - from.Triangles);
+            edgeBuffer.SetData(edges, from.Triangles, from.Triangles, edges.Count - from.Triangles);
             int cell = (int)from.Cells, reference = (int)from.References;
             foreach (BodyGrid grid in grids)
             {
@@ -174,10 +192,14 @@ namespace SphFluid
             kernel.SetBuffer(cmd, ReferencesId, referenceBuffer);
         }
 
+        /// <summary>Records the edges of the triangles for a kernel that needs them.</summary>
+        public void BindEdges(CommandBuffer cmd, ComputeKernel kernel) => kernel.SetBuffer(cmd, EdgesId, edgeBuffer);
+
         public void Dispose()
         {
             DisposeGrids();
             GpuBuffers.Dispose(ref triangleBuffer);
+            GpuBuffers.Dispose(ref edgeBuffer);
             GpuBuffers.Dispose(ref cellBuffer);
             GpuBuffers.Dispose(ref referenceBuffer);
         }

@@ -10,6 +10,7 @@ namespace SphFluid
         static readonly int GapScale = Id("_GapScale");
         static readonly int IsKept = Id("_IsKept");
         static readonly int FloatsHere = Id("_FloatsHere");
+        static readonly int SteepestWall = Id("_SteepestWall");
 
         readonly ComputeKernel kernel;
 
@@ -32,8 +33,10 @@ namespace SphFluid
                 CellBindings.SetFaces(cmd, kernel, state.Settings);
                 MeshContact.Set(cmd, kernel, state.Settings);
                 state.Bodies.Bind(cmd, kernel, step.x, step.y);
+                state.Bodies.BindEdges(cmd, kernel);
                 CellBindings.SetCells(cmd, kernel, state.Cells, state.Buffers.CellStart);
                 kernel.SetFloat(cmd, TimeStep, step.z);
+                kernel.SetFloat(cmd, SteepestWall, state.SteepestWall);
                 kernel.SetFloat(cmd, FloatsHere, isAtEnd ? 1f : 0f);
                 kernel.SetFloat(cmd, GapScale, state.Bodies.IsUnderWay ? 0f : 0.999f);
                 kernel.SetInt(cmd, IsKept, isKept ? 1 : 0);

@@ -6,7 +6,7 @@ namespace SphFluid
     internal sealed class MeshWallBuffers : BufferSet
     {
         /// <summary>Bytes of PackedWall in Shaders/Solver/Cells/NearWall.hlsl.</summary>
-        public const int WallStride = 48;
+        public const int WallStride = 108;
 
         /// <summary>Of each particle 1 + the place of its walls in <see cref="NearWalls"/>, or 0.</summary>
         public readonly FluidBuffer WallSlot;

@@ -31,6 +31,9 @@ namespace SphFluid
         /// <summary>Makes <see cref="Viscous"/>, if it is not there.</summary>
         public void RequireViscous() => Viscous ??= new ViscousBuffers(Capacity, IsPlanned);
 
+        /// <summary>0 with surface tension, whose constants are calibrated with the whole profile.</summary>
+        public override float SteepestWall => Tension != null ? 0f : base.SteepestWall;
+
         /// <summary>Makes <see cref="Tension"/>, if it is not there.</summary>
         public void RequireTension() => Tension ??= new TensionBuffers(Capacity, IsPlanned);
 

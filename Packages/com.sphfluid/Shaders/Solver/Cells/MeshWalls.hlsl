@@ -16,46 +16,16 @@ static const float OPPOSITE_FACES = -0.5; // the product of their normals: a wed
 
 NearWall WallOf(uint slot, float3 position)
 {
-    return UnpackWall(_NearWalls[max(slot, 1u) - 1u], position);
+    return UnpackWall(_NearWalls[max(slot, 1u) - 1u], position, _InverseSupport);
 }
 
-// 1 - L = product over the planes of 1 - what each adds: its mirror image, as far as the ones before it leave it in sight. The
-// gradient is exact while the planes stay: where it is not, the push goes round in circles and liquid beside creases never rests.
-// shares: what each plane has of the gradient.
+// shares: what each plane's wall has of the gradient.
 WallDensity DensityOf(NearWall wall, out float3 shares[WALL_PLANES])
 {
-    const uint edge = EdgePlane(wall);
     WallDensity density;
-    density.Value = 0.0;
-    density.Gradient = float3(0.0, 0.0, 0.0);
-    shares[0] = shares[1] = shares[2] = float3(0.0, 0.0, 0.0);
-    [unroll]
-    for (int k = 0; k < WALL_PLANES; k++)
-    {
-        const float4 plane = wall.Planes[k];
-        float4 solid = float4(0.0, 0.0, 0.0, wall.Solid[k]);
-        if (uint(k) == edge)
-        {
-            solid = BeyondEdge(plane.xyz, plane.w, dot(plane.xyz, wall.Face), wall.Face, _MirrorSpacing / _InverseSupport);
-        }
-        const float2 profile = MirrorProfile(plane.w);
-        float value = solid.w * profile.x;
-        float3 gradient = profile.x * solid.xyz - solid.w * profile.y * _InverseSupport * plane.xyz;
-        [unroll]
-        for (int before = 0; before < k; before++)
-        {
-            const float4 sight = InSight(wall.Planes[before], plane, _MirrorSpacing / _InverseSupport);
-            gradient = gradient * sight.w + value * sight.xyz;
-            value *= sight.w;
-        }
-        [unroll]
-        for (int other = 0; other < WALL_PLANES; other++)
-        {
-            shares[other] = other < k ? shares[other] * (1.0 - value) : gradient * (1.0 - density.Value);
-        }
-        density.Gradient = density.Gradient * (1.0 - value) + gradient * (1.0 - density.Value);
-        density.Value += value * (1.0 - density.Value);
-    }
+    density.Value = wall.Share;
+    density.Gradient = wall.Push[0] + wall.Push[1] + wall.Push[2];
+    shares = wall.Push;
     return density;
 }
 

@@ -8,21 +8,21 @@
 struct NearWall
 {
     float4 Planes[WALL_PLANES]; // unit normal towards the particle, distance of the place [m]; no plane: far away
-    float3 Solid;      // how much of each plane is there, 0 to 1: less than all beyond an edge; 0: no plane
     float3 Approach;   // speed of each plane along its normal, m/s
     float Friction;    // of the first triangle's wall, 0 free slip to 1 no slip; negative: that of the domain's faces
     float3 Velocity;   // of the first triangle's wall, m/s
-    uint Flags;        // bits 0 to 2: the plane is a face's, not one beyond an edge; bit 3: there is an edge; bits 4 and 5: the first triangle's plane, 3 for none
-    float3 Face;       // of the first plane beyond an edge: the triangle's unit normal, on the particle's side
+    uint Flags;        // bits 0 to 2: the plane is a face's, not one beyond an edge; bits 4 and 5: the first triangle's plane, 3 for none
+    float Share;       // of the kernel, behind the walls
+    float3 Push[WALL_PLANES]; // its gradient there, what each plane's wall has of it, 1/m
 };
 
 // The same as it is stored, for any place of the particle until the walls are gathered again: a plane's distance is n.x - offset.
-// Solid to 1e-5, normals to 3e-5, what only holds velocities back to 3 digits. Mirrored by MeshWallBuffers.WallStride; 48 bytes.
+// Normals to 3e-5, the Hessian and what only holds velocities back to 3 digits. Mirrored by MeshWallBuffers.WallStride; 108 bytes.
 struct PackedPlane
 {
     uint Normal;       // octahedral, 16 bits a coordinate; axes are exact
     float Offset;      // m
-    uint Solid;        // in 16 bits, and the speed along the normal as a half float
+    uint Approach;     // speed along the normal as a half float
 };
 
 struct PackedWall
@@ -30,11 +30,14 @@ struct PackedWall
     PackedPlane Planes[WALL_PLANES];
     uint VelocityXY;   // half floats
     uint VelocityZ;    // a half float, and below it friction in thousandths, 1023 for the domain's, and flags
-    uint Face;         // as Normal
+    float3 Origin;     // where the walls were gathered, m
+    float Share;       // there
+    uint3 Hessian;     // R^2 times it: xx, yy, zz, yz, zx, xy as half floats
+    float3 Push[WALL_PLANES]; // there, 1/m
 };
 
 #define DOMAIN_FRICTION 1023u
-#define EDGE_FLAG 8u
+#define BRIEF_FLAG 8u // the share of the walls does not hold farther away
 #define FACE_COSINE 0.98 // between the direction to a particle and the normal of the triangle that is nearest: less is beyond an edge
 
 // How much of a plane one that comes before it leaves in sight, in w, and the gradient of that: triangles of one plane hide each
@@ -48,18 +51,13 @@ float4 InSight(float4 before, float4 plane, float spacing)
     return float4(slope * (ratio * before.xyz - plane.xyz), 1.0 - saturate(hidden));
 }
 
-// How much of a wall is there for a particle beyond its edge, in w, and the gradient of that: less than of a half-space where it looks
-// at the edge from the side, all of it at the edge itself, as if that were round by half a spacing. So the wall's energy is continuous there:
-// a weight by the angle alone jumps from 1 to 0 within no distance, and what goes round the edge gets energy from nowhere.
-float4 BeyondEdge(float3 normal, float distance, float facing, float3 face, float spacing)
+// How much of a wall is there for a particle beyond its edge: less than of a half-space where it looks at the edge from the side, all of it at
+// the edge itself, as if that were round by half a spacing.
+float BeyondEdge(float distance, float facing, float spacing)
 {
     const float seen = min(facing / FACE_COSINE, 1.0);
-    const float hidden = 1.0 - seen * seen;
-    const float roundness = 0.25 * spacing * spacing;
-    const float scale = 1.0 / (distance * distance + roundness);
-    const float3 turning = (2.0 * seen / FACE_COSINE) * (face - facing * normal);
-    const float3 leaving = (2.0 * hidden * roundness * scale) * normal;
-    return float4(distance * scale * (turning - leaving), 1.0 - hidden * distance * distance * scale);
+    const float squared = distance * distance;
+    return 1.0 - (1.0 - seen * seen) * squared / (squared + 0.25 * spacing * spacing);
 }
 
 // Cigolle et al., A Survey of Efficient Representations for Independent Unit Vectors, 2014: oct32.
@@ -90,12 +88,12 @@ float2 UnpackHalves(uint packed)
 }
 
 // A plane at a distance from a place: the offset fits the normal as it is stored.
-PackedPlane PackPlane(float3 position, float3 normal, float distance, float solid, float approach)
+PackedPlane PackPlane(float3 position, float3 normal, float distance, float approach)
 {
     PackedPlane packed;
     packed.Normal = PackNormal(normal);
     packed.Offset = dot(UnpackNormal(packed.Normal), position) - distance;
-    packed.Solid = uint(round(saturate(solid) * 65535.0)) | (f32tof16(approach) << 16u);
+    packed.Approach = f32tof16(approach);
     return packed;
 }
 
@@ -113,20 +111,14 @@ uint2 PackMotion(float3 velocity, float friction, uint flags)
     return uint2(PackHalves(velocity.x, velocity.y), (f32tof16(velocity.z) << 16u) | (thousandths << 6u) | flags);
 }
 
-// The first plane beyond an edge; 3 where there is none.
-uint EdgePlane(NearWall wall)
-{
-    const uint first = (wall.Flags & 1u) == 0u ? 0u : (wall.Flags & 2u) == 0u ? 1u : 2u;
-    return (wall.Flags & EDGE_FLAG) != 0u ? first : uint(WALL_PLANES);
-}
-
 // A bit for each plane that is a face's.
 uint FacesOf(PackedWall packed)
 {
     return packed.VelocityZ & 7u;
 }
 
-NearWall UnpackWall(PackedWall packed, float3 position)
+// inverseSupport: 1/R.
+NearWall UnpackWall(PackedWall packed, float3 position, float inverseSupport)
 {
     NearWall wall;
     [unroll]
@@ -135,14 +127,22 @@ NearWall UnpackWall(PackedWall packed, float3 position)
         const PackedPlane plane = packed.Planes[k];
         const float3 normal = UnpackNormal(plane.Normal);
         wall.Planes[k] = float4(normal, dot(normal, position) - plane.Offset);
-        wall.Solid[k] = float(plane.Solid & 0xffffu) / 65535.0;
-        wall.Approach[k] = f16tof32(plane.Solid >> 16u);
+        wall.Approach[k] = f16tof32(plane.Approach);
     }
     const uint friction = (packed.VelocityZ >> 6u) & 1023u;
     wall.Velocity = float3(UnpackHalves(packed.VelocityXY), UnpackHalves(packed.VelocityZ).y);
     wall.Friction = friction == DOMAIN_FRICTION ? -1.0 : float(friction) / 1000.0;
     wall.Flags = packed.VelocityZ & 63u;
-    wall.Face = UnpackNormal(packed.Face);
+    const float3 gone = position - packed.Origin;
+    const float2 xxyy = UnpackHalves(packed.Hessian.x);
+    const float2 zzyz = UnpackHalves(packed.Hessian.y);
+    const float2 zxxy = UnpackHalves(packed.Hessian.z);
+    const float3 shear = float3(zzyz.y, zxxy.x, zxxy.y);
+    const float3 turned = (float3(xxyy, zzyz.x) * gone + shear.zxy * gone.yzx + shear.yzx * gone.zxy) * (inverseSupport * inverseSupport);
+    wall.Push[0] = packed.Push[0] + turned;
+    wall.Push[1] = packed.Push[1];
+    wall.Push[2] = packed.Push[2];
+    wall.Share = packed.Share + dot(packed.Push[0] + packed.Push[1] + packed.Push[2] + 0.5 * turned, gone);
     return wall;
 }
 

@@ -19,6 +19,8 @@ namespace SphFluid.Tests
 
         public static Double3 Zero => new Double3(0.0, 0.0, 0.0);
 
+        public double this[int axis] => axis == 0 ? X : axis == 1 ? Y : Z;
+
         public double Length => Math.Sqrt(Dot(this, this));
 
         public static implicit operator Double3(Vector3 v) => new Double3(v.x, v.y, v.z);

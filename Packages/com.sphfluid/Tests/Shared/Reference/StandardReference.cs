@@ -43,21 +43,6 @@ namespace SphFluid.Tests
             return sum * spacing / radius;
         }
 
-        /// <summary>
-        /// Density that the nearest point of a plate adds, over ρ0: as <see cref="Mirror"/> in front of the plate; beyond its edge less, by the cosine
-        /// to the plate's normal, with an edge that is round by half a spacing.
-        /// </summary>
-        /// <param name="normalDistance">From the plate's plane [m].</param>
-        /// <param name="beyond">From the plate along its plane [m]; 0 in front of it.</param>
-        /// <param name="radius">Support radius [m].</param>
-        /// <param name="spacing">dx [m].</param>
-        public static double Plate(double normalDistance, double beyond, double radius, double spacing)
-        {
-            double distance = Math.Sqrt(normalDistance * normalDistance + beyond * beyond), seen = Math.Min(normalDistance / distance / 0.98, 1.0);
-            double round = 0.5 * spacing / distance;
-            return (1.0 - (1.0 - seen * seen) / (1.0 + round * round)) * Mirror(distance, radius, spacing);
-        }
-
         /// <summary>Density of the six faces over ρ0.</summary>
         public static double Walls(Double3 p, in FluidSolverSettings settings)
         {

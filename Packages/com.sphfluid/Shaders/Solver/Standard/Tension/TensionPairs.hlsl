@@ -17,7 +17,7 @@ float3 WallGradient(uint id, float3 position)
 #if defined(FLUID_MESH_WALLS)
     for (uint slot = _WallSlot[id]; slot != 0u; slot = 0u)
     {
-        gradient += DensityOf(WallOf(slot, position)).Gradient;
+        gradient = DensityOf(WallOf(slot, position)).Gradient;
     }
 #endif
     return gradient;

@@ -98,9 +98,9 @@ namespace SphFluid.Tests
                 for (int i = 0; i < count; i++)
                 {
                     float distance = 0.01f * i * Spacing;
-                    records.Add(StoredWall.Pack(particles[i].Position, 1f, false, (Vector3.right, distance)));
+                    float value = 0.007f * i;
+                    records.Add(StoredWall.Pack(particles[i].Position, false, value, null, (Vector3.right, distance)));
                     if (i % 2 != 0) continue;
-                    double value = StandardReference.Mirror(distance, settings.SupportRadius, Spacing);
                     double domain = StandardReference.Walls(particles[i].Position, settings);
                     expected[i] += settings.RestDensity * (value - domain) / StandardReference.Response(settings);
                 }
@@ -150,7 +150,7 @@ namespace SphFluid.Tests
 
                 void SetFaces(bool areFaces) =>
                     WalledStateRig.SetWalls(rig, particles.Select(p =>
-                        StoredWall.Pack(p.Position, 0f, areFaces, (Face(p.Position), Vector3.Dot(Face(p.Position), p.Position)))).ToList());
+                        StoredWall.Pack(p.Position, areFaces, 0f, null, (Face(p.Position), Vector3.Dot(Face(p.Position), p.Position)))).ToList());
 
                 void AssertDensities(Vector2[] terms, bool areFaces)
                 {

@@ -1,4 +1,3 @@
-using System;
 using System.Linq;
 using System.Runtime.InteropServices;
 using UnityEngine;
@@ -14,15 +13,18 @@ namespace SphFluid.Tests
         {
             public uint Normal0;
             public float Offset0;
-            public uint Plane0;
+            public uint Approach0;
             public uint Normal1;
             public float Offset1;
-            public uint Plane1;
+            public uint Approach1;
             public uint Normal2;
             public float Offset2;
-            public uint Plane2;
+            public uint Approach2;
             public uint VelocityXY, VelocityZ;
-            public uint Face;
+            public Vector3 Origin;
+            public float Share;
+            public uint HessianXXYY, HessianZZYZ, HessianZXXY;
+            public Vector3 Push0, Push1, Push2;
         }
 
         readonly Packed packed;
@@ -39,41 +41,35 @@ namespace SphFluid.Tests
         // Of the first plane; the distance in metres.
         public Vector3 Normal => Octahedral(packed.Normal0);
         public double Distance => Away(position, 0);
-        public Vector3 Face => Octahedral(packed.Face);
-        public float Approach => Half(packed.Plane0 >> 16);
+        public float Approach => Half(packed.Approach0);
         public Vector3 Velocity => new Vector3(Half(packed.VelocityXY), Half(packed.VelocityXY >> 16), Half(packed.VelocityZ >> 16));
         public uint Flags => packed.VelocityZ & 63u;
         public uint Friction => (packed.VelocityZ >> 6) & 1023u;
-        public double Value => packed.Plane0 == 0u ? 0.0 : ValueAt(position);
+        public double Value => packed.Share + Double3.Dot(Push + 0.5 * Turned, Gone);
 
-        public double Gradient(int axis)
-        {
-            const double step = 1e-7;
-            var e = new Double3(axis == 0 ? step : 0, axis == 1 ? step : 0, axis == 2 ? step : 0);
-            return packed.Plane0 == 0u ? 0.0 : (ValueAt((Double3)position + e) - ValueAt((Double3)position - e)) / (2.0 * step);
-        }
+        public double Gradient(int axis) => (Push + Turned)[axis];
 
-        // Each plane's part is what those before it leave in sight.
-        double ValueAt(Double3 x)
+        public Double3 Push => (Double3)packed.Push0 + (Double3)packed.Push1 + (Double3)packed.Push2;
+
+        // Of the first plane's wall.
+        public Vector3 FirstPush => packed.Push0;
+
+        Double3 Gone => (Double3)position - (Double3)packed.Origin;
+
+        // What the Hessian adds to the gradient.
+        Double3 Turned
         {
-            double open = 1.0;
-            uint[] planes = { packed.Plane0, packed.Plane1, packed.Plane2 };
-            for (int k = 0; k < 3; k++)
+            get
             {
-                double part = (planes[k] & 0xffffu) / 65535.0 * StandardReference.Mirror(Away(x, k), settings.SupportRadius, settings.Spacing);
-                for (int before = 0; before < k; before++) part *= 1.0 - HiddenBy(before, k, x);
-                open *= 1.0 - part;
+                double scale = 1.0 / ((double)settings.SupportRadius * settings.SupportRadius);
+                double xx = Half(packed.HessianXXYY), yy = Half(packed.HessianXXYY >> 16), zz = Half(packed.HessianZZYZ), yz = Half(packed.HessianZZYZ >> 16);
+                double zx = Half(packed.HessianZXXY), xy = Half(packed.HessianZXXY >> 16);
+                Double3 d = Gone;
+                return scale * new Double3(xx * d.X + xy * d.Y + zx * d.Z, xy * d.X + yy * d.Y + yz * d.Z, zx * d.X + yz * d.Y + zz * d.Z);
             }
-            return 1.0 - open;
         }
-
-        double HiddenBy(int before, int plane, Double3 x) =>
-            Math.Min(Math.Max(Double3.Dot(NormalOf(before), NormalOf(plane)) * Away(x, plane) / Math.Max(Away(x, before), 1e-6 * settings.Spacing), 0.0), 1.0);
 
         Double3 NormalOf(int k) => Octahedral(k == 0 ? packed.Normal0 : k == 1 ? packed.Normal1 : packed.Normal2);
-
-        // Of the second plane by the first, 0 to 1.
-        public double Hidden => packed.Plane1 == 0u ? 0.0 : HiddenBy(0, 1, position);
 
         double Away(Double3 x, int k) => Double3.Dot(x, NormalOf(k)) - (k == 0 ? packed.Offset0 : k == 1 ? packed.Offset1 : packed.Offset2);
 
@@ -111,21 +107,23 @@ namespace SphFluid.Tests
 
         /// <summary>Up to three planes as GatherWalls stores them, at rest and without friction of their own.</summary>
         /// <param name="position">Where the particle is.</param>
-        /// <param name="solid">How much of each plane is there, 0 to 1; 0 only hides what is behind.</param>
         /// <param name="areFaces">Whether they are faces, not beyond edges.</param>
+        /// <param name="share">Of the kernel, behind them.</param>
+        /// <param name="pushes">What each has of the gradient of that [1/m].</param>
         /// <param name="planes">Unit normals towards the particle and distances [m].</param>
-        public static Packed Pack(Vector3 position, float solid, bool areFaces, params (Vector3 Normal, float Distance)[] planes)
+        public static Packed Pack(Vector3 position, bool areFaces, float share, Vector3[] pushes, params (Vector3 Normal, float Distance)[] planes)
         {
             (uint, float, uint) Plane(int k)
             {
                 if (k >= planes.Length) return (0u, -1e30f, 0u);
                 uint normal = OfOctahedral(planes[k].Normal);
-                return (normal, Vector3.Dot(Octahedral(normal), position) - planes[k].Distance, (uint)Mathf.Round(65535f * solid));
+                return (normal, Vector3.Dot(Octahedral(normal), position) - planes[k].Distance, 0u);
             }
-            var packed = new Packed { VelocityZ = areFaces ? (1u << planes.Length) - 1u : 0u };
-            (packed.Normal0, packed.Offset0, packed.Plane0) = Plane(0);
-            (packed.Normal1, packed.Offset1, packed.Plane1) = Plane(1);
-            (packed.Normal2, packed.Offset2, packed.Plane2) = Plane(2);
+            Vector3 Push(int k) => pushes != null && k < pushes.Length ? pushes[k] : Vector3.zero;
+            var packed = new Packed { VelocityZ = areFaces ? (1u << planes.Length) - 1u : 0u, Origin = position, Share = share, Push0 = Push(0), Push1 = Push(1), Push2 = Push(2) };
+            (packed.Normal0, packed.Offset0, packed.Approach0) = Plane(0);
+            (packed.Normal1, packed.Offset1, packed.Approach1) = Plane(1);
+            (packed.Normal2, packed.Offset2, packed.Approach2) = Plane(2);
             return packed;
         }
 

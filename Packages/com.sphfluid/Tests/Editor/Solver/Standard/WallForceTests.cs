@@ -61,7 +61,7 @@ namespace SphFluid.Tests
                     corner[i].Position = (0.1f + (float)random.NextDouble()) * Spacing * first + (0.1f + (float)random.NextDouble()) * Spacing * second + 0.4f * (float)(random.NextDouble() - 0.5) * Vector3.forward;
                 FluidParticle[] start = rig.FillSorted(corner);
                 rig.State.List.Counts.SetData(new uint[count]);
-                WalledStateRig.SetWalls(rig, start.Select(p => StoredWall.Pack(p.Position, 0.8f, false,
+                WalledStateRig.SetWalls(rig, start.Select(p => StoredWall.Pack(p.Position, false, 0.3f, new[] { -0.9f / Spacing * first, -0.4f / Spacing * second },
                     (first, Vector3.Dot(p.Position, first)), (second, Vector3.Dot(p.Position, second)))).ToList());
                 rig.SetTerms(Enumerable.Range(0, count).Select(i => new Vector2(settings.RestDensity, 1e-3f * (1 + i % 7))).ToArray());
                 WallPatch[] patches = MovedOver(rig, out Vector4[] velocities, new WallPlan(Vector3.zero, first, new Vector2(2f, 2f)), new WallPlan(Vector3.zero, second, new Vector2(0.17f, 2f)));

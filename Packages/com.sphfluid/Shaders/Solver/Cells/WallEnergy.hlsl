@@ -1,0 +1,273 @@
+#ifndef SPHFLUID_WALL_ENERGY
+#define SPHFLUID_WALL_ENERGY
+
+// The share of a particle's kernel that lies behind walls, triangles and faces of the domain together: one function of place, whose gradient is
+// the walls' push, so that walls at rest do no work. Lengths are over R, gradients and Hessians per R and R^2.
+#include "TriangleSweep.hlsl"
+#include "EdgeShadow.hlsl"
+#include "NearWall.hlsl"
+
+StructuredBuffer<uint> _TriangleEdges; // of each triangle: three bits for edges inside of a plane, EDGES_TURNED, and above them the number of its surface
+
+#define EDGES_TURNED 8u // its corners run the other way than those of its surface
+#define EDGES_SURFACE 8u
+
+// Of what the triangles of a plane's wall add; for bodies and for rectangles that measure.
+struct WallShares
+{
+    float3 Push[WALL_PLANES];
+};
+
+// Twins that lie in a face of the domain or behind it: the face stands for them.
+#define FACE_TOLERANCE 0.05 // dx
+
+bool IsBehindFace(float3 a, float3 b, float3 c)
+{
+    const float tolerance = FACE_TOLERANCE * _MirrorSpacing / _InverseSupport;
+    return any(max(a, max(b, c)) < _WallsLow + tolerance) || any(min(a, min(b, c)) > _WallsHigh - tolerance);
+}
+
+struct SeenTriangle
+{
+    float3 A; // relative to the particle, over R, in simulation space
+    float3 B;
+    float3 C;
+    float3 Normal;
+    float Height; // of the particle over its plane; 0: it takes no part
+};
+
+SeenTriangle Seen(BodyPose pose, bool moves, uint index, float3 position)
+{
+    const BodyTriangle tri = TriangleAt(pose, index);
+    const float3 a = moves ? ToSimulation(pose, tri.A) : tri.A;
+    const float3 b = moves ? ToSimulation(pose, tri.B) : tri.B;
+    const float3 c = moves ? ToSimulation(pose, tri.C) : tri.C;
+    SeenTriangle seen;
+    seen.A = (a - position) * _InverseSupport;
+    seen.B = (b - position) * _InverseSupport;
+    seen.C = (c - position) * _InverseSupport;
+    seen.Normal = moves ? Rotate(pose.Rotation, NormalOf(tri)) : NormalOf(tri);
+    const float height = -dot(seen.A, seen.Normal);
+    const float3 apart = max(max(min(seen.A, min(seen.B, seen.C)), -max(seen.A, max(seen.B, seen.C))), 0.0);
+    const bool isNear = abs(height) < SHADOW_REACH && dot(apart, apart) < SHADOW_REACH * SHADOW_REACH && dot(seen.Normal, seen.Normal) > 0.5;
+    seen.Height = isNear && !IsBehindFace(a, b, c) ? height : 0.0;
+    return seen;
+}
+
+// The side of a surface that a particle is on, by the triangle that is nearest: 1 or -1, as its corners run; 0 out of reach.
+float SideOf(BodyPose pose, bool moves, uint begin, uint end, float3 position)
+{
+    float nearest = SHADOW_REACH * SHADOW_REACH;
+    float side = 0.0;
+    float highest = 0.0;
+    [loop]
+    for (uint t = begin; t < end; t++)
+    {
+        const uint index = _CellTriangles[t];
+        const SeenTriangle seen = Seen(pose, moves, index, position);
+        [branch]
+        if (seen.Height != 0.0)
+        {
+            BodyTriangle tri = (BodyTriangle)0;
+            tri.A = seen.A;
+            tri.B = seen.B;
+            tri.C = seen.C;
+            const float3 r = FromTriangle(float3(0.0, 0.0, 0.0), tri);
+            const float squared = dot(r, r);
+            const bool isNearer = squared < nearest * 0.9999;
+            // Of those that share the nearest edge or corner the one that is seen steepest tells the side.
+            if (isNearer || (squared < nearest * 1.0001 && abs(seen.Height) > highest))
+            {
+                nearest = min(nearest, squared);
+                highest = abs(seen.Height);
+                side = (seen.Height > 0.0) == ((_TriangleEdges[index] & EDGES_TURNED) == 0u) ? 1.0 : -1.0;
+            }
+        }
+    }
+    return side;
+}
+
+void Add(inout Shadow sum, Shadow part)
+{
+    sum.Value += part.Value;
+    sum.Gradient += part.Gradient;
+    sum.Diagonal += part.Diagonal;
+    sum.Shear += part.Shear;
+}
+
+float3 HessianTimes(Shadow shadow, float3 v)
+{
+    return shadow.Diagonal * v + shadow.Shear.zxy * v.yzx + shadow.Shear.yzx * v.zxy;
+}
+
+Shadow Scaled(Shadow shadow, float factor)
+{
+    shadow.Value *= factor;
+    shadow.Gradient *= factor;
+    shadow.Diagonal *= factor;
+    shadow.Shear *= factor;
+    return shadow;
+}
+
+// What is behind one or the other: 1 - (1 - a)(1 - b).
+Shadow Union(Shadow a, Shadow b)
+{
+    Shadow both;
+    both.Value = a.Value + b.Value - a.Value * b.Value;
+    both.Gradient = (1.0 - b.Value) * a.Gradient + (1.0 - a.Value) * b.Gradient;
+    both.Diagonal = (1.0 - b.Value) * a.Diagonal + (1.0 - a.Value) * b.Diagonal - 2.0 * a.Gradient * b.Gradient;
+    both.Shear = (1.0 - b.Value) * a.Shear + (1.0 - a.Value) * b.Shear - a.Gradient.yzx * b.Gradient.zxy - a.Gradient.zxy * b.Gradient.yzx;
+    return both;
+}
+
+// The distance of a plane that adds as much.
+float DistanceOf(float value)
+{
+    float low = 0.0;
+    float high = SHADOW_REACH;
+    [loop]
+    for (uint turn = 0u; turn < 18u; turn++)
+    {
+        const float middle = 0.5 * (low + high);
+        const bool isNearer = ProfileAt(middle).Value > value;
+        low = isNearer ? middle : low;
+        high = isNearer ? high : middle;
+    }
+    return max(0.5 * (low + high), 1e-3);
+}
+
+// The triangles of all bodies: a surface is seen from the side that the particle is on, its other side is behind something.
+// planes: unit normals towards the particle; owners: their bodies. shares: of the gradient, to the plane of the body that looks most along it.
+Shadow TriangleShadow(float3 position, float3 planes[WALL_PLANES], uint owners[WALL_PLANES], inout WallShares shares)
+{
+    Shadow sum = (Shadow)0;
+    [loop]
+    for (uint b = 0u; b < BodyCount(); b++)
+    {
+        const CollisionBody body = _Bodies[b];
+        const bool moves = (body.Flags & BODY_MOVES) != 0u;
+        const BodyPose pose = HerePose(body);
+        const float3 x = moves ? ToBody(pose, position) : position;
+#if defined(FLUID_STRETCHED_BODIES)
+        const uint2 range = BodyCellRange(body, Apply(pose.Relaxed, x));
+#else
+        const uint2 range = BodyCellRange(body, x);
+#endif
+        uint begin = range.x;
+        [loop]
+        while (begin < range.y)
+        {
+            const uint surface = _TriangleEdges[_CellTriangles[begin]] >> EDGES_SURFACE;
+            uint end = begin + 1u;
+            [loop]
+            while (end < range.y && _TriangleEdges[_CellTriangles[min(end, range.y - 1u)]] >> EDGES_SURFACE == surface)
+            {
+                end++;
+            }
+            const float side = SideOf(pose, moves, begin, end, position);
+            [loop]
+            for (uint t = begin; t < (side != 0.0 ? end : begin); t++)
+            {
+                const uint index = _CellTriangles[t];
+                const uint edges = _TriangleEdges[index];
+                const SeenTriangle seen = Seen(pose, moves, index, position);
+                const float own = (edges & EDGES_TURNED) == 0u ? side : -side; // of its corners as they run
+                [branch]
+                if (seen.Height * own > 0.0)
+                {
+                    const float3 n = own * seen.Normal;
+                    const bool turns = own < 0.0;
+                    const uint inPlane = turns ? ((edges & 1u) << 2u) | (edges & 2u) | ((edges >> 2u) & 1u) : edges & 7u;
+                    const Shadow part = ShadowOf(seen.A, turns ? seen.C : seen.B, turns ? seen.B : seen.C, n, max(abs(seen.Height), 1e-4 * _MirrorSpacing), inPlane);
+                    Add(sum, part);
+                    float3 along;
+                    [unroll]
+                    for (uint k = 0u; k < uint(WALL_PLANES); k++)
+                    {
+                        along[k] = dot(planes[k], n) + (owners[k] == b ? 4.0 : 0.0);
+                    }
+                    const uint most = along.x >= along.y && along.x >= along.z ? 0u : along.y >= along.z ? 1u : 2u;
+                    [unroll]
+                    for (uint p = 0u; p < uint(WALL_PLANES); p++)
+                    {
+                        shares.Push[p] += p == most ? part.Gradient : float3(0.0, 0.0, 0.0);
+                    }
+                }
+            }
+            begin = end;
+        }
+    }
+    return sum;
+}
+
+// With the faces of the domain. The nearer of a face and the triangles' like plane hides the other, as far as they look the same way; those square to
+// each other do not. holds: the Hessian is that of the whole.
+Shadow WithFaces(Shadow mesh, float3 position, inout WallShares shares, out float3 faces, out bool holds)
+{
+    holds = true;
+    const float steep = max(length(mesh.Gradient), 1e-6);
+    const float3 normal = -mesh.Gradient / steep; // towards the wall's liquid: the share falls along it
+    const float3 low = (position - _WallsLow) * _InverseSupport;
+    const float3 high = (_WallsHigh - position) * _InverseSupport;
+    Shadow inSight = mesh;
+    Shadow behind = (Shadow)0;
+    [branch]
+    if (any(min(low, high) < SHADOW_REACH))
+    {
+        const bool has = mesh.Value > 1e-7;
+        const float like = has ? DistanceOf(mesh.Value) : SHADOW_REACH;
+        const float3 liked = mesh.Gradient / min(ProfileAt(like).Slope, -1e-6);
+        [loop]
+        for (uint face = 0u; face < 6u; face++)
+        {
+            const uint axis = face >> 1u;
+            const float3 along = float3(axis == 0u ? 1.0 : 0.0, axis == 1u ? 1.0 : 0.0, axis == 2u ? 1.0 : 0.0);
+            const bool isHigh = (face & 1u) != 0u;
+            const float d = max(dot(along, isHigh ? high : low), 1e-3);
+            [branch]
+            if (d < SHADOW_REACH)
+            {
+                const float3 n = isHigh ? -along : along;
+                const Profile profile = PlaneProfile(d);
+                Shadow own = (Shadow)0;
+                own.Value = profile.Value;
+                own.Gradient = profile.Slope * n;
+                own.Diagonal = profile.Bend * along;
+                const float cosine = dot(normal, n);
+                const bool isFirst = d < like;
+                const float ratio = isFirst ? like / d : d / like;
+                const float hidden = has && cosine > 0.0 ? cosine * ratio : 0.0;
+                const float3 turning = -HessianTimes(mesh, n - cosine * normal) / steep;
+                const float3 leaving = isFirst ? (liked - ratio * n) / d : (n - ratio * liked) / like;
+                const float3 change = hidden > 0.0 && hidden < 1.0 ? ratio * turning + cosine * leaving : float3(0.0, 0.0, 0.0);
+                const float open = 1.0 - saturate(hidden);
+                holds = holds && (hidden < 1e-3 || hidden >= 1.0);
+                if (isFirst)
+                {
+                    const float3 gradient = inSight.Gradient * open - inSight.Value * change;
+                    inSight = Scaled(inSight, open);
+                    inSight.Gradient = gradient;
+                }
+                else
+                {
+                    const float3 gradient = own.Gradient * open - own.Value * change;
+                    own = Scaled(own, open);
+                    own.Gradient = gradient;
+                }
+                behind = Union(behind, own);
+            }
+        }
+    }
+    const Shadow whole = Union(inSight, behind);
+    const float left = (mesh.Value > 1e-7 ? inSight.Value / mesh.Value : 0.0) * (1.0 - behind.Value);
+    faces = whole.Gradient;
+    [unroll]
+    for (uint k = 0u; k < uint(WALL_PLANES); k++)
+    {
+        shares.Push[k] *= left;
+        faces -= shares.Push[k];
+    }
+    return whole;
+}
+
+#endif
