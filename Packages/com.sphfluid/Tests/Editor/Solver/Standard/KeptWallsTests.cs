@@ -8,9 +8,9 @@ namespace SphFluid.Tests
     {
         const float Spacing = 0.05f;
 
-        // In a step that keeps the order a particle's walls are gathered anew where it has gone 0.1 R since, and 0.45 R where it had none.
-        [TestCase(0.9f, 0.095f, false)]
-        [TestCase(0.9f, 0.105f, true)]
+        // In a step that keeps the order a particle's walls are gathered anew where it has gone 0.07 R since, and 0.45 R where it had none.
+        [TestCase(0.9f, 0.067f, false)]
+        [TestCase(0.9f, 0.073f, true)]
         [TestCase(1.1f, 0.44f, false)]
         [TestCase(1.1f, 0.46f, true)]
         public void KeptWallsAreGatheredAnewWhereTheirParticleHasGoneFar(float distanceOverRadius, float goneOverRadius, bool gathers)
