@@ -19,20 +19,28 @@ NearWall WallOf(uint slot, float3 position)
     return UnpackWall(_NearWalls[max(slot, 1u) - 1u], position, _InverseSupport);
 }
 
-// shares: what each plane's wall has of the gradient.
-WallDensity DensityOf(NearWall wall, out float3 shares[WALL_PLANES])
+WallDensity DensityOf(NearWall wall)
 {
     WallDensity density;
     density.Value = wall.Share;
-    density.Gradient = wall.Push[0] + wall.Push[1] + wall.Push[2];
-    shares = wall.Push;
+    density.Gradient = wall.Push[0] + wall.Push[1] + wall.Push[2] + wall.Turned;
     return density;
 }
 
-WallDensity DensityOf(NearWall wall)
+// shares: what each plane's wall has of the gradient. Of its change each has what lies along its normal, the first the rest.
+WallDensity DensityOf(NearWall wall, out float3 shares[WALL_PLANES])
 {
-    float3 shares[WALL_PLANES];
-    return DensityOf(wall, shares);
+    shares = wall.Push;
+    float3 rest = wall.Turned;
+    [unroll]
+    for (int k = 0; k < WALL_PLANES; k++)
+    {
+        const float3 own = wall.Planes[k].w < NO_PLANE_DISTANCE * 0.5 ? dot(rest, wall.Planes[k].xyz) * wall.Planes[k].xyz : float3(0.0, 0.0, 0.0);
+        shares[k] += own;
+        rest -= own;
+    }
+    shares[0] += rest;
+    return DensityOf(wall);
 }
 
 // What a particle's walls add; off is what it has without any. Loops that end at once are skipped where branches may not be.

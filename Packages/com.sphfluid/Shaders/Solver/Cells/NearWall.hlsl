@@ -13,7 +13,8 @@ struct NearWall
     float3 Velocity;   // of the first triangle's wall, m/s
     uint Flags;        // bits 0 to 2: the plane is a face's, not one beyond an edge; bits 4 and 5: the first triangle's plane, 3 for none
     float Share;       // of the kernel, behind the walls
-    float3 Push[WALL_PLANES]; // its gradient there, what each plane's wall has of it, 1/m
+    float3 Push[WALL_PLANES]; // its gradient where they were gathered, what each plane's wall has of it, 1/m
+    float3 Turned;     // what the gradient has changed by since
 };
 
 // The same as it is stored, for any place of the particle until the walls are gathered again: a plane's distance is n.x - offset.
@@ -139,9 +140,8 @@ NearWall UnpackWall(PackedWall packed, float3 position, float inverseSupport)
     const float2 zxxy = UnpackHalves(packed.Hessian.z);
     const float3 shear = float3(zzyz.y, zxxy.x, zxxy.y);
     const float3 turned = (float3(xxyy, zzyz.x) * gone + shear.zxy * gone.yzx + shear.yzx * gone.zxy) * (inverseSupport * inverseSupport);
-    wall.Push[0] = packed.Push[0] + turned;
-    wall.Push[1] = packed.Push[1];
-    wall.Push[2] = packed.Push[2];
+    wall.Push = packed.Push;
+    wall.Turned = turned;
     wall.Share = packed.Share + dot(packed.Push[0] + packed.Push[1] + packed.Push[2] + 0.5 * turned, gone);
     return wall;
 }

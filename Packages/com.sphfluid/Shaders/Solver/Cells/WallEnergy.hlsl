@@ -57,11 +57,21 @@ SeenTriangle Seen(BodyPose pose, bool moves, uint index, float3 position)
 // The side of a surface that a particle is on, by the triangle that is nearest: 1 or -1, as its corners run; 0 out of reach.
 float SideOf(BodyPose pose, bool moves, uint begin, uint end, float3 position)
 {
+    bool sees = false; // a triangle from the side of its corners' run, and one from the other
+    bool seesBack = false;
+    [loop]
+    for (uint n = begin; n < end && !(sees && seesBack); n++)
+    {
+        const float height = Seen(pose, moves, _CellTriangles[n], position).Height;
+        const bool isFront = (height > 0.0) == ((_TriangleEdges[_CellTriangles[n]] & EDGES_TURNED) == 0u);
+        sees = sees || height != 0.0 && isFront;
+        seesBack = seesBack || height != 0.0 && !isFront;
+    }
     float nearest = SHADOW_REACH * SHADOW_REACH;
-    float side = 0.0;
+    float side = sees ? 1.0 : seesBack ? -1.0 : 0.0; // all look one way
     float highest = 0.0;
     [loop]
-    for (uint t = begin; t < end; t++)
+    for (uint t = begin; t < (sees && seesBack ? end : begin); t++)
     {
         const uint index = _CellTriangles[t];
         const SeenTriangle seen = Seen(pose, moves, index, position);
