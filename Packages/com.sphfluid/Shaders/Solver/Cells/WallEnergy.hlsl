@@ -18,7 +18,7 @@ struct WallShares
     float3 Push[WALL_PLANES];
 };
 
-// Twins that lie in a face of the domain or behind it: the face stands for them.
+// Of the domain: it stands for triangles that lie in it or behind it.
 #define FACE_TOLERANCE 0.05 // dx
 
 bool IsBehindFace(float3 a, float3 b, float3 c)
@@ -211,12 +211,12 @@ Shadow TriangleShadow(float3 position, float3 planes[WALL_PLANES], uint owners[W
 }
 
 // With the faces of the domain. The nearer of a face and the triangles' like plane hides the other, as far as they look the same way; those square to
-// each other do not. holds: the Hessian is that of the whole.
+// each other do not. faces: what they have of the gradient. holds: the Hessian is that of the whole.
 Shadow WithFaces(Shadow mesh, float3 position, inout WallShares shares, out float3 faces, out bool holds)
 {
     holds = true;
     const float steep = max(length(mesh.Gradient), 1e-6);
-    const float3 normal = -mesh.Gradient / steep; // towards the wall's liquid: the share falls along it
+    const float3 normal = -mesh.Gradient / steep; // towards the liquid: the share falls along it
     const float3 low = (position - _WallsLow) * _InverseSupport;
     const float3 high = (_WallsHigh - position) * _InverseSupport;
     Shadow inSight = mesh;
