@@ -26,6 +26,7 @@ namespace SphFluid
 
         readonly int[] parent;
         readonly bool[] turned; // against the parent
+        MeshSurfaces deforming;
 
         /// <summary>The surfaces of a mesh.</summary>
         public MeshSurfaces(TriangleMesh mesh)
@@ -45,6 +46,7 @@ namespace SphFluid
             Order = other.Order;
             Count = other.Count;
             Edges = Array.ConvertAll(other.Edges, e => e & ~InPlane);
+            deforming = this; // a mesh that deforms in each frame is made from the one of the frame before
         }
 
         /// <summary>Of each triangle: bits for its edges, whether it is turned, and the number of its surface.</summary>
@@ -58,8 +60,6 @@ namespace SphFluid
 
         /// <summary>The same surfaces where corners move: no two triangles stay in one plane.</summary>
         public MeshSurfaces Deforming => deforming ??= new MeshSurfaces(this);
-
-        MeshSurfaces deforming;
 
         void Join(TriangleMesh mesh, int[] welded)
         {

@@ -137,7 +137,7 @@ namespace SphFluid
                 EndTriangles = (uint)ends.Count,
             };
             triangles.AddRange(ends);
-            edges.AddRange(new uint[ends.Count]);
+            for (int i = 0; i < ends.Count; i++) edges.Add(0u); // read by nothing
             ends.Clear();
             first = triangles.Count;
             surfaces = 0u;

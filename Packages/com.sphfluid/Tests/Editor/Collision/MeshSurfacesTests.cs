@@ -79,6 +79,7 @@ namespace SphFluid.Tests
             Assert.That(InPlane(found.Deforming), Is.Zero);
             Assert.That(found.Deforming.Count, Is.EqualTo(1));
             Assert.That(found.Deforming, Is.SameAs(found.Deforming));
+            Assert.That(found.Deforming.Deforming, Is.SameAs(found.Deforming), "nothing is made anew frame by frame");
         }
 
         [Test]
