@@ -41,15 +41,10 @@ struct PackedWall
 #define BRIEF_FLAG 8u // the share of the walls does not hold farther away
 #define FACE_COSINE 0.98 // between the direction to a particle and the normal of the triangle that is nearest: less is beyond an edge
 
-// How much of a plane one that comes before it leaves in sight, in w, and the gradient of that: triangles of one plane hide each
-// other, those square to each other do not. The gradient is bounded by that at 0.1 dx; particles come no nearer.
-float4 InSight(float4 before, float4 plane, float spacing)
+// How much of a plane one that comes before it leaves in sight: triangles of one plane hide each other, those square to each other do not.
+float InSight(float4 before, float4 plane, float spacing)
 {
-    const float cosine = dot(before.xyz, plane.xyz);
-    const float ratio = plane.w / max(before.w, 1e-6 * spacing);
-    const float hidden = cosine * ratio;
-    const float slope = hidden > 0.0 && hidden < 1.0 ? cosine / max(before.w, 0.1 * spacing) : 0.0;
-    return float4(slope * (ratio * before.xyz - plane.xyz), 1.0 - saturate(hidden));
+    return 1.0 - saturate(dot(before.xyz, plane.xyz) * (plane.w / max(before.w, 1e-6 * spacing)));
 }
 
 // How much of a wall is there for a particle beyond its edge: less than of a half-space where it looks at the edge from the side, all of it at
