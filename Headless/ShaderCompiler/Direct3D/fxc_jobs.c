@@ -15,9 +15,6 @@ typedef HRESULT(WINAPI *disassemble_fn)(LPCVOID, SIZE_T, UINT, LPCSTR, ID3DBlob 
 
 typedef struct { int uavs, shared_bytes, threads, slots, buffers; } figures;
 
-/* Where a compilation took longer than this it is done again, and the shortest time counts: a busy machine is slower. */
-static const int slow_ms = 1500, most_runs = 3;
-
 /* Milliseconds of the processor that this thread has used. */
 static int cpu_ms(void)
 {
@@ -83,18 +80,9 @@ static int run_job(char *line)
     if (!source) { printf("%s\tfailed\t0\t0\t0\t0\tcannot read %s\n", id, path); return 1; }
     ID3DBlob *code = NULL, *messages = NULL, *listing = NULL;
     const UINT optimise = 1 << 15, ieee_strictness = 0;
-    int ms = 0;
-    HRESULT hr = E_FAIL;
-    const int runs = output ? 1 : most_runs; /* who wants the code does not ask for the time */
-    for (int run = 0; run < runs && (run == 0 || ms > slow_ms); run++) {
-        if (code) code->lpVtbl->Release(code);
-        if (messages) messages->lpVtbl->Release(messages);
-        code = messages = NULL;
-        const int start = cpu_ms();
-        hr = compile(source, size, path, NULL, NULL, entry, target, optimise | ieee_strictness, 0, &code, &messages);
-        const int used = cpu_ms() - start;
-        ms = run == 0 || used < ms ? used : ms;
-    }
+    const int start = cpu_ms();
+    const HRESULT hr = compile(source, size, path, NULL, NULL, entry, target, optimise | ieee_strictness, 0, &code, &messages);
+    const int ms = cpu_ms() - start;
     int failed = FAILED(hr) || !code;
     if (!failed && output && !write_file(output, code)) {
         printf("%s\tfailed\t0\t0\t0\t0\tcannot write %s\n", id, output);

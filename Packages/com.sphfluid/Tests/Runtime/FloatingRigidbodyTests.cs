@@ -138,9 +138,10 @@ namespace SphFluid.Tests
                 gaps.Add((OnTheGpu().Centre - crate.worldCenterOfMass).magnitude);
                 Assert.That(crate.position.y - 0.5f * Crate.y, Is.InRange(top - 0.003f, top + 0.5f * Spacing), "on the floor, or on a film of water that cannot get away");
             }
-            // The floor is PhysX's: the liquid's body is held by what PhysX refuses, some frames late.
-            Assert.That(gaps.Average(), Is.LessThan(0.004f));
-            Assert.That(gaps.Max(), Is.LessThan(0.01f));
+            // The floor is PhysX's: the liquid's body is held by what PhysX refuses, some frames late, in which half of
+            // its weight moves it: 0.5 (g / 2) (4 / 60 s)^2 = 11 mm at most.
+            Assert.That(gaps.Average(), Is.LessThan(0.1f * Spacing));
+            Assert.That(gaps.Max(), Is.LessThan(0.2f * Spacing));
         }
 
         [UnityTest]
