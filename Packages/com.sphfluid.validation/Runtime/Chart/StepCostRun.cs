@@ -9,13 +9,15 @@ namespace SphFluid.Validation
     /// <summary>Times the step of a liquid: ¼ m³ of water that falls as a block in a cube of 1 m, whatever its number of particles.</summary>
     sealed class StepCostRun
     {
-        const double LeastSeconds = 1.0;
         const long LeastSteps = 12, MostSteps = 2000;
         const int EngineFramesToWait = 400;
 
         readonly FluidShaderSet shaders;
 
         public StepCostRun(FluidShaderSet shaders) => this.shaders = shaders;
+
+        /// <summary>Least time of a timing [s].</summary>
+        internal double LeastSeconds { get; set; } = 1.0;
 
         /// <summary>The timing; it yields where a frame of the engine has to go by.</summary>
         public IEnumerator Run(StepCostPoint point, Action<StepCostRow> done)
@@ -46,7 +48,7 @@ namespace SphFluid.Validation
             }
         }
 
-        static bool IsShort(long steps, Stopwatch clock) => steps < LeastSteps || steps < MostSteps && clock.Elapsed.TotalSeconds < LeastSeconds;
+        bool IsShort(long steps, Stopwatch clock) => steps < LeastSteps || steps < MostSteps && clock.Elapsed.TotalSeconds < LeastSeconds;
 
         static FluidSolverSettings Settings(StepCostPoint point, float spacing, float height)
         {

@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     public sealed class SettlingTests
     {
         const float FrameTime = 1f / 30f;
-        const float Seconds = 2.5f;
+        const float Seconds = 2f;
 
         SimulationRig rig;
 
@@ -24,13 +24,13 @@ namespace SphFluid.Tests
         public IEnumerator LiquidSettlesFlatOverColliders()
         {
             FluidSimulation simulation = rig.Create(liquid: false);
-            simulation.DomainSize = new Vector3(0.8f, 0.8f, 0.4f);
+            simulation.DomainSize = new Vector3(0.8f, 0.8f, 0.28f);
             simulation.Spacing = 0.04f;
             FluidVolume volume = rig.AddVolume(simulation);
-            volume.Size = new Vector3(0.39f, 0.66f, 0.39f);
+            volume.Size = new Vector3(0.39f, 0.66f, 0.27f);
             volume.transform.localPosition = new Vector3(-0.2f, -0.05f, 0f);
-            AddCollider<SphereCollider>(new Vector3(0.12f, -0.3f, -0.05f), Quaternion.identity, 0.2f);
-            AddCollider<BoxCollider>(new Vector3(0.3f, -0.33f, 0.1f), Quaternion.Euler(0f, 30f, 0f), 0.14f);
+            AddCollider<SphereCollider>(new Vector3(0.12f, -0.3f, -0.03f), Quaternion.identity, 0.2f);
+            AddCollider<BoxCollider>(new Vector3(0.3f, -0.33f, 0.04f), Quaternion.Euler(0f, 30f, 0f), 0.14f);
 
             for (int frame = 0; frame <= Mathf.RoundToInt(Seconds / FrameTime); frame++)
                 yield return null;

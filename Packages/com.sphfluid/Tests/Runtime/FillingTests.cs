@@ -75,7 +75,7 @@ namespace SphFluid.Tests
         [UnityTest]
         public IEnumerator ARelaxedStartReportsItsStepsAndKeepsVelocities()
         {
-            volume.Size = new Vector3(0.4f, 0.2f, 0.4f);
+            simulation.DomainSize = new Vector3(0.2f, 0.4f, 0.2f);
             volume.transform.localPosition = new Vector3(0f, -0.1f, 0f);
             volume.InitialVelocity = new Vector3(0.5f, 0f, 0f);
             Assert.That(simulation.StartSimulation(), simulation.StatusMessage);

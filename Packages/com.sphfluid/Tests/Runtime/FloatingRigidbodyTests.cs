@@ -108,7 +108,7 @@ namespace SphFluid.Tests
                 while (!simulation.IsRunning || simulation.Solver.StepCount < 8) yield return null;
                 simulation.Solver.State.Bodies.Floating.Readback.Age = age;
                 crate.isKinematic = false;
-                yield return Play(0.5f);
+                yield return Play(0.3f);
                 found.Add(OnTheGpu());
                 Object.DestroyImmediate(crate.gameObject);
             }
@@ -129,10 +129,10 @@ namespace SphFluid.Tests
             floor.transform.position = new Vector3(0f, -0.5f * simulation.DomainSize.y - 0.06f, 0f); // its top 4 cm above the domain's
             Fill(16f); // what it displaces gets away
             Rigidbody crate = AddCrate(2f, 0f, 0f);
-            yield return Play(1.6f);
+            yield return Play(1.1f);
             float top = floor.transform.position.y + 0.1f;
             var gaps = new List<float>();
-            for (int frame = 0; frame < 30; frame++)
+            for (int frame = 0; frame < 20; frame++)
             {
                 yield return null;
                 gaps.Add((OnTheGpu().Centre - crate.worldCenterOfMass).magnitude);

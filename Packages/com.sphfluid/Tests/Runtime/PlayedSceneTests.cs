@@ -209,8 +209,8 @@ namespace SphFluid.Tests
             splash.DomainSize = 0.6f * Vector3.one;
             splash.Spacing = 0.025f;
             FluidVolume water = rig.AddVolume(splash);
-            water.Size = 0.3f * Vector3.one;
-            water.transform.localPosition = new Vector3(-0.15f, 0.15f, -0.15f);
+            water.Size = 0.25f * Vector3.one;
+            water.transform.localPosition = new Vector3(-0.175f, 0.175f, -0.175f);
             using (var writer = new FluidSequenceWriter(files.Folder, splash.DomainSize, splash.Spacing))
             {
                 for (int i = 0; i < 50; i++)

@@ -141,16 +141,16 @@ namespace SphFluid.Tests
             ("a script wakes it", simulation.Wake),
         };
 
-        // 0.2 m wide and 0.1 m deep, 256 particles.
+        // 0.2 m wide and 0.12 m deep, 75 particles.
         FluidSimulation Pool(string name = "Pool", Vector3 position = default)
         {
             FluidSimulation simulation = rig.Create(name, false, position);
             simulation.DomainSize = new Vector3(0.2f, 0.3f, 0.2f);
-            simulation.Spacing = 0.025f;
+            simulation.Spacing = 0.04f;
             simulation.StartRelaxation = FluidStartRelaxation.Hydrostatic;
             FluidVolume volume = rig.AddVolume(simulation);
-            volume.Size = new Vector3(0.2f, 0.1f, 0.2f);
-            volume.transform.localPosition = new Vector3(0f, -0.1f, 0f);
+            volume.Size = new Vector3(0.2f, 0.12f, 0.2f);
+            volume.transform.localPosition = new Vector3(0f, -0.09f, 0f);
             return simulation;
         }
 

@@ -23,8 +23,8 @@ namespace SphFluid.Tests
             simulation = rig.Create(liquid: false);
             simulation.Method = FluidMethodKind.Standard;
             simulation.StartJitter = 0f;
+            simulation.DomainSize = new Vector3(0.2f, 0.4f, 0.2f);
             FluidVolume volume = rig.AddVolume(simulation);
-            volume.Size = new Vector3(0.4f, 0.2f, 0.4f);
             volume.transform.localPosition = new Vector3(0f, -0.1f, 0f);
             before = FluidSimulation.StartWatcher;
             FluidSimulation.StartWatcher = watcher = new Watcher();

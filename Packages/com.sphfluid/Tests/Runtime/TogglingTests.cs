@@ -17,12 +17,12 @@ namespace SphFluid.Tests
     /// </summary>
     public sealed class TogglingTests
     {
-        const int Warm = 5;
+        const int Warm = 3;
 
         [UnityTest]
         public IEnumerator EveryComponentReturnsItsMemory()
         {
-            int cycles = int.Parse(Environment.GetEnvironmentVariable("SPHFLUID_LONG_PLAY") ?? "5", CultureInfo.InvariantCulture);
+            int cycles = int.Parse(Environment.GetEnvironmentVariable("SPHFLUID_LONG_PLAY") ?? "3", CultureInfo.InvariantCulture);
             using var rig = new SimulationRig();
             using var files = new SequenceFiles();
             files.Write(new[] { 0d, 1d }, i => new[] { new FluidParticle(Vector3.zero, Vector3.zero, 5u) }, 0.4f * Vector3.one, SimulationRig.Spacing);
