@@ -16,7 +16,7 @@ internal sealed class DxcCheck(ProjectPackages packages, string cacheFolder)
         var folder = Directory.CreateTempSubdirectory("dxc");
         try
         {
-            var results = toolchain.Run(folder.FullName, jobs.Write(folder.FullName, profile => profile.Replace("_5_0", "_6_0")));
+            var results = toolchain.Run(folder.FullName, jobs.Write(folder.FullName, profile => profile.Replace("_5_0", "_6_0"), _ => false));
             report.Findings.AddRange(results.Select(r => r.Split('\t'))
                 .Where(fields => fields[1] != "ok" || Messages(fields).Length > 0)
                 .Select(fields => $"{jobs.Jobs[int.Parse(fields[0])].Name}: {Messages(fields)}"));

@@ -38,8 +38,9 @@ internal sealed class FxcCheck(ProjectPackages packages, string cacheFolder)
         finally { folder.Delete(recursive: true); }
     }
 
+    // The code of kernels is what "sphplayer test --compiler fxc" runs.
     private static List<FxcResult> Compiled(HlslJobs jobs, WineToolchain toolchain, string folder) =>
-        [.. toolchain.Run(folder, jobs.Write(folder, profile => profile)).Select(line => FxcResult.Parse(line, jobs.Jobs))];
+        [.. toolchain.Run(folder, jobs.Write(folder, profile => profile, job => job.IsKernel)).Select(line => FxcResult.Parse(line, jobs.Jobs))];
 
     private static void Check(FxcResult result, CheckReport report)
     {

@@ -28,13 +28,14 @@ internal sealed record HlslJobs(IReadOnlyList<FxcJob> Jobs, int Files)
         return new HlslJobs(jobs, files.Count);
     }
 
-    /// <summary>Writes each text as NUMBER.hlsl, and returns the lines of a job list: number, file, entry point, profile.</summary>
-    public IReadOnlyList<string> Write(string folder, Func<string, string> profile) =>
+    /// <summary>Writes each text as NUMBER.hlsl, and returns the lines of a job list: number, file, entry point, profile, and a file for its code.</summary>
+    /// <param name="code">Whether a job's code is to be written.</param>
+    public IReadOnlyList<string> Write(string folder, Func<string, string> profile, Func<FxcJob, bool> code) =>
     [
         .. Jobs.Select((job, i) =>
         {
             File.WriteAllText(Path.Combine(folder, $"{i}.hlsl"), job.Text);
-            return $"{i}\t{i}.hlsl\t{job.Entry}\t{profile(job.Profile)}";
+            return $"{i}\t{i}.hlsl\t{job.Entry}\t{profile(job.Profile)}{(code(job) ? $"\t{i}.code" : "")}";
         }),
     ];
 }

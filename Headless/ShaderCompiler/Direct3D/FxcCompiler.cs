@@ -6,6 +6,8 @@ namespace Headless.Shaders.Direct3D;
 /// <summary>Compiles stages with FXC; as many processes as threads ask at the same time. Safe for several threads.</summary>
 internal sealed partial class FxcCompiler(WineToolchain toolchain) : IDisposable
 {
+    private const string Profile = "cs_5_0";
+
     private readonly ConcurrentBag<FxcSession> _idle = [];
     private readonly Lazy<string?> _problem = new(toolchain.Prepare);
 
@@ -21,6 +23,10 @@ internal sealed partial class FxcCompiler(WineToolchain toolchain) : IDisposable
             throw new ShaderCompileException(job.Source.Files[0], 0, $"{problem} ({job.Owner})");
         }
         string text = FxcText.From(job.Text, job.Source);
+        if (toolchain.KnownCode(text, job.SourceEntryPoint, Profile) is { } known)
+        {
+            return known;
+        }
         // A process that another one's fault has ended is replaced once; a source that crashes the next one too is at fault itself.
         (byte[]? code, string messages, bool crashed) = Ask(job, text);
         if (crashed)
@@ -35,7 +41,7 @@ internal sealed partial class FxcCompiler(WineToolchain toolchain) : IDisposable
         FxcSession session = _idle.TryTake(out FxcSession? found) ? found : new FxcSession(toolchain);
         try
         {
-            (byte[]? code, string messages) = session.Compile(text, job.SourceEntryPoint, "cs_5_0");
+            (byte[]? code, string messages) = session.Compile(text, job.SourceEntryPoint, Profile);
             return (code, messages, !session.Alive);
         }
         finally

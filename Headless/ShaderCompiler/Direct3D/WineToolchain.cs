@@ -1,6 +1,7 @@
 using System.ComponentModel;
 using System.Diagnostics;
 using System.Security.Cryptography;
+using System.Text;
 using System.Text.RegularExpressions;
 
 namespace Headless.Shaders.Direct3D;
@@ -11,11 +12,16 @@ internal sealed partial class WineToolchain(WineDriver driver, string cacheFolde
 {
     private const string CrossCompiler = "x86_64-w64-mingw32-gcc";
     private const string SharedSource = "jobs.h";
+    private const string CodeSuffix = ".code";
 
     // A driver ends with 101 to 104 where it cannot work. A crash ends it with any code: Wine passes on the lowest byte of Windows's.
     private const int FirstOwnError = 101, LastOwnError = 104;
 
     private static readonly string[] winePaths = ["/usr/lib/wine/wine64", "/usr/bin/wine64", "/usr/local/bin/wine64"];
+
+    // Of the library and of the driver.
+    private readonly Lazy<string> _tools = new(() => Convert.ToHexString(SHA256.HashData(
+        [.. File.ReadAllBytes(Path.Combine(cacheFolder, driver.Library)), .. Source(driver.Name + ".c"), .. Source(SharedSource)])));
 
     private string Fetched => Path.Combine(cacheFolder, driver.Library);
     private string WorkFolder => Path.Combine(cacheFolder, driver.Folder);
@@ -68,9 +74,63 @@ internal sealed partial class WineToolchain(WineDriver driver, string cacheFolde
         return null;
     }
 
-    /// <summary>Compiles the jobs, a line each, and returns a line for each; what Wine says of itself is left out. One process does
-    /// them all. Where the compiler crashes, another process goes on from there; a job that crashes that one at once has failed.</summary>
+    /// <summary>Compiles the jobs, a line each, and returns a line for each; what Wine says of itself is left out. What was compiled
+    /// before without a message is known by its text: its figures, CPU time among them, are those of that time.</summary>
     public List<string> Run(string folder, IReadOnlyList<string> jobs)
+    {
+        List<string> results = [], rest = [];
+        Dictionary<string, (string Known, string? Code)> files = [];
+        foreach (string job in jobs)
+        {
+            string[] words = job.Split('\t');
+            (string known, string? code) = files[words[0]] = (KnownFile(File.ReadAllText(Path.Combine(folder, words[1])), words[2], words[3]), words.ElementAtOrDefault(4));
+            if (File.Exists(known) && (code is null || File.Exists(known + CodeSuffix)))
+            {
+                results.Add($"{words[0]}\t{File.ReadAllText(known)}");
+            }
+            else
+            {
+                rest.Add(job);
+            }
+        }
+        foreach (string line in Compile(folder, rest))
+        {
+            results.Add(line);
+            string[] fields = line.TrimEnd('\r').Split('\t');
+            if (fields[1] == "ok" && fields.ElementAtOrDefault(2 + driver.NoFigures.Split('\t').Length) is null or "")
+            {
+                (string known, string? code) = files[fields[0]];
+                if (code is not null)
+                {
+                    Keep(known + CodeSuffix, File.ReadAllBytes(Path.Combine(folder, code)));
+                }
+                Keep(known, Encoding.UTF8.GetBytes(string.Join('\t', fields[1..])));
+            }
+        }
+        return results;
+    }
+
+    /// <summary>The code of a text that <see cref="Run"/> compiled; null where it did not.</summary>
+    public byte[]? KnownCode(string text, string entryPoint, string profile) =>
+        KnownFile(text, entryPoint, profile) + CodeSuffix is var file && File.Exists(file) ? File.ReadAllBytes(file) : null;
+
+    // By all that decides on a result. Where the text's lines come from shows in messages alone.
+    private string KnownFile(string text, string entryPoint, string profile)
+    {
+        string[] all = [_tools.Value, entryPoint, profile, LineDirective().Replace(text, "")];
+        return Path.Combine(WorkFolder, "known", Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(string.Join('\0', all)))));
+    }
+
+    private static void Keep(string path, byte[] content)
+    {
+        string whole = path + "." + Guid.NewGuid().ToString("N");
+        Directory.CreateDirectory(Path.GetDirectoryName(path)!);
+        File.WriteAllBytes(whole, content);
+        File.Move(whole, path, overwrite: true);
+    }
+
+    // One process does them all. Where the compiler crashes, another process goes on from there; a job that crashes that one at once has failed.
+    private List<string> Compile(string folder, IReadOnlyList<string> jobs)
     {
         List<string> results = [];
         while (results.Count < jobs.Count)
@@ -175,6 +235,9 @@ internal sealed partial class WineToolchain(WineDriver driver, string cacheFolde
         process.WaitForExit();
         return (process.ExitCode, process.ExitCode is >= 0 and <= 100 ? output : output + errors.Result);
     }
+
+    [GeneratedRegex(@"^#line .*$", RegexOptions.Multiline)]
+    private static partial Regex LineDirective();
 
     [GeneratedRegex(@"^\d+\t(ok|failed)\t")]
     private static partial Regex ResultLine();

@@ -1,5 +1,6 @@
 using Headless.Checks.Fxc;
 using Headless.Shaders;
+using Headless.Shaders.Direct3D;
 using NUnit.Framework;
 
 namespace Headless.Tests.Checks;
@@ -35,6 +36,32 @@ public sealed class FxcCheckTests
         var findings = Run("RWStructuredBuffer<float> Out;\n" + source).Findings;
 
         Assert.That(findings, Has.Some.Contains(message).IgnoreCase);
+    }
+
+    [Test]
+    public void WhatWasCompiledWithoutAMessageIsKnownByItsText()
+    {
+        var toolchain = new WineToolchain(WineDriver.Fxc, cache);
+        if (toolchain.Prepare() is { } reason) Assert.Ignore(reason);
+        string folder = Directory.CreateTempSubdirectory("known-").FullName, known = Path.Combine(cache, "fxc", "known");
+        string fresh = $"// {Guid.NewGuid()}\n#line 1 \"{folder}/A.hlsl\"\nRWStructuredBuffer<float> Out; [numthreads(64,1,1)] void K(uint3 id : SV_DispatchThreadID) ";
+        File.WriteAllText(Path.Combine(folder, "0.hlsl"), fresh + "{ Out[id.x] = 1; }");
+        File.WriteAllText(Path.Combine(folder, "1.hlsl"), fresh + "{ float2 v = float3(1, 2, 3); Out[id.x] = v.x; }");
+        string[] jobs = ["0\t0.hlsl\tK\tcs_5_0", "1\t1.hlsl\tK\tcs_5_0"];
+        DateTime start = DateTime.UtcNow.AddSeconds(-2);
+        List<string> first = toolchain.Run(folder, jobs);
+
+        string[] made = [.. Directory.GetFiles(known).Where(f => File.GetLastWriteTimeUtc(f) > start && "0\t" + File.ReadAllText(f) == first[0].TrimEnd())];
+        Assert.That(made, Is.Not.Empty);
+        foreach (string file in made) File.WriteAllText(file, "ok\t1\t0\t64\t77\t\t1\t0");
+        File.WriteAllText(Path.Combine(folder, "0.hlsl"), (fresh + "{ Out[id.x] = 1; }").Replace("A.hlsl", "B.hlsl"));
+        List<string> again = toolchain.Run(folder, jobs);
+        Assert.That(again, Has.One.EqualTo("0\tok\t1\t0\t64\t77\t\t1\t0").And.One.Contains("truncation"));
+        File.WriteAllText(Path.Combine(folder, "0.hlsl"), fresh + "{ Out[id.x] = 2; }");
+        Assert.That(toolchain.Run(folder, jobs), Has.None.Contains("\t77\t"), "another text");
+
+        foreach (string file in made) File.Delete(file);
+        Directory.Delete(folder, recursive: true);
     }
 
     [Test]
