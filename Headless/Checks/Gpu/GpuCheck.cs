@@ -6,7 +6,8 @@ namespace Headless.Checks.Gpu;
 /// <summary>Compiles every kernel and pass for two families of GPUs by Mesa's RADV on null hardware, and holds registers, spills, scratch
 /// and groupshared memory, waves and the hot loops against committed tables.</summary>
 /// <param name="tableFolder">Where the tables are.</param>
-internal sealed class GpuCheck(ProjectPackages packages, string shaderCache, string tableFolder)
+/// <param name="families">Those that are compiled for; null for all.</param>
+internal sealed class GpuCheck(ProjectPackages packages, string shaderCache, string tableFolder, IReadOnlyList<GpuFamily>? families = null)
 {
     private const string Compiler = "glslangValidator";
 
@@ -19,7 +20,7 @@ internal sealed class GpuCheck(ProjectPackages packages, string shaderCache, str
         Prewarm(problems);
         if (problems.Count > 0) return [Failed(problems)];
         var hardware = new NullHardware(packages.Project, shaderCache);
-        var results = GpuFamily.All.AsParallel().AsOrdered().Select(hardware.Compile).ToList();
+        var results = (families ?? GpuFamily.All).AsParallel().AsOrdered().Select(hardware.Compile).ToList();
         foreach (var result in results.Where(r => r.SkippedBecause is null)) result.RequireHotLoops();
         return update ? [Update(results, front)] : Compare(results, front);
     }

@@ -1,11 +1,24 @@
 using Headless.Checks;
 using Headless.Checks.Api;
 using NUnit.Framework;
+using System.Reflection;
 
 namespace Headless.Tests.Checks;
 
 public sealed class ApiCheckTests
 {
+    // Those of all cases, a file each, are compiled together.
+    private static readonly List<string> expressions =
+        [.. typeof(ApiCheckTests).GetMethods().SelectMany(m => m.GetCustomAttributes<TestCaseAttribute>()).Select(c => (string)c.Arguments[0]!)];
+
+    private static readonly Lazy<List<CheckReport>> ofExpressions = new(() =>
+    {
+        using var package = new TemporaryPackage()
+            .Write("Runtime/A.asmdef", """{ "name": "A", "references": [ "Unity.Mathematics" ], "includePlatforms": [], "defineConstraints": [] }""");
+        for (int i = 0; i < expressions.Count; i++) package.Write($"Runtime/C{i}.cs", $"class C{i} {{ object B() => {expressions[i]}; }}");
+        return [.. new ApiCheck(package.Packages).Run()];
+    });
+
     [Test]
     public void CodeOfAllLinesPasses()
     {
@@ -23,9 +36,7 @@ public sealed class ApiCheckTests
     [TestCase("new UnityEngine.Terrain()", "without modules", "needs a module", TestName = "a module that a project may not have")]
     public void MembersThatAUserDoesNotHaveAreFound(string expression, string where, string message)
     {
-        var reports = Run($"class A {{ object B() => {expression}; }}");
-
-        Assert.That(reports.Where(r => r.Name.Contains(where)).SelectMany(r => r.Findings), Has.Some.Contains(message));
+        Assert.That(FindingsOf(expression, where), Has.Some.Contains(message));
     }
 
     [TestCase("new UnityEngine.Camera().GetInstanceID()", "6000.5", "6000.3", "CS0619", TestName = "an error from 6000.5 on")]
@@ -34,10 +45,8 @@ public sealed class ApiCheckTests
     [TestCase("(Unity.Mathematics.float3)new UnityEngine.Rigidbody().velocity", "6000.0", "2022.3", "CS0618", TestName = "obsolete behind a conversion")]
     public void EachLineIsCheckedByItsOwnApi(string expression, string fails, string passes, string message)
     {
-        var reports = Run($"class A {{ object B() => {expression}; }}", """[ "Unity.Mathematics" ]""");
-
-        Assert.That(reports.Where(r => r.Name.Contains(fails)).SelectMany(r => r.Findings), Has.Some.Contains(message));
-        Assert.That(reports.Where(r => r.Name.Contains(passes)).SelectMany(r => r.Findings), Is.Empty);
+        Assert.That(FindingsOf(expression, fails), Has.Some.Contains(message));
+        Assert.That(FindingsOf(expression, passes), Is.Empty);
     }
 
     [Test]
@@ -125,10 +134,12 @@ public sealed class ApiCheckTests
         Assert.That(reports.SelectMany(r => r.Findings), Is.Empty);
     }
 
-    private static List<CheckReport> Run(string source, string references = "[]")
+    private static IEnumerable<string> FindingsOf(string expression, string pass) => ofExpressions.Value.Where(r => r.Name.Contains(pass))
+        .SelectMany(r => r.Findings).Where(f => f.Contains($" C{expressions.IndexOf(expression)}.cs("));
+
+    private static List<CheckReport> Run(string source)
     {
-        using var package = new TemporaryPackage().Write("Runtime/A.cs", source)
-            .Write("Runtime/A.asmdef", $$"""{ "name": "A", "references": {{references}}, "includePlatforms": [], "defineConstraints": [] }""");
+        using var package = new TemporaryPackage().Write("Runtime/A.cs", source);
         return new ApiCheck(package.Packages).Run().ToList();
     }
 }

@@ -7,18 +7,19 @@ public sealed class FormatCheckTests
 {
     private const string Rules = "root = true\n[*.cs]\nindent_style = space\nindent_size = 4\nend_of_line = lf\n";
 
-    [TestCase("class A\n{\n    int b;\n}\n", 0)]
-    [TestCase("class A\n{\n  int b;\n}\n", 1)]
-    [TestCase("class A {\n    int b;\n}\n", 1)]
-    public void CodeIsHeldAgainstTheRules(string code, int findings)
+    [Test]
+    public void CodeIsHeldAgainstTheRules()
     {
-        using var package = new TemporaryPackage().Write("Runtime/A.cs", code).Write("../../.editorconfig", Rules);
+        using var package = new TemporaryPackage().Write("../../.editorconfig", Rules)
+            .Write("Runtime/Good.cs", "class A\n{\n    int b;\n}\n")
+            .Write("Runtime/Indented.cs", "class B\n{\n  int b;\n}\n")
+            .Write("Runtime/Braced.cs", "class C {\n    int b;\n}\n");
 
         var report = new CodeFormatCheck(package.Project).Run();
 
         Assert.That(report.SkippedBecause, Is.Null);
-        Assert.That(report.Findings, Has.Count.EqualTo(findings).And.All.Contains("Runtime/A.cs, line "));
-        Assert.That(report.Figures, Is.EqualTo("1 files"));
+        Assert.That(report.Findings, Has.Count.EqualTo(2).And.Some.Contains("Runtime/Indented.cs, line 3: ").And.Some.Contains("Runtime/Braced.cs, line 1: "));
+        Assert.That(report.Figures, Is.EqualTo("3 files"));
     }
 
     [TestCase("float a;\n")]

@@ -14,7 +14,7 @@ namespace Headless.Tests.Fuzz;
 [Category("Gpu")]
 public sealed class FuzzTests
 {
-    private const int UsualCount = 300;
+    private const int UsualCount = 150;
     private const int CompileEvery = 8;
 
     private FuzzProject project = null!;
@@ -46,7 +46,8 @@ public sealed class FuzzTests
     {
         Assert.Multiple(() =>
         {
-            foreach (string file in project.Files)
+            // The index of the project reads every meta file.
+            foreach (string file in project.Files.Where(f => !f.EndsWith(".meta", StringComparison.Ordinal)))
                 Assert.That(() => project.Import(file, compile: false), Throws.Nothing, file);
         });
     }

@@ -13,7 +13,7 @@ public sealed class PysphExportTests
     private const string Debian = "/usr/bin/python3"; // the interpreter that Debian's packages are for
     private static readonly TimeSpan Patience = TimeSpan.FromMinutes(10);
 
-    private string folder = "";
+    private string folder = "", damBreak = "";
 
     [SetUp]
     public void SetUp() => folder = Directory.CreateTempSubdirectory("exported-").FullName;
@@ -21,11 +21,16 @@ public sealed class PysphExportTests
     [TearDown]
     public void TearDown() => Directory.Delete(folder, recursive: true);
 
+    [OneTimeTearDown]
+    public void Clean()
+    {
+        if (damBreak.Length > 0) Directory.Delete(damBreak, recursive: true);
+    }
+
     [Test]
     public void TheDamBreakIsWritten()
     {
-        PlayerProcess run = Export("--particles", "500", "--seconds", "0.1", "--frame-rate", "10");
-        Assert.That(run.ExitCode, Is.Zero, run.Output + run.Errors);
+        TakeDamBreak();
         JsonElement manifest = Json("manifest.json");
         Assert.That(manifest.GetProperty("liquidParticles").GetInt64(), Is.InRange(400, 600));
         foreach (JsonElement file in manifest.GetProperty("files").EnumerateArray())
@@ -39,10 +44,10 @@ public sealed class PysphExportTests
     [Test]
     public void AMovingPaddleIsABody()
     {
-        PlayerProcess run = Export("--scene", "Packages/com.sphfluid/Samples~/WaveTank/WaveTank.unity", "--particles", "500", "--seconds", "0.5", "--frame-rate", "20");
+        PlayerProcess run = Export("--scene", "Packages/com.sphfluid/Samples~/WaveTank/WaveTank.unity", "--particles", "500", "--seconds", "0.25", "--frame-rate", "20");
         Assert.That(run.ExitCode, Is.Zero, run.Output + run.Errors);
         JsonElement body = Json("manifest.json").GetProperty("bodies").EnumerateArray().First();
-        Assert.That(body.GetProperty("poses").GetInt32(), Is.InRange(10, 12));
+        Assert.That(body.GetProperty("poses").GetInt32(), Is.InRange(5, 7));
         Assert.That(body.GetProperty("particles").GetInt64(), Is.Positive);
     }
 
@@ -67,8 +72,7 @@ public sealed class PysphExportTests
     public void PysphRunsTheDamBreakOnOneProcessAndOnTwo([Values(1, 2)] int ranks)
     {
         RequirePysph();
-        PlayerProcess run = Export("--particles", "500", "--seconds", "0.1", "--frame-rate", "20");
-        Assert.That(run.ExitCode, Is.Zero, run.Output + run.Errors);
+        TakeDamBreak();
         Run(PathOf("run.sh"), ranks, "--max-steps", "60"); // the first 50 are short
 
         JsonElement sequence = Json("sequence/sequence.json");
@@ -108,8 +112,7 @@ public sealed class PysphExportTests
     public void VtkFilesBecomeASequence([Values] bool velocities, [Values] bool ids)
     {
         Require("meshio", "python3-meshio");
-        PlayerProcess export = Export("--particles", "100", "--seconds", "0.05");
-        Assert.That(export.ExitCode, Is.Zero, export.Output + export.Errors);
+        TakeDamBreak();
         for (int frame = 0; frame < 2; frame++) File.WriteAllText(PathOf($"other-{frame}.vtu"), Vtu(frame, velocities, ids));
 
         string said = RunScript(0, PathOf("to_sequence.py"), "--vtk", PathOf("other-*.vtu"), "--frame-rate", "20", PathOf("sequence"));
@@ -131,7 +134,7 @@ public sealed class PysphExportTests
     public void VtkFilesWithTwoParticlesOfANumberAreRefused()
     {
         Require("meshio", "python3-meshio");
-        Assert.That(Export("--particles", "100", "--seconds", "0.05").ExitCode, Is.Zero);
+        TakeDamBreak();
         File.WriteAllText(PathOf("other-0.vtu"), Vtu(0, true, true).Replace("2 0 1", "2 0 0"));
 
         string said = RunScript(1, PathOf("to_sequence.py"), "--vtk", PathOf("other-*.vtu"), PathOf("sequence"));
@@ -208,6 +211,24 @@ public sealed class PysphExportTests
     private string PathOf(string name) => Path.Combine(folder, name);
 
     private JsonElement Json(string name) => JsonDocument.Parse(File.ReadAllText(PathOf(name))).RootElement;
+
+    // Exported once, and then copied: nothing of it hangs on the test.
+    private void TakeDamBreak()
+    {
+        if (damBreak.Length == 0)
+        {
+            PlayerProcess run = Export("--particles", "500", "--seconds", "0.1", "--frame-rate", "20");
+            Assert.That(run.ExitCode, Is.Zero, run.Output + run.Errors);
+            damBreak = folder;
+            folder = Directory.CreateTempSubdirectory("exported-").FullName;
+        }
+        foreach (string file in Directory.EnumerateFiles(damBreak, "*", SearchOption.AllDirectories))
+        {
+            string copy = PathOf(Path.GetRelativePath(damBreak, file));
+            Directory.CreateDirectory(Path.GetDirectoryName(copy)!);
+            File.Copy(file, copy);
+        }
+    }
 
     private PlayerProcess Export(params string[] flags)
     {

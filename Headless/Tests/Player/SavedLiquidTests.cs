@@ -14,7 +14,7 @@ public sealed class SavedLiquidTests
     {
         string folder = Directory.CreateTempSubdirectory("saved-").FullName;
         Environment.SetEnvironmentVariable(Folder, folder);
-        Environment.SetEnvironmentVariable(Frames, "20");
+        Environment.SetEnvironmentVariable(Frames, "10");
         try
         {
             Play();
