@@ -8,12 +8,12 @@ namespace SphFluid.Tests
     {
         static readonly CaseMethod Standard = CaseMethod.Find("standard");
 
-        [TestCase(2.25, 0.05)]
-        [TestCase(2.5, 0.025)]
+        [TestCase(2.25, 0.075)]
+        [TestCase(2.5, 0.045)]
         public void TheEllipsoidSwings(double supportRatio, double limit)
         {
             var ellipsoid = new EllipsoidCase();
-            CaseParameters parameters = ellipsoid.Base(Standard);
+            CaseParameters parameters = Coarse(ellipsoid, 6);
             parameters.SupportRatio = supportRatio;
             Assert.That(Run(ellipsoid, parameters, out _), Is.LessThan(limit));
         }
@@ -22,7 +22,7 @@ namespace SphFluid.Tests
         public void ChannelsStartUp()
         {
             foreach (ChannelCase channel in new ChannelCase[] { new PoiseuilleCase(), new CouetteCase() })
-                Assert.That(Run(channel, Coarse(channel, 8), out _), Is.LessThan(0.03), channel.Name);
+                Assert.That(WallCaseRig.StartUpError(channel, Coarse(channel, 8)), Is.LessThan(0.03), channel.Name);
         }
 
         [Test]
@@ -47,12 +47,11 @@ namespace SphFluid.Tests
         }
 
         [TestCase(2.0)]
-        [TestCase(2.25)]
         [TestCase(2.5)]
         public void WhatFallsFreelyKeepsItsShape(double supportRatio)
         {
             var fall = new FreeFallCase();
-            CaseParameters parameters = Coarse(fall, 9);
+            CaseParameters parameters = Coarse(fall, 7);
             parameters.SupportRatio = supportRatio;
             Assert.That(Run(fall, parameters, out _), Is.LessThan(fall.Limit));
         }
@@ -82,7 +81,12 @@ namespace SphFluid.Tests
         {
             var sloshing = new SloshingCase();
             CaseParameters parameters = Coarse(sloshing, 6);
-            Assert.That(Run(sloshing, parameters, out CaseMetric metric), Is.LessThan(3e-3), "one pair of 864");
+            CaseSetup setup = sloshing.Build(parameters);
+            setup.Duration = 3.0; // the block has fallen over, run up the other wall and come back
+            CaseMetric metric = sloshing.CreateMetric(parameters, setup);
+            CaseResult result = WallCaseRig.Run(sloshing.Name, setup, metric, SurfaceTestScene.LoadShaders());
+            Assert.That(result.Failure, Is.Null);
+            Assert.That(result.Errors[0].Value, Is.LessThan(3e-3), "one pair of 864");
             Assert.That(WallCaseStates.Named(metric, "particles within dx/2 of another, largest"), Is.LessThan(0.01));
         }
 

@@ -39,8 +39,9 @@ namespace SphFluid.Tests
         public void TheBorderOfTheTimeStepIsWhereTheLatticeDiverges()
         {
             FailureExperiment around = StepFailures.TimeStep(1.42, 1.33);
+            around.Failing.Steps = around.Cured.Steps = 60;
             Assert.That(around.Run(false, shaders).Figure, Is.GreaterThan(0.2), "dt √k/R = 1.42");
-            Assert.That(around.Run(true, shaders).Figure, Is.LessThan(0.05), "1.33");
+            Assert.That(around.Run(true, shaders).Figure, Is.LessThan(1e-3), "1.33");
         }
 
         [Test]
@@ -70,20 +71,10 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void ADeepColumnStandsAsTheEquationOfStateHasIt()
-        {
-            FailureExperiment experiment = DensityFailures.DeepTank();
-            double soft = experiment.Run(false, shaders).Figure, stiff = experiment.Run(true, shaders).Figure;
-            double expected = DensityFailures.TheoreticalHeight(5.0), expectedStiff = DensityFailures.TheoreticalHeight(25.0);
-            Assert.That(expected, Is.EqualTo(0.912).Within(0.001));
-            Assert.That(soft / stiff, Is.EqualTo(expected / expectedStiff).Within(0.01), "both lose the same at floor and surface");
-            Assert.That(soft, Is.EqualTo(expected).Within(0.025), "less half a spacing of 24 for floor and surface");
-        }
-
-        [Test]
         public void PairsInTheBulkPartAtAnySupportRadius()
         {
             FailureRun run = InteractionFailures.PairsInTheBulk();
+            run.Steps = 8;
             FailureResult result = new FailureExperiment("pairs", FluidFailure.Pairing, run, run, "", r => r.EndStatistics.Clumped).Run(false, shaders);
             Assert.That(result.Statistics[0].Clumped, Is.EqualTo(run.Start.Length), "all at the start");
             Assert.That(result.Names(FluidFailure.Pairing), Is.True, result.Named);

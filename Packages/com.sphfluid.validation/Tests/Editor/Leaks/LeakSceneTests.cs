@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+using System.Linq;
 using NUnit.Framework;
 using SphFluid.Validation;
 using Object = UnityEngine.Object;
@@ -21,48 +23,64 @@ namespace SphFluid.Tests
             }
         }
 
-        [TestCase("cup", 5.0, 24)]
-        [TestCase("cup", 150.0, 8)]
-        [TestCase("open-cup", 20.0, 14)]
-        [TestCase("funnel", 0.0, 36)]
+        // Of a pool, what is in the surfaces or within three spacings of them, at the start or at the end, feels them: the rest only takes time.
+        static void KeepNear(LeakScene scene)
+        {
+            var meshes = new List<TriangleMesh>();
+            foreach (LeakBody body in scene.Bodies.Where(b => b.Mesh.IsClosed))
+                foreach (int frame in new[] { 0, scene.Frames })
+                    meshes.Add(TriangleMesh.FromCorners((body.Shape?.Invoke(frame) ?? body.Surface).Select(body.PoseAt(frame).ToSimulation).ToArray()));
+            if (meshes.Count == 0) return;
+            float reach = 3f * scene.Settings.Spacing;
+            scene.Particles = CaseLattice.Particles(scene.Particles.Select(p => p.Position).Where(p => meshes.Any(m => m.Contains(p) || m.IsNear(p, reach))).ToList());
+        }
+
+        [TestCase("cup", 5.0, 12)]
+        [TestCase("cup", 150.0, 4)]
+        [TestCase("open-cup", 20.0, 8)]
+        [TestCase("funnel", 0.0, 24)]
         [TestCase("bunny", 0.0, 8)]
         [TestCase("bunny-turned", 0.0, 5)]
         [TestCase("knife", 10.0, 9)]
         [TestCase("vertex", 10.0, 9)]
         [TestCase("wall", 3.0, 15)]
-        [TestCase("sizes", 5.0, 6)]
-        [TestCase("coplanar", 5.0, 12)]
+        [TestCase("sizes", 5.0, 4)]
+        [TestCase("coplanar", 5.0, 5)]
         [TestCase("pulse-25", 1.885, 12)]
         [TestCase("pulse-50", 3.77, 12)]
         [TestCase("uneven-50", 3.77, 12)]
-        [TestCase("spin", 10.0, 12)]
-        [TestCase("shear", 3.016, 12)]
-        [TestCase("grow", 1.0, 9)]
-        [TestCase("afloat", 2.0, 8)]
-        [TestCase("waved", 2.0, 6)]
-        [TestCase("wrung", 1.0, 6)]
+        [TestCase("spin", 10.0, 14)]
+        [TestCase("shear", 3.016, 18)]
+        [TestCase("grow", 1.0, 7)]
+        [TestCase("afloat", 2.0, 5)]
+        [TestCase("waved", 2.0, 3)]
+        [TestCase("wrung", 1.0, 3)]
         [TestCase("wheel", 20.0, 7)]
         public void NothingLeaks(string name, double speed, int frames)
         {
             LeakScene scene = LeakSceneEntry.Find(name).Build(speed);
             scene.Frames = frames;
+            KeepNear(scene);
 
             LeakResult result = Play(scene);
 
+            TestContext.WriteLine($"{scene.Particles.Length} particles, {result.Steps} steps, {result.Counters.Contacts} contacts");
             Assert.That(result.Escapes, Is.Zero);
             Assert.That(result.Failure, Is.Empty);
             Assert.That(result.Counters.Overlaps, Is.Zero);
         }
 
-        [TestCase("bumped", 5.0, 14)]
+        [TestCase("bumped", 10.0, 8)]
         [TestCase("pressed", 10.0, 8)]
         public void WhereNoPlaceIsLeftEveryEscapeIsNamed(string name, double speed, int frames)
         {
             LeakScene scene = LeakSceneEntry.Find(name).Build(speed);
             scene.Frames = frames;
+            KeepNear(scene);
 
             LeakResult result = Play(scene);
 
+            TestContext.WriteLine($"{scene.Particles.Length} particles, {result.Steps} steps, {result.Counters.Contacts} contacts, {result.Counters.Squeezed} squeezed, {result.Escapes} escaped");
             Assert.That(result.Counters.Squeezed, Is.Positive);
             Assert.That(result.Escapes, Is.LessThanOrEqualTo(result.Counters.Squeezed));
             Assert.That(result.Failure, Is.Empty);
@@ -72,10 +90,11 @@ namespace SphFluid.Tests
         public void LiquidInACupRestsHalfASpacingFromItsWalls()
         {
             LeakScene scene = LeakSceneEntry.Find("still-cup").Build(0.0);
-            scene.Frames = 90;
+            scene.Frames = 45;
 
             LeakResult result = Play(scene);
 
+            TestContext.WriteLine($"energy {result.EnergyRatio}, first layer {result.Rest.Value.FirstLayer}, pressed {result.Rest.Value.Pressed}, held {result.Rest.Value.Held}");
             Assert.That(result.Failure, Is.Empty);
             Assert.That(result.EnergyRatio, Is.LessThan(1.01));
             Assert.That(result.Rest.Value.FirstLayer, Is.EqualTo(0.5).Within(0.05));
@@ -87,10 +106,11 @@ namespace SphFluid.Tests
         public void ASheetKeepsFlowAndRestApart()
         {
             LeakScene scene = LeakSceneEntry.Find("two-sided").Build(2.0);
-            scene.Frames = 12;
+            scene.Frames = 7;
 
             LeakResult result = Play(scene);
 
+            TestContext.WriteLine($"drag {result.Drag}");
             Assert.That(result.Failure, Is.Empty);
             Assert.That(result.Drag, Is.LessThan(1e-4));
         }
@@ -98,18 +118,21 @@ namespace SphFluid.Tests
         [TestCase("cup", 5.0, 6, 0.1)]
         [TestCase("open-cup", 5.0, 6, 0.1)]
         [TestCase("coplanar", 5.0, 6, 0.1)]
-        [TestCase("pulse-50", 3.77, 30, 0.1)]
-        [TestCase("grow", 1.0, 14, 0.05)]
-        [TestCase("waved", 2.0, 10, 0.01)]
-        [TestCase("wrung", 5.0, 10, 0.01)]
+        [TestCase("pulse-50", 3.77, 12, 0.1)]
+        [TestCase("grow", 1.0, 7, 0.08)]
+        [TestCase("waved", 2.0, 4, 0.08)]
+        [TestCase("wrung", 1.0, 4, 0.04)]
         [TestCase("pressed", 10.0, 8, 0.05)]
         public void TheDetectorsSeeWhatGoesThrough(string name, double speed, int frames, double share)
         {
             LeakScene scene = LeakSceneEntry.Find(name).Build(speed);
             scene.Solid = false;
             scene.Frames = frames;
+            KeepNear(scene);
 
-            Assert.That(Play(scene).Escapes, Is.GreaterThan(share * scene.Particles.Length));
+            LeakResult result = Play(scene);
+            TestContext.WriteLine($"{result.Escapes} of {scene.Particles.Length} escaped, {result.Steps} steps");
+            Assert.That(result.Escapes, Is.GreaterThan(share * scene.Particles.Length));
         }
 
         [Test]

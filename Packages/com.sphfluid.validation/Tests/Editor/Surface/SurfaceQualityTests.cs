@@ -97,7 +97,7 @@ namespace SphFluid.Tests
         [Test]
         public void ASettledPoolIsFlatAndStill()
         {
-            SurfaceQuality quality = Measure(Solved(SolvedStates.Settled(scale, new Vector3Int(15, 5, 15)), 10));
+            SurfaceQuality quality = Measure(Solved(SolvedStates.Settled(scale, new Vector3Int(12, 5, 12)), 6));
 
             AssertClosed(quality);
             Assert.That(quality.Volume, Is.EqualTo(1.0).Within(0.05));

@@ -15,9 +15,11 @@ namespace SphFluid.Tests
         [Test]
         public void StatesAreTheSameAtEveryCallAndLieInTheirDomains()
         {
-            foreach (SurfaceStateEntry states in SurfaceStateEntry.All.Where(s => s.Build(scale).Prepare == null))
+            var quick = new SurfaceScale(true);
+            foreach (SurfaceStateEntry states in SurfaceStateEntry.All)
             {
-                SurfaceState state = states.Build(scale), again = states.Build(scale);
+                SurfaceState state = states.Build(quick), again = states.Build(quick);
+                if (state.Prepare != null) continue;
                 Vector3 half = 0.5f * state.Settings.DomainSize;
                 Assert.That(state.Frames.Select(f => f.Length).Distinct().Count(), Is.EqualTo(1), states.Name);
                 for (int i = 0; i < state.Frames.Count; i++)

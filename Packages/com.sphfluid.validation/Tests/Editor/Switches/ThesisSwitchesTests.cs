@@ -6,10 +6,13 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>What each printed form of the thesis does, seen beside the form that works; Documentation~/printed-forms.md shows the pictures.</summary>
+    /// <summary>
+    /// What each printed form of the thesis does, seen beside the form that works; Documentation~/printed-forms.md shows the pictures, which go on for longer.
+    /// </summary>
     public sealed class ThesisSwitchesTests
     {
         FluidShaderSet shaders;
+        SwitchResult column;
 
         [SetUp]
         public void CreateShaders() => shaders = TestShaders.CreateSet();
@@ -74,9 +77,10 @@ namespace SphFluid.Tests
         [Test]
         public void TheHalfDoublesThePressureThatCarriesAColumn()
         {
-            Run(SwitchCatalogue.PressureHalf(), out SwitchResult full, out SwitchResult half);
-            Assert.That(full.PressureSlope, Is.EqualTo(1.0).Within(0.15), "dp/dz over ρ g without the ½, k = c²");
-            Assert.That(half.PressureSlope, Is.EqualTo(2.0).Within(0.3), "with it, k = 2 c²");
+            // WallCaseRunTests has both slopes at rest.
+            Run(SwitchCatalogue.PressureHalf(), 0.2f, out SwitchResult full, out SwitchResult half);
+            Assert.That(full.PressureSlope, Is.EqualTo(1.0).Within(0.3), "dp/dz over ρ g without the ½, k = c², while it still swings");
+            Assert.That(half.PressureSlope, Is.EqualTo(2.0 * full.PressureSlope).Within(0.02), "with it, k = 2 c²");
             Assert.That(half.MeanHeight, Is.EqualTo(full.MeanHeight).Within(0.01 * full.MeanHeight), "the same column");
         }
 
@@ -98,32 +102,29 @@ namespace SphFluid.Tests
         [Test]
         public void EightCellsOfTheWrongSizeMakeAColumnBoil()
         {
-            Run(SwitchCatalogue.EightCells(), out SwitchResult corrected, out SwitchResult printed);
-            Assert.That(printed.MeanSpeed, Is.GreaterThan(3.0 * corrected.MeanSpeed));
+            Assert.That(Printed(SwitchCatalogue.EightCells(), 0.7f).MeanSpeed, Is.GreaterThan(3.0 * Column(SwitchCatalogue.EightCells()).MeanSpeed));
         }
 
         [Test]
         public void WithoutItselfAParticleFindsTooLittleAndTheColumnShrinks()
         {
-            Run(SwitchCatalogue.SelfDensity(), out SwitchResult corrected, out SwitchResult printed);
-            Assert.That(printed.MeanHeight, Is.LessThan(0.9 * corrected.MeanHeight));
+            Assert.That(Printed(SwitchCatalogue.SelfDensity(), 0.5f).MeanHeight, Is.LessThan(0.9 * Column(SwitchCatalogue.SelfDensity()).MeanHeight));
         }
 
         [Test]
         public void WithoutItselfABlockContractsInFreeFall()
         {
-            SwitchExperiment experiment = SwitchCatalogue.SelfDensityInFreeFall();
-            Run(experiment, out SwitchResult corrected, out SwitchResult printed);
+            Run(SwitchCatalogue.SelfDensityInFreeFall(), 0.05f, out SwitchResult corrected, out SwitchResult printed);
             double start = 0.025 * Math.Sqrt(3.0 * (9.0 * 9.0 - 1.0) / 12.0);
-            Assert.That(corrected.Extent, Is.EqualTo(start).Within(0.04 * start));
-            Assert.That(printed.Extent, Is.LessThan(0.93 * start));
+            Assert.That(corrected.Extent, Is.EqualTo(start).Within(0.05 * start));
+            Assert.That(printed.Extent, Is.LessThan(0.92 * start));
             Assert.That(printed.MeanHeight, Is.EqualTo(corrected.MeanHeight).Within(1e-3), "both fall alike");
         }
 
         [Test]
         public void WithoutTheClampASheetDrawsItselfIntoClumps()
         {
-            Run(SwitchCatalogue.PressureClamp(), out SwitchResult corrected, out SwitchResult printed);
+            Run(SwitchCatalogue.PressureClamp(), 0.2f, out SwitchResult corrected, out SwitchResult printed);
             Assert.That(corrected.Clumped(0.5f), Is.Zero);
             Assert.That(corrected.Pressure.Min(), Is.Zero);
             Assert.That(printed.Clumped(0.5f), Is.GreaterThan(0.3));
@@ -133,7 +134,7 @@ namespace SphFluid.Tests
         [Test]
         public void ThePrintedLimitCannotCarryTheLiquid()
         {
-            Run(SwitchCatalogue.AccelerationLimit(), out SwitchResult corrected, out SwitchResult printed);
+            SwitchResult corrected = Column(SwitchCatalogue.AccelerationLimit()), printed = Printed(SwitchCatalogue.AccelerationLimit(), 0.3f);
             Assert.That(corrected.Counters.AccelerationLimitHits, Is.Zero);
             Assert.That(printed.Settings.Own<ThesisSettings>().AccelerationLimit, Is.LessThan(9.81f));
             Assert.That(printed.Counters.AccelerationLimitHits, Is.GreaterThan(10000));
@@ -143,7 +144,7 @@ namespace SphFluid.Tests
         [Test]
         public void ForceTimesMassGoesWithTheCubeOfTheSpacing()
         {
-            Run(SwitchCatalogue.ForceTimesMass(), out SwitchResult corrected, out SwitchResult printed);
+            Run(SwitchCatalogue.ForceTimesMass(), 0.07f, out SwitchResult corrected, out SwitchResult printed);
             Assert.That(printed.MeanHeight, Is.LessThan(0.75 * corrected.MeanHeight), "does not hold");
             foreach (float spacing in new[] { 0.0025f, 0.01f, 0.04f })
             {
@@ -161,7 +162,7 @@ namespace SphFluid.Tests
         public void WithoutTheHalfKickAFallIsAheadByHalfAStepsSpeed()
         {
             SwitchExperiment experiment = SwitchCatalogue.HalfKick();
-            Run(experiment, out SwitchResult corrected, out SwitchResult printed);
+            Run(experiment, experiment.Seconds, out SwitchResult corrected, out SwitchResult printed);
             double expected = 0.5 * 9.81 * experiment.Seconds * experiment.Printed.TimeStep;
             Assert.That(corrected.MeanHeight - printed.MeanHeight, Is.EqualTo(expected).Within(1e-4), "½ g t dt");
         }
@@ -169,18 +170,36 @@ namespace SphFluid.Tests
         [Test]
         public void TheWholePrintedTextDoesNotMakeALiquid()
         {
-            Run(SwitchCatalogue.AllPrinted(), out SwitchResult corrected, out SwitchResult printed);
+            Run(SwitchCatalogue.AllPrinted(), 0.15f, out SwitchResult corrected, out SwitchResult printed);
             Assert.That(printed.MeanHeight, Is.LessThan(0.5 * corrected.MeanHeight));
         }
 
         static FluidParticle[] Pair() => ParticleSets.Lattice(new Vector3Int(2, 1, 1), 0.05f, 0f, 1);
 
-        void Run(SwitchExperiment experiment, out SwitchResult corrected, out SwitchResult printed)
+        void Run(SwitchExperiment experiment, float seconds, out SwitchResult corrected, out SwitchResult printed)
         {
             Assert.That(experiment.Start.Length, Is.LessThanOrEqualTo(2000), "small");
-            corrected = experiment.Run(false, shaders);
-            printed = experiment.Run(true, shaders);
+            corrected = Lasting(experiment, seconds).Run(false, shaders);
+            printed = Printed(experiment, seconds);
         }
+
+        SwitchResult Printed(SwitchExperiment experiment, float seconds)
+        {
+            SwitchResult printed = Lasting(experiment, seconds).Run(true, shaders);
+            TestContext.WriteLine($"{experiment.Name}: height {printed.MeanHeight:g4} m, speed {printed.MeanSpeed:g4} m/s, slope {printed.PressureSlope:g4}");
+            return printed;
+        }
+
+        // Several experiments have the same corrected side: a column that has come to rest, run once.
+        SwitchResult Column(SwitchExperiment experiment)
+        {
+            SwitchExperiment calm = Lasting(SwitchCatalogue.EightCells(), 0.7f);
+            Assert.That(experiment.Corrected, Is.EqualTo(calm.Corrected));
+            return column = column ?? calm.Run(false, shaders);
+        }
+
+        static SwitchExperiment Lasting(SwitchExperiment experiment, float seconds) =>
+            new SwitchExperiment(experiment.Name, experiment.Start, seconds, experiment.Corrected, experiment.Printed) { EightCellsOfSmoothLength = experiment.EightCellsOfSmoothLength };
 
         // On the corner particle of a squeezed lattice.
         static double Force(in FluidSolverSettings settings)

@@ -147,7 +147,7 @@ namespace SphFluid.Tests
             FluidParticle[] particles;
             using (var rig = new FloatingRig(settings, FloatingRig.Block(counts, spacing, -0.5f * domain)))
             {
-                for (int frame = 0; frame < 60; frame++) rig.Frame(Mathf.CeilToInt(1f / 60f / settings.TimeStep));
+                for (int frame = 0; frame < 25; frame++) rig.Frame(Mathf.CeilToInt(1f / 60f / settings.TimeStep));
                 particles = rig.Particles();
             }
             float level = Level(settings, particles);

@@ -109,8 +109,8 @@ namespace SphFluid.Tests
             Assert.That(triangles, Is.EqualTo(domain).Within(0.1 * Spacing));
         }
 
+        // FloatingCrateTests has a heavier one too; that is the liquid's business, the light one the coupling's.
         [TestCase(0.1f)]
-        [TestCase(0.5f)]
         public void ACrateFloatsUprightAsDeepAsItIsHeavy(float ratio)
         {
             using (var tank = new FloatingTank(0.06f, 13, 9, 0.3f * new Vector3(1.5f, 1f, 1.5f), ratio, 0.3f * (0.55f - ratio), Quaternion.Euler(5f, 0f, 3f), FluidMethodKind.Robust))

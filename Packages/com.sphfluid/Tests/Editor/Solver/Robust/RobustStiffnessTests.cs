@@ -8,10 +8,17 @@ namespace SphFluid.Tests
     {
         [TestCase(0.01f, 1)]
         [TestCase(0.02f, 4)]
+        public void AColumnIsCompressedAsTheIterationsSay(float timeStep, int iterations) => Check(timeStep, iterations, 12);
+
+        [TestCase(0.01f, 1)]
+        [TestCase(0.02f, 4)]
         [TestCase(0.02f, 8)]
-        public void AColumnIsCompressedAsTheIterationsSay(float timeStep, int iterations)
+        [Explicit("The table of the paper Robust: half a minute.")]
+        public void SoIsOneOfTwentyLayers(float timeStep, int iterations) => Check(timeStep, iterations, 20);
+
+        static void Check(float timeStep, int iterations, int layers)
         {
-            using (RobustLiquid column = RobustLiquid.Column(timeStep, iterations))
+            using (RobustLiquid column = RobustLiquid.Column(timeStep, iterations, layers))
             {
                 double expected = 0.5 / Math.Pow(RobustRules.EffectiveSoundSpeed(column.Settings, timeStep, iterations), 2.0);
                 double compression = Settle(column, timeStep, out double speed);
@@ -25,7 +32,7 @@ namespace SphFluid.Tests
         public void ShortStepsHaveTheStiffnessOfTheCompliance()
         {
             const float TimeStep = 0.005f, SoundSpeed = 5f;
-            using (RobustLiquid column = RobustLiquid.Column(TimeStep, 2, soundSpeed: SoundSpeed))
+            using (RobustLiquid column = RobustLiquid.Column(TimeStep, 2, 12, SoundSpeed))
             {
                 double total = RobustRules.EffectiveSoundSpeed(column.Settings, TimeStep, 2);
                 Assert.That(total, Is.LessThan(SoundSpeed));

@@ -64,7 +64,6 @@ namespace SphFluid.Tests
         }
 
         [TestCase(0.1f, false)]
-        [TestCase(0.4f, false)]
         [TestCase(1f, false)]
         [TestCase(2f, false)]
         [TestCase(1f, true)]

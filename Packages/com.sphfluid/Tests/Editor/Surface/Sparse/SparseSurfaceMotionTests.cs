@@ -8,8 +8,8 @@ namespace SphFluid.Tests
     /// <summary>A dam break, frame by frame: column, splash, wave and drops.</summary>
     public sealed class SparseSurfaceMotionTests
     {
-        const int Frames = 60;
-        const int StepsAFrame = 10;
+        const int Frames = 30;
+        const int StepsAFrame = 20;
         const float Spacing = 0.03f;
 
         static readonly Vector3 Domain = new Vector3(0.9f, 0.75f, 0.3f);

@@ -48,10 +48,10 @@ namespace SphFluid.Tests
         }
 
         // Walls 0.3 m apart, driven by a force: u = F y (L - y)/2 nu, at 20 times the explicit border.
-        [TestCase(1f)]
-        [TestCase(10f)]
-        public void AChannelsFlowIsAParabola(float kinematic)
+        [Test]
+        public void AChannelsFlowIsAParabola()
         {
+            const float kinematic = 10f;
             const int layers = 12, width = 7;
             const float spacing = 0.025f, gap = layers * spacing, fastest = 0.2f;
             float force = 8f * kinematic * fastest / (gap * gap);
