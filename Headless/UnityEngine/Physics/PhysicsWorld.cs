@@ -40,8 +40,7 @@ static class PhysicsWorld
             List<Collider> solid = s_Colliders.FindAll(c => !c.isTrigger);
             foreach (Rigidbody body in s_Bodies)
                 if (body.isKinematic && RigidbodyMotion.StepKinematic(body, step)) WakeTouching(body);
-            foreach (Rigidbody body in s_Bodies)
-                if (!body.isKinematic && !body.IsSleeping()) RigidbodyMotion.Step(body, step, solid);
+            RigidbodyMotion.Step(s_Bodies.FindAll(b => !b.isKinematic && !b.IsSleeping()), step, solid);
         }
         Sync();
     }

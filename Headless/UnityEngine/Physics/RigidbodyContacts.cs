@@ -5,21 +5,19 @@ using UnityEngine;
 namespace Headless.Engine;
 
 /// <summary>
-/// Contacts of a body's corners, or of its balls and capsules, with colliders and other bodies: impulses one after the other, Coulomb's
-/// friction of Unity's default material. Less than PhysX does: edges pass edges, and a body in the other's inside only corners push out;
-/// bodies in a stack keep a step of gravity, and stay awake.
+/// Contacts of all bodies in a step, of their corners, balls and capsules with colliders and other bodies: impulses one after the other, swept
+/// over all, as PhysX solves them; Coulomb's friction of Unity's default material. Less than PhysX does: edges pass edges.
 /// </summary>
-sealed class RigidbodyContacts
+sealed class RigidbodyContacts(List<Collider> obstacles, float step)
 {
     const float Friction = 0.6f;
-    const int Sweeps = 10;
+    const int Sweeps = 20;
 
-    readonly Rigidbody m_Body;
-    readonly float m_Step;
     readonly List<Contact> m_Contacts = new();
 
     struct Contact
     {
+        public Rigidbody Body;
         public Vector3 Arm;
         public Rigidbody? Other;
         public Vector3 OtherArm;
@@ -29,37 +27,40 @@ sealed class RigidbodyContacts
         public Vector3 Held;
     }
 
-    public RigidbodyContacts(Rigidbody body, List<Collider> obstacles, float step)
+    /// <summary>Finds what the body touches, or will within the step.</summary>
+    public void Find(Rigidbody body)
     {
-        m_Body = body;
-        m_Step = step;
         if (obstacles.Count == 0) return;
         float reach = step * (body.velocity.magnitude + 2f * body.angularVelocity.magnitude) + Physics.defaultContactOffset;
         foreach (Collider collider in body.gameObject.GetComponentsInChildren<Collider>())
         {
             if (!collider.enabled || collider.isTrigger || !ReferenceEquals(collider.attachedRigidbody, body)) continue;
             foreach ((Vector3 point, float radius) in ContactPoints.Of(collider))
-                foreach (Collider obstacle in obstacles) Touch(obstacle, point, radius, reach);
+                foreach (Collider obstacle in obstacles) Touch(body, obstacle, point, radius, reach);
         }
     }
 
     /// <summary>Changes the velocities.</summary>
-    /// <returns>How the body is put out of what it is in.</returns>
-    public Vector3 Resolve()
+    public void Resolve()
     {
         for (int sweep = 0; sweep < Sweeps; sweep++)
             for (int i = 0; i < m_Contacts.Count; i++) m_Contacts[i] = Solve(m_Contacts[i]);
+    }
+
+    /// <summary>How a body is put out of what it is in.</summary>
+    public Vector3 WayOut(Rigidbody body)
+    {
         Vector3 deepest = Vector3.zero;
         foreach (Contact contact in m_Contacts)
-            if (contact.Gap < 0f && -0.2f * contact.Gap > deepest.magnitude) deepest = -0.2f * contact.Gap * contact.Normal;
+            if (ReferenceEquals(contact.Body, body) && contact.Gap < 0f && -0.2f * contact.Gap > deepest.magnitude) deepest = -0.2f * contact.Gap * contact.Normal;
         return deepest;
     }
 
-    void Touch(Collider obstacle, Vector3 point, float radius, float reach)
+    void Touch(Rigidbody body, Collider obstacle, Vector3 point, float radius, float reach)
     {
         if (!obstacle.HasShape) return;
         Rigidbody? other = obstacle.attachedRigidbody;
-        if (ReferenceEquals(other, m_Body)) return;
+        if (ReferenceEquals(other, body)) return;
         if (other is { isKinematic: true }) other = null;
         Vector3 offset = point - obstacle.ClosestPointCore(point);
         float distance = offset.magnitude;
@@ -74,20 +75,21 @@ sealed class RigidbodyContacts
         if (gap >= reach) return;
         if (other is not null && other.IsSleeping())
         {
-            if (m_Body.Rest.IsMoving) other.WakeUp();
+            if (body.Rest.IsMoving) other.WakeUp();
             else other = null; // what is at rest on it leaves it asleep
         }
         Vector3 place = point - radius * normal;
         m_Contacts.Add(new Contact
         {
-            Arm = place - m_Body.worldCenterOfMass, Normal = normal, Gap = gap, Other = other, OtherArm = other is null ? Vector3.zero : place - other.worldCenterOfMass,
+            Body = body, Arm = place - body.worldCenterOfMass, Normal = normal, Gap = gap, Other = other,
+            OtherArm = other is null ? Vector3.zero : place - other.worldCenterOfMass,
         });
     }
 
     Contact Solve(Contact c)
     {
         float before = c.Push;
-        c.Push = MathF.Max(0f, before - (Vector3.Dot(Approach(c), c.Normal) + MathF.Max(0f, c.Gap) / m_Step) / Ease(c, c.Normal));
+        c.Push = MathF.Max(0f, before - (Vector3.Dot(Approach(c), c.Normal) + MathF.Max(0f, c.Gap) / step) / Ease(c, c.Normal));
         Give(c, (c.Push - before) * c.Normal);
         Vector3 velocity = Approach(c), along = velocity - Vector3.Dot(velocity, c.Normal) * c.Normal, was = c.Held;
         if (along.sqrMagnitude > 1e-12f) c.Held = Vector3.ClampMagnitude(was - along / Ease(c, along.normalized), Friction * c.Push);
@@ -95,14 +97,14 @@ sealed class RigidbodyContacts
         return c;
     }
 
-    Vector3 Approach(in Contact c) => VelocityAt(m_Body, c.Arm) - (c.Other is null ? Vector3.zero : VelocityAt(c.Other, c.OtherArm));
+    Vector3 Approach(in Contact c) => VelocityAt(c.Body, c.Arm) - (c.Other is null ? Vector3.zero : VelocityAt(c.Other, c.OtherArm));
 
     // What an impulse of 1 changes of the velocity there.
-    float Ease(in Contact c, Vector3 direction) => Ease(m_Body, c.Arm, direction) + (c.Other is null ? 0f : Ease(c.Other, c.OtherArm, direction));
+    float Ease(in Contact c, Vector3 direction) => Ease(c.Body, c.Arm, direction) + (c.Other is null ? 0f : Ease(c.Other, c.OtherArm, direction));
 
     void Give(in Contact c, Vector3 impulse)
     {
-        Give(m_Body, impulse, c.Arm);
+        Give(c.Body, impulse, c.Arm);
         if (c.Other is not null) Give(c.Other, -impulse, c.OtherArm);
     }
 

@@ -4,10 +4,20 @@ using UnityEngine;
 
 namespace Headless.Engine;
 
-/// <summary>A physics step of a body as PhysX takes it: forces, gravity, damping, contacts, then the pose. No gyroscopic torque.</summary>
+/// <summary>A physics step of bodies as PhysX takes it: forces, gravity, damping, contacts, then the pose. No gyroscopic torque.</summary>
 static class RigidbodyMotion
 {
-    public static void Step(Rigidbody body, float dt, List<Collider> obstacles)
+    public static void Step(List<Rigidbody> bodies, float dt, List<Collider> obstacles)
+    {
+        foreach (Rigidbody body in bodies) Hasten(body, dt);
+        var contacts = new RigidbodyContacts(obstacles, dt);
+        foreach (Rigidbody body in bodies)
+            if (body.detectCollisions) contacts.Find(body);
+        contacts.Resolve();
+        foreach (Rigidbody body in bodies) Move(body, dt, contacts.WayOut(body));
+    }
+
+    static void Hasten(Rigidbody body, float dt)
     {
         Vector3 velocity = body.velocity + body.AddedVelocity + dt / body.mass * body.AddedForce + (body.useGravity ? dt * Physics.gravity : Vector3.zero);
         Vector3 angular = body.angularVelocity + body.AddedAngularVelocity + PerInertia(body, dt * body.AddedTorque);
@@ -15,7 +25,10 @@ static class RigidbodyMotion
         velocity *= Mathf.Max(0f, 1f - dt * body.drag);
         angular *= Mathf.Max(0f, 1f - dt * body.angularDrag);
         body.SetVelocities(FreeOf(body.constraints, RigidbodyConstraints.FreezePositionX, velocity), Vector3.ClampMagnitude(Turning(body, angular), body.maxAngularVelocity));
-        Vector3 depth = body.detectCollisions ? new RigidbodyContacts(body, obstacles, dt).Resolve() : Vector3.zero;
+    }
+
+    static void Move(Rigidbody body, float dt, Vector3 depth)
+    {
         Vector3 center = body.worldCenterOfMass + dt * body.velocity + depth;
         float angle = body.angularVelocity.magnitude * dt;
         Quaternion turn = angle > 0f ? Quaternion.AngleAxis(angle * Mathf.Rad2Deg, body.angularVelocity.normalized) : Quaternion.identity;
