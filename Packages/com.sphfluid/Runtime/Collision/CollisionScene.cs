@@ -123,6 +123,15 @@ namespace SphFluid
             return solid < 0 ? -1 : solids.Count + solid;
         }
 
+        /// <summary>The place on a collider that is nearest to a point, nearer than a distance [m]; null where there is none.</summary>
+        public Vector3? Nearest(Vector3 point, float within)
+        {
+            Vector3? nearest = null;
+            foreach (FluidObstacle solid in solids)
+                if (solid.Mesh.Nearest(point, nearest == null ? within : Vector3.Distance(nearest.Value, point)) is Vector3 place) nearest = place;
+            return nearest;
+        }
+
         /// <summary>What <see cref="FindCovering"/> found, for messages.</summary>
         public string NameOf(int covering)
         {

@@ -61,28 +61,33 @@ namespace SphFluid
         }
 
         /// <summary>Whether the point is nearer than <paramref name="clearance"/> [m] to a triangle.</summary>
-        public bool IsNear(Vector3 point, float clearance)
+        public bool IsNear(Vector3 point, float clearance) => Nearest(point, clearance) != null;
+
+        /// <summary>The place on a triangle that is nearest to a point, nearer than a distance [m]; null where there is none.</summary>
+        public Vector3? Nearest(Vector3 point, float within)
         {
-            if (!(clearance > 0f)) return false;
-            Vector3 reach = Vector3.one * clearance;
-            if (!new Bounds(bounds.center, bounds.size + 2f * reach).Contains(point)) return false;
-            for (int z = BinZ(point.z - clearance); z <= BinZ(point.z + clearance); z++)
-                for (int y = BinY(point.y - clearance); y <= BinY(point.y + clearance); y++)
-                    if (IsNear(bins[Index(y, z)], point, clearance)) return true;
-            return false;
+            if (!(within > 0f) || !new Bounds(bounds.center, bounds.size + 2f * within * Vector3.one).Contains(point)) return null;
+            Vector3? nearest = null;
+            float square = within * within;
+            for (int z = BinZ(point.z - within); z <= BinZ(point.z + within); z++)
+                for (int y = BinY(point.y - within); y <= BinY(point.y + within); y++)
+                    Nearest(bins[Index(y, z)], point, within, ref square, ref nearest);
+            return nearest;
         }
 
-        bool IsNear(List<int> bin, Vector3 point, float clearance)
+        void Nearest(List<int> bin, Vector3 point, float within, ref float square, ref Vector3? nearest)
         {
-            if (bin == null) return false;
+            if (bin == null) return;
             foreach (int t in bin)
             {
                 Corners(t, out Vector3 a, out Vector3 b, out Vector3 c);
-                if (Mathf.Min(a.x, Mathf.Min(b.x, c.x)) - clearance > point.x) continue;
-                if (Mathf.Max(a.x, Mathf.Max(b.x, c.x)) + clearance < point.x) continue;
-                if ((TriangleMath.ClosestPoint(point, a, b, c) - point).sqrMagnitude < clearance * clearance) return true;
+                if (Mathf.Min(a.x, Mathf.Min(b.x, c.x)) - within > point.x) continue;
+                if (Mathf.Max(a.x, Mathf.Max(b.x, c.x)) + within < point.x) continue;
+                Vector3 place = TriangleMath.ClosestPoint(point, a, b, c);
+                if (!((place - point).sqrMagnitude < square)) continue;
+                square = (place - point).sqrMagnitude;
+                nearest = place;
             }
-            return false;
         }
 
         // A ray never slips between two triangles only if their common corners are the same to the bit.

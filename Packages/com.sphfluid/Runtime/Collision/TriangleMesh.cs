@@ -186,6 +186,9 @@ namespace SphFluid
         /// <summary>Whether a point is inside or nearer than a clearance [m] to a triangle.</summary>
         internal bool Covers(Vector3 point, float clearance) => Obstacle.Covers(point, clearance);
 
+        /// <summary>The place on a triangle that is nearest to a point, nearer than a distance [m]; null where there is none.</summary>
+        internal Vector3? Nearest(Vector3 point, float within) => Obstacle.Nearest(point, within);
+
         // Prepared at the first use.
         MeshObstacle Obstacle => obstacle ??= new MeshObstacle(this);
 

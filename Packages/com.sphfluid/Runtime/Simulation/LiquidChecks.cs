@@ -104,7 +104,7 @@ namespace SphFluid
             else
                 Add(messages, FluidSeverity.Warning, FluidIssue.VolumeInsideCollider, volume,
                     $"{tally.Carved} of {tally.Carved + tally.Filled} particles would start inside colliders or against their faces, the last one {collider}, and are left out.",
-                    "Move the volume or the collider apart if more liquid was meant.");
+                    "If more liquid was meant, move the volume and the collider apart, or fill the hollow between colliders with the shape Vessel.");
         }
 
         static void Add(List<FluidMessage> messages, FluidSeverity severity, FluidIssue issue, in VolumeSpec volume, string text, string cure) =>
