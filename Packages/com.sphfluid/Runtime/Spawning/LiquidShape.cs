@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using UnityEngine;
 
 namespace SphFluid
@@ -14,7 +15,8 @@ namespace SphFluid
         const float LeastWidth = 9.5f;
         const double MostFitted = 1e6;
 
-        static readonly float[] Scales = { 1f, 0.995f, 1.005f, 0.99f, 1.01f };
+        // Too many can be left out: of too few each counts so much more.
+        const double TooFew = 5.0;
 
         /// <summary>A shape that lies in the image of the unit cube.</summary>
         /// <param name="name">Name for messages.</param>
@@ -46,25 +48,43 @@ namespace SphFluid
         public IEnumerable<Vector3> Sites { get; protected set; }
 
         /// <summary>
-        /// Chooses where particles go; called before that is asked for. Where the common lattice misses the volume by more than a hundredth, it goes by
-        /// one of its own: shifted by half a spacing along each axis, or a little finer or coarser.
+        /// Chooses where particles go; called before that is asked for. Where the common lattice misses the volume by more than a hundredth, it has one of its own about its middle,
+        /// shifted by half a spacing along some axes, less what is too much of the sites at the surface.
         /// </summary>
         public virtual void Fit(in SpawnLattice lattice)
         {
             Sites = null;
-            double wanted = Volume / Math.Pow(lattice.Spacing, 3), best = GoodMiss * wanted;
-            if (!IsWide(lattice.Spacing) || wanted > MostFitted || Math.Abs(On(lattice).Count - wanted) <= best) return;
-            best = double.PositiveInfinity;
-            foreach (float scale in Scales)
-                for (int shift = 0; shift < 8; shift++)
-                {
-                    float step = scale * lattice.Spacing;
-                    var origin = Bounds.min + 0.5f * step * new Vector3(shift & 1, shift >> 1 & 1, shift >> 2);
-                    List<Vector3> found = On(new SpawnLattice(origin, step));
-                    double miss = Math.Abs(found.Count - wanted);
-                    if (miss < best) (Sites, best) = (found, miss);
-                    if (miss <= 0.5 * GoodMiss * wanted) return;
-                }
+            float spacing = lattice.Spacing;
+            double wanted = Volume / Math.Pow(spacing, 3), best = double.PositiveInfinity;
+            if (!IsWide(spacing) || wanted > MostFitted || Math.Abs(On(lattice).Count - wanted) <= GoodMiss * wanted) return;
+            List<Vector3> sites = null;
+            for (int shift = 0; shift < 8; shift++)
+            {
+                List<Vector3> found = On(new SpawnLattice(Bounds.center + 0.5f * spacing * new Vector3(shift & 1, shift >> 1 & 1, shift >> 2), spacing));
+                double miss = found.Count - wanted;
+                if (miss < 0.0) miss *= -TooFew;
+                if (miss < best) (sites, best) = (found, miss);
+            }
+            Sites = Trimmed(sites, (int)Math.Round(wanted), spacing);
+        }
+
+        List<Vector3> Trimmed(List<Vector3> sites, int most, float spacing)
+        {
+            if (sites.Count <= most) return sites;
+            int[] surface = Enumerable.Range(0, sites.Count).Where(i => !IsDeep(sites[i], spacing)).OrderBy(i => FluidSpawner.Hash((uint)i)).Take(sites.Count - most).ToArray();
+            var dropped = new HashSet<int>(surface);
+            return sites.Where((site, i) => !dropped.Contains(i)).ToList();
+        }
+
+        bool IsDeep(Vector3 site, float spacing)
+        {
+            for (int axis = 0; axis < 3; axis++)
+            {
+                Vector3 step = Vector3.zero;
+                step[axis] = spacing;
+                if (!Contains(site + step) || !Contains(site - step)) return false;
+            }
+            return true;
         }
 
         /// <summary>Whether it is wide enough for a lattice to hold its volume: a thinner one has whole layers.</summary>

@@ -15,14 +15,14 @@ namespace SphFluid.Tests
         static readonly Vector3[] Turns = { Vector3.zero, new Vector3(0f, 1f, 0f), new Vector3(0f, 45f, 0f), new Vector3(10f, 35f, 5f) };
 
         [Test]
-        public void AShapeHoldsItsVolume([Values("box", "sphere", "cylinder")] string shape, [Values(10f, 10.5f, 12.3f)] float across)
+        public void AShapeHoldsItsVolume([Values("box", "sphere", "cylinder", "crate")] string shape, [Values(10f, 10.5f, 12.3f)] float across)
         {
             foreach (Vector3 turn in Turns)
                 foreach (Vector3 offset in Offsets)
                 {
                     Matrix4x4 frame = Matrix4x4.TRS(offset * Spacing, Quaternion.Euler(turn), across * Spacing * Vector3.one);
                     LiquidShape liquid = shape == "box" ? new LiquidBox("box", frame, Vector3.zero) : shape == "sphere" ? new LiquidEllipsoid("sphere", frame, Vector3.zero)
-                        : (LiquidShape)new LiquidMesh("cylinder", Cylinder(32).Transformed(frame), Vector3.zero);
+                        : (LiquidShape)new LiquidMesh(shape, Cylinder(shape == "crate" ? 4 : 32).Transformed(frame), Vector3.zero);
                     SpawnResult result = FluidSpawner.Fill(new SpawnRequest { DomainSize = Vector3.one, Spacing = Spacing, Shapes = new[] { liquid } });
                     Check(result, liquid.Volume, $"turned by {turn} at {offset}");
                     Assert.That(result.Particles.All(p => liquid.Contains(p.Position)));
