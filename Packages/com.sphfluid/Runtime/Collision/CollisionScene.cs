@@ -10,6 +10,8 @@ namespace SphFluid
     /// </summary>
     internal sealed class CollisionScene : IDisposable
     {
+        const int MostNames = 3;
+
         readonly ColliderFinder finder;
         readonly SkinnedWalls skins = new SkinnedWalls();
         readonly ColliderTriangles maker;
@@ -19,6 +21,8 @@ namespace SphFluid
         readonly List<CollisionTriangle> triangles = new List<CollisionTriangle>();
         readonly List<CollisionCollider> colliders = new List<CollisionCollider>();
         readonly CollisionBuffers buffers = new CollisionBuffers();
+
+        JoinedSolids joined; // made when it is asked for
 
         /// <summary>Nothing found yet.</summary>
         public CollisionScene()
@@ -74,6 +78,7 @@ namespace SphFluid
         {
             Changes++;
             messages.Clear();
+            joined = null;
             known.Clear();
             foreach (FluidObstacle solid in solids)
                 if (solid.Spacing == query.Spacing) known[solid.State.Key] = solid;
@@ -105,14 +110,37 @@ namespace SphFluid
             return made == null ? solid : new FluidObstacle(state, solid.Spacing, made);
         }
 
-        /// <summary>Index into <see cref="Solids"/> of the collider that covers a point of simulation space, or −1.</summary>
+        /// <summary>Number of the collider that covers a point of simulation space, or of the solid that several enclose together, for <see cref="NameOf"/>; −1: none.</summary>
         /// <param name="point">Point [m].</param>
         /// <param name="clearance">Distance from a triangle below which a point counts as covered [m].</param>
         public int FindCovering(Vector3 point, float clearance)
         {
+            if (solids.Count == 0) return -1;
             for (int i = 0; i < solids.Count; i++)
                 if (solids[i].Mesh.Covers(point, clearance)) return i;
-            return -1;
+            joined ??= new JoinedSolids(solids, solids[0].Spacing);
+            int solid = joined.Find(point);
+            return solid < 0 ? -1 : solids.Count + solid;
+        }
+
+        /// <summary>The place on a collider that is nearest to a point, nearer than a distance [m]; null where there is none.</summary>
+        public Vector3? Nearest(Vector3 point, float within)
+        {
+            Vector3? nearest = null;
+            foreach (FluidObstacle solid in solids)
+                if (solid.Mesh.Nearest(point, nearest == null ? within : Vector3.Distance(nearest.Value, point)) is Vector3 place) nearest = place;
+            return nearest;
+        }
+
+        /// <summary>What <see cref="FindCovering"/> found, for messages.</summary>
+        public string NameOf(int covering)
+        {
+            if (covering < solids.Count) return $"'{solids[covering].Name}'";
+            IReadOnlyList<FluidObstacle> members = joined.Members(covering - solids.Count);
+            int named = Math.Min(members.Count, MostNames);
+            var names = new string[named];
+            for (int i = 0; i < named; i++) names[i] = $"'{members[i].Name}'";
+            return string.Join(", ", names) + (named < members.Count ? $" and {members.Count - named} more" : "");
         }
 
         /// <inheritdoc/>

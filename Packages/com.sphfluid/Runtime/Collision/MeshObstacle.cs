@@ -13,6 +13,7 @@ namespace SphFluid
         const int MaxBins = 256;
 
         readonly TriangleMesh mesh;
+        readonly int[] welded;
         readonly Bounds bounds;
         readonly List<int>[] bins;
         readonly int binsY, binsZ;
@@ -22,6 +23,7 @@ namespace SphFluid
         public MeshObstacle(TriangleMesh mesh)
         {
             this.mesh = mesh ?? throw new ArgumentNullException(nameof(mesh));
+            welded = mesh.Welded;
             bounds = mesh.Bounds;
             int side = Mathf.Clamp((int)Math.Sqrt(mesh.TriangleCount), 1, MaxBins);
             binsY = binsZ = side;
@@ -41,55 +43,64 @@ namespace SphFluid
         public bool Contains(Vector3 point) => Winding(point) > 0;
 
         /// <summary>Times a closed surface winds round the point: 1 inside faces that look outward, −1 inside faces that look inward; 0 for an open mesh.</summary>
-        public int Winding(Vector3 point)
+        public int Winding(Vector3 point) => mesh.IsClosed && bounds.Contains(point) ? Crossings(point) : 0;
+
+        /// <summary>Sum of the crossings of a ray from the point along +x: +1 where it meets a back, −1 where it meets a front.</summary>
+        public int Crossings(Vector3 point)
         {
-            if (!mesh.IsClosed || !bounds.Contains(point)) return 0;
+            if (point.x > bounds.max.x) return 0;
             List<int> bin = bins[Index(BinY(point.y), BinZ(point.z))];
             if (bin == null) return 0;
-            int winding = 0;
+            int sum = 0;
             foreach (int t in bin)
             {
-                mesh.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
-                winding += RayCrossing(point, a, b, c);
+                Corners(t, out Vector3 a, out Vector3 b, out Vector3 c);
+                sum += TriangleMath.RayCrossing(point, a, b, c);
             }
-            return winding;
+            return sum;
         }
 
         /// <summary>Whether the point is nearer than <paramref name="clearance"/> [m] to a triangle.</summary>
-        public bool IsNear(Vector3 point, float clearance)
+        public bool IsNear(Vector3 point, float clearance) => Nearest(point, clearance) != null;
+
+        /// <summary>The place on a triangle that is nearest to a point, nearer than a distance [m]; null where there is none.</summary>
+        public Vector3? Nearest(Vector3 point, float within)
         {
-            if (!(clearance > 0f)) return false;
-            Vector3 reach = Vector3.one * clearance;
-            if (!new Bounds(bounds.center, bounds.size + 2f * reach).Contains(point)) return false;
-            for (int z = BinZ(point.z - clearance); z <= BinZ(point.z + clearance); z++)
-                for (int y = BinY(point.y - clearance); y <= BinY(point.y + clearance); y++)
-                    if (IsNear(bins[Index(y, z)], point, clearance)) return true;
-            return false;
+            if (!(within > 0f) || !new Bounds(bounds.center, bounds.size + 2f * within * Vector3.one).Contains(point)) return null;
+            Vector3? nearest = null;
+            float square = within * within;
+            for (int z = BinZ(point.z - within); z <= BinZ(point.z + within); z++)
+                for (int y = BinY(point.y - within); y <= BinY(point.y + within); y++)
+                    Nearest(bins[Index(y, z)], point, within, ref square, ref nearest);
+            return nearest;
         }
 
-        bool IsNear(List<int> bin, Vector3 point, float clearance)
+        void Nearest(List<int> bin, Vector3 point, float within, ref float square, ref Vector3? nearest)
         {
-            if (bin == null) return false;
+            if (bin == null) return;
             foreach (int t in bin)
             {
-                mesh.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
-                if (Mathf.Min(a.x, Mathf.Min(b.x, c.x)) - clearance > point.x) continue;
-                if (Mathf.Max(a.x, Mathf.Max(b.x, c.x)) + clearance < point.x) continue;
-                if ((TriangleMath.ClosestPoint(point, a, b, c) - point).sqrMagnitude < clearance * clearance) return true;
+                Corners(t, out Vector3 a, out Vector3 b, out Vector3 c);
+                if (Mathf.Min(a.x, Mathf.Min(b.x, c.x)) - within > point.x) continue;
+                if (Mathf.Max(a.x, Mathf.Max(b.x, c.x)) + within < point.x) continue;
+                Vector3 place = TriangleMath.ClosestPoint(point, a, b, c);
+                if (!((place - point).sqrMagnitude < square)) continue;
+                square = (place - point).sqrMagnitude;
+                nearest = place;
             }
-            return false;
         }
 
-        // +1 where the ray leaves the solid (the face looks along +x), −1 where it enters, 0 for a miss.
-        static int RayCrossing(Vector3 p, Vector3 a, Vector3 b, Vector3 c)
+        // A ray never slips between two triangles only if their common corners are the same to the bit.
+        void Corners(int t, out Vector3 a, out Vector3 b, out Vector3 c)
         {
-            int side = TriangleMath.LineCrossing(p, a, b, c, out double hit);
-            return hit > p.x ? side : 0;
+            a = mesh.Vertices[welded[mesh.Indices[3 * t]]];
+            b = mesh.Vertices[welded[mesh.Indices[3 * t + 1]]];
+            c = mesh.Vertices[welded[mesh.Indices[3 * t + 2]]];
         }
 
         void AddToBins(int t)
         {
-            mesh.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
+            Corners(t, out Vector3 a, out Vector3 b, out Vector3 c);
             if (!AffineMath.IsFinite(a + b + c)) return;
             Vector3 min = Vector3.Min(a, Vector3.Min(b, c)), max = Vector3.Max(a, Vector3.Max(b, c));
             for (int z = BinZ(min.z); z <= BinZ(max.z); z++)

@@ -19,8 +19,6 @@ namespace SphFluid
         /// <summary>Bits of <see cref="Edges"/> below the number of the surface.</summary>
         public const int NumberShift = 8;
 
-        const double Weld = 1e-6;
-
         // Of the angle between two planes that are one.
         const double Coplanar = 1e-4;
 
@@ -37,7 +35,7 @@ namespace SphFluid
             parent = new int[count];
             turned = new bool[count];
             for (int t = 0; t < count; t++) parent[t] = t;
-            Join(mesh, new VertexWeld(mesh.Vertices, (float)(Weld * mesh.Bounds.size.magnitude)).Numbers);
+            Join(mesh, mesh.Welded);
             Number();
         }
 

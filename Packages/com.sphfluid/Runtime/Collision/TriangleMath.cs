@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace SphFluid
@@ -36,6 +37,28 @@ namespace SphFluid
             double nz = ((double)b.x - a.x) * ((double)c.y - a.y) - ((double)b.y - a.y) * ((double)c.x - a.x);
             x = a.x - (ny * ((double)p.y - a.y) + nz * ((double)p.z - a.z)) / nx;
             return ab;
+        }
+
+        /// <summary>As <see cref="LineCrossing"/>, of the ray along +x from the point: +1 where it leaves what the face encloses.</summary>
+        public static int RayCrossing(Vector3 p, Vector3 a, Vector3 b, Vector3 c)
+        {
+            int side = LineCrossing(p, a, b, c, out double hit);
+            return hit > p.x ? side : 0;
+        }
+
+        /// <summary>
+        /// Solid angle of a triangle over 4π, positive where its back is seen: tan(Ω/2) = a·(b × c)/(abc + (a·b)c + (b·c)a + (c·a)b)
+        /// (A. van Oosterom, J. Strackee, "The Solid Angle of a Plane Triangle", 1983).
+        /// </summary>
+        public static double SolidAngle(Vector3 p, Vector3 a, Vector3 b, Vector3 c)
+        {
+            (double x, double y, double z) u = ((double)a.x - p.x, (double)a.y - p.y, (double)a.z - p.z);
+            (double x, double y, double z) v = ((double)b.x - p.x, (double)b.y - p.y, (double)b.z - p.z);
+            (double x, double y, double z) w = ((double)c.x - p.x, (double)c.y - p.y, (double)c.z - p.z);
+            double uv = u.x * v.x + u.y * v.y + u.z * v.z, vw = v.x * w.x + v.y * w.y + v.z * w.z, wu = w.x * u.x + w.y * u.y + w.z * u.z;
+            double lu = Math.Sqrt(u.x * u.x + u.y * u.y + u.z * u.z), lv = Math.Sqrt(v.x * v.x + v.y * v.y + v.z * v.z), lw = Math.Sqrt(w.x * w.x + w.y * w.y + w.z * w.z);
+            double volume = u.x * (v.y * w.z - v.z * w.y) + u.y * (v.z * w.x - v.x * w.z) + u.z * (v.x * w.y - v.y * w.x);
+            return Math.Atan2(volume, lu * lv * lw + uv * lw + vw * lu + wu * lv) / (2.0 * Math.PI);
         }
 
         /// <summary>Point of the triangle nearest to <paramref name="p"/> (C. Ericson, Real-Time Collision Detection, 5.1.5).</summary>

@@ -10,7 +10,10 @@ namespace SphFluid
     /// </summary>
     public sealed class TriangleMesh
     {
-        bool? closed;
+        // Of the mesh's size.
+        const double Weld = 1e-6;
+
+        Joints joints = new Joints();
         Bounds? bounds;
         MeshObstacle obstacle;
         MeshSurfaces surfaces;
@@ -31,7 +34,7 @@ namespace SphFluid
         /// <summary>A mesh of which it is known whether it is closed; null: it is found out when asked for.</summary>
         internal TriangleMesh(Vector3[] vertices, int[] indices, bool? closed)
         {
-            this.closed = closed;
+            joints.Closed = closed;
             Vertices = vertices ?? throw new ArgumentNullException(nameof(vertices));
             Indices = indices ?? throw new ArgumentNullException(nameof(indices));
             if (indices.Length % 3 != 0) throw new ArgumentException("Three indices make a triangle.", nameof(indices));
@@ -46,8 +49,14 @@ namespace SphFluid
         /// <summary>Number of triangles.</summary>
         public int TriangleCount => Indices.Length / 3;
 
-        /// <summary>Whether every edge is shared by as many triangles running in one direction as in the other, so that there is an inside.</summary>
-        public bool IsClosed => closed ??= TriangleCount > 0 && FindOpenEdges() == 0;
+        /// <summary>
+        /// Whether every edge is shared by as many triangles running in one direction as in the other, so that there is an inside. Corners
+        /// within a millionth of the mesh's size are one.
+        /// </summary>
+        public bool IsClosed => joints.Closed ??= IsBalanced();
+
+        /// <summary>Of each corner the first that is at its place: importers split corners at seams of normals and texture coordinates, and rounding parts them by a little.</summary>
+        internal int[] Welded => joints.Welded ??= new VertexWeld(Vertices, (float)(Weld * Bounds.size.magnitude)).Numbers;
 
         /// <summary>The corners of single triangles as a mesh.</summary>
         /// <param name="corners">Three a triangle [m].</param>
@@ -71,8 +80,14 @@ namespace SphFluid
         /// <returns>The mesh.</returns>
         public static TriangleMesh Box(in Matrix4x4 fromUnitCube) => PrimitiveTessellator.Box(fromUnitCube);
 
-        /// <summary>Number of edges whose triangles do not run in one direction as often as in the other; 0 for a closed mesh.</summary>
-        internal int OpenEdges => Math.Max(FindOpenEdges(), 0);
+        /// <summary>Edges whose triangles do not run in one direction as often as in the other, and how much more often they run from the first corner to the second.</summary>
+        internal List<(int from, int to, int times)> OpenEdges()
+        {
+            var open = new List<(int, int, int)>();
+            foreach (KeyValuePair<(int from, int to), int> edge in Balance())
+                if (edge.Value != 0) open.Add((edge.Key.from, edge.Key.to, edge.Value));
+            return open;
+        }
 
         /// <summary>Bounds of the finite corners [m].</summary>
         public Bounds Bounds => bounds ??= FindBounds();
@@ -90,6 +105,9 @@ namespace SphFluid
         /// <returns>The number, positive where <see cref="Contains"/> is true.</returns>
         public int Winding(Vector3 point) => Obstacle.Winding(point);
 
+        /// <summary>Of a ray from a point along +x: how much more often it leaves through a triangle than it enters.</summary>
+        internal int Crossings(Vector3 point) => Obstacle.Crossings(point);
+
         /// <summary>Whether a point is nearer than a distance to a triangle.</summary>
         /// <param name="point">Point [m].</param>
         /// <param name="distance">Distance [m]; nothing is nearer than 0.</param>
@@ -103,10 +121,10 @@ namespace SphFluid
         {
             var vertices = new Vector3[Vertices.Length];
             for (int i = 0; i < vertices.Length; i++) vertices[i] = transform.MultiplyPoint3x4(Vertices[i]);
-            if (!(AffineMath.Determinant(transform) < 0.0)) return new TriangleMesh(vertices, Indices, closed);
+            if (!(AffineMath.Determinant(transform) < 0.0)) return With(vertices, Indices);
             var indices = (int[])Indices.Clone();
             for (int i = 0; i < indices.Length; i += 3) (indices[i + 1], indices[i + 2]) = (indices[i + 2], indices[i + 1]);
-            return new TriangleMesh(vertices, indices, closed);
+            return With(vertices, indices);
         }
 
         /// <summary>The triangles under a map that does not mirror, each corner rounded once.</summary>
@@ -114,7 +132,7 @@ namespace SphFluid
         {
             var vertices = new Vector3[Vertices.Length];
             for (int i = 0; i < vertices.Length; i++) vertices[i] = map.Apply(Vertices[i]);
-            return new TriangleMesh(vertices, Indices, closed);
+            return With(vertices, Indices);
         }
 
         /// <summary>The same triangles with other corners, as of a mesh that deforms. What is closed stays closed: corners at one place must stay together.</summary>
@@ -126,7 +144,9 @@ namespace SphFluid
             if (vertices == null) throw new ArgumentNullException(nameof(vertices));
             if (vertices.Length != Vertices.Length)
                 throw new ArgumentException($"The mesh has {Vertices.Length} corners, but {vertices.Length} were given.", nameof(vertices));
-            return new TriangleMesh(vertices, Indices, closed) { surfaces = Surfaces.Deforming };
+            TriangleMesh deformed = With(vertices, Indices);
+            deformed.surfaces = Surfaces.Deforming;
+            return deformed;
         }
 
         /// <summary>Which triangles make up one surface.</summary>
@@ -166,15 +186,26 @@ namespace SphFluid
         /// <summary>Whether a point is inside or nearer than a clearance [m] to a triangle.</summary>
         internal bool Covers(Vector3 point, float clearance) => Obstacle.Covers(point, clearance);
 
+        /// <summary>The place on a triangle that is nearest to a point, nearer than a distance [m]; null where there is none.</summary>
+        internal Vector3? Nearest(Vector3 point, float within) => Obstacle.Nearest(point, within);
+
         // Prepared at the first use.
         MeshObstacle Obstacle => obstacle ??= new MeshObstacle(this);
 
-        // Importers split vertices at seams of normals and texture coordinates, so corners are joined by position first.
-        // −1 where no triangle has three corners.
-        int FindOpenEdges()
+        TriangleMesh With(Vector3[] vertices, int[] indices) => new TriangleMesh(vertices, indices, null) { joints = joints };
+
+        bool IsBalanced()
         {
-            int[] welded = Weld();
+            Dictionary<(int, int), int> balance = Balance();
+            foreach (int value in balance.Values)
+                if (value != 0) return false;
+            return balance.Count > 0; // else no triangle has three corners
+        }
+
+        Dictionary<(int from, int to), int> Balance()
+        {
             var balance = new Dictionary<(int, int), int>();
+            int[] welded = Welded;
             for (int i = 0; i < Indices.Length; i += 3)
             {
                 int a = welded[Indices[i]], b = welded[Indices[i + 1]], c = welded[Indices[i + 2]];
@@ -183,9 +214,7 @@ namespace SphFluid
                 AddEdge(balance, b, c);
                 AddEdge(balance, c, a);
             }
-            int open = 0;
-            foreach (int value in balance.Values) open += value != 0 ? 1 : 0;
-            return balance.Count > 0 ? open : -1;
+            return balance;
         }
 
         Bounds FindBounds()
@@ -203,24 +232,18 @@ namespace SphFluid
             return found;
         }
 
-        int[] Weld()
-        {
-            var first = new Dictionary<Vector3, int>(Vertices.Length);
-            var welded = new int[Vertices.Length];
-            for (int i = 0; i < welded.Length; i++)
-            {
-                Vector3 key = Vertices[i] + Vector3.zero; // −0 + 0 = +0: both zeros join
-                if (!first.TryGetValue(key, out int index)) first.Add(key, index = i);
-                welded[i] = index;
-            }
-            return welded;
-        }
-
         static void AddEdge(Dictionary<(int, int), int> balance, int from, int to)
         {
             (int, int) key = from < to ? (from, to) : (to, from);
             balance.TryGetValue(key, out int value);
             balance[key] = value + (from < to ? 1 : -1);
+        }
+
+        // How corners hang together, wherever they are.
+        sealed class Joints
+        {
+            public bool? Closed;
+            public int[] Welded;
         }
     }
 }

@@ -80,7 +80,7 @@ namespace SphFluid
                         $"The emitter is outside the domain of '{spec.Name}': nothing flows while it is there.", "Move it into the domain, or enlarge Domain Size."));
                 else if (collision.FindCovering(place, 0f) is int covering && covering >= 0)
                     messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, emitter.Owner,
-                        $"The emitter is inside the collider of '{collision.Solids[covering].Name}': its liquid begins in there and is squeezed.",
+                        $"The emitter is inside the collider of {collision.NameOf(covering)}: its liquid begins in there and is squeezed.",
                         "Move the emitter to the opening, or take the collider's layer out of Collider Layers."));
             }
         }

@@ -96,15 +96,15 @@ namespace SphFluid
 
         static void ReportCarved(in VolumeSpec volume, in SpawnTally tally, CollisionScene collision, List<FluidMessage> messages)
         {
-            string collider = collision.Solids[tally.LastObstacle].Name;
+            string collider = collision.NameOf(tally.LastObstacle);
             if (tally.Filled == 0)
                 Add(messages, FluidSeverity.Error, FluidIssue.VolumeInsideCollider, volume,
-                    $"The liquid volume lies wholly inside colliders, the last one '{collider}', so no particle is left.",
+                    $"The liquid volume lies wholly inside colliders, the last one {collider}, so no particle is left.",
                     "Move the volume out of the collider, or take the collider's layer out of the simulation's Collider Layers.");
             else
                 Add(messages, FluidSeverity.Warning, FluidIssue.VolumeInsideCollider, volume,
-                    $"{tally.Carved} of {tally.Carved + tally.Filled} particles would start inside colliders or against their faces, the last one '{collider}', and are left out.",
-                    "Move the volume or the collider apart if more liquid was meant.");
+                    $"{tally.Carved} of {tally.Carved + tally.Filled} particles would start inside colliders or against their faces, the last one {collider}, and are left out.",
+                    "If more liquid was meant, move the volume and the collider apart, or fill the hollow between colliders with the shape Vessel.");
         }
 
         static void Add(List<FluidMessage> messages, FluidSeverity severity, FluidIssue issue, in VolumeSpec volume, string text, string cure) =>

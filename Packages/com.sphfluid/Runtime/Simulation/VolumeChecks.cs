@@ -72,7 +72,7 @@ namespace SphFluid
                 return Fail(volume, messages, $"The liquid volume's mesh '{mesh.name}' has no triangles.",
                     "Assign a closed mesh.", FluidIssue.VolumeMeshInvalid);
             if (!triangles.IsClosed)
-                return Fail(volume, messages, $"The liquid volume's mesh '{mesh.name}' is open: {triangles.OpenEdges} edges do not join two triangles, so it has no inside.",
+                return Fail(volume, messages, $"The liquid volume's mesh '{mesh.name}' is open: {triangles.OpenEdges().Count} edges do not join two triangles, so it has no inside.",
                     "Close the mesh's holes in the program that made it, or use the shape Vessel with a Mesh Collider.", FluidIssue.VolumeMeshInvalid);
             return new LiquidMesh(volume.Name, triangles.Transformed(toSimulation), velocity);
         }

@@ -54,9 +54,8 @@ namespace SphFluid
             SpawnLattice lattice = LatticeFit.Fitted(request);
             SpawnTally[] tallies = NewTallies(request);
             needed = 0;
-            if (!FindRange(request, lattice, out var x, out var y, out var z)) return MeasureOutside(request, tallies);
-
-            double sites = (x.last - x.first + 1.0) * (y.last - y.first + 1.0) * (z.last - z.first + 1.0);
+            FindRange(request, lattice, out var x, out var y, out var z);
+            double sites = Math.Max(x.last - x.first + 1.0, 0.0) * Math.Max(y.last - y.first + 1.0, 0.0) * Math.Max(z.last - z.first + 1.0, 0.0);
             if (sites > MostSites)
             {
                 needed = (long)Math.Min(EstimatedCount(request), 1e18);
@@ -66,24 +65,37 @@ namespace SphFluid
             for (long k = z.first; k <= z.last; k++)
                 for (long j = y.first; j <= y.last; j++)
                     for (long i = x.first; i <= x.last; i++)
-                    {
-                        Vector3 site = lattice.Site(i, j, k);
-                        int owner = FindOwner(request, site, tallies);
-                        if (owner < 0) continue;
-                        needed++;
-                        if (needed <= most) place?.Invoke(site, request.Shapes[owner]);
-                    }
+                        Take(request, lattice.Site(i, j, k), -1, tallies, place, most, ref needed);
+            Vector3 half = InnerHalf(request);
+            for (int b = 0; b < request.Shapes.Count; b++)
+                foreach (Vector3 site in request.Shapes[b].Sites ?? Array.Empty<Vector3>())
+                    if (Mathf.Abs(site.x) <= half.x && Mathf.Abs(site.y) <= half.y && Mathf.Abs(site.z) <= half.z) Take(request, site, b, tallies, place, most, ref needed);
             return MeasureOutside(request, tallies);
         }
 
-        // Every shape that holds the site is asked: the first fills it or finds it covered, later ones share it.
-        static int FindOwner(SpawnRequest request, Vector3 site, SpawnTally[] tallies)
+        static void Take(SpawnRequest request, Vector3 site, int owner, SpawnTally[] tallies, Action<Vector3, LiquidShape> place, long most, ref long needed)
+        {
+            owner = FindOwner(request, site, owner, tallies);
+            if (owner < 0) return;
+            needed++;
+            if (needed <= most) place?.Invoke(site, request.Shapes[owner]);
+        }
+
+        static Vector3 InnerHalf(SpawnRequest request) => request.DomainSize * 0.5f - Vector3.one * (DomainMargin * request.Spacing);
+
+        // Every shape that holds the site is asked: the first fills it or finds it covered, later ones share it. A site of a shape of its own is that shape's or nobody's.
+        static int FindOwner(SpawnRequest request, Vector3 site, int only, SpawnTally[] tallies)
         {
             int owner = -1;
             bool taken = false;
-            for (int b = 0; b < request.Shapes.Count; b++)
+            for (int b = 0; b < request.Shapes.Count && (only < 0 || b <= only); b++)
             {
-                if (!request.Shapes[b].Contains(site)) continue;
+                if (b != only && !request.Shapes[b].Contains(site)) continue;
+                if (only < 0 ? request.Shapes[b].Sites != null : b != only)
+                {
+                    taken = true;
+                    continue;
+                }
                 if (taken)
                 {
                     tallies[b].Shared++;
@@ -103,19 +115,18 @@ namespace SphFluid
             return owner;
         }
 
-        static bool FindRange(SpawnRequest request, SpawnLattice lattice,
+        static void FindRange(SpawnRequest request, SpawnLattice lattice,
             out (long first, long last) x, out (long first, long last) y, out (long first, long last) z)
         {
             x = y = z = (0, -1);
-            if (request.Shapes.Count == 0) return false;
-            Bounds bounds = request.Shapes[0].Bounds;
-            foreach (LiquidShape shape in request.Shapes) bounds.Encapsulate(shape.Bounds);
-            Vector3 half = request.DomainSize * 0.5f - Vector3.one * (DomainMargin * request.Spacing);
-            Vector3 min = Vector3.Max(bounds.min, -half), max = Vector3.Min(bounds.max, half);
+            Vector3 min = Vector3.positiveInfinity, max = Vector3.negativeInfinity, half = InnerHalf(request);
+            foreach (LiquidShape shape in request.Shapes)
+                if (shape.Sites == null) (min, max) = (Vector3.Min(min, shape.Bounds.min), Vector3.Max(max, shape.Bounds.max));
+            if (min.x > max.x) return;
+            (min, max) = (Vector3.Max(min, -half), Vector3.Min(max, half));
             x = lattice.Range(0, min.x, max.x);
             y = lattice.Range(1, min.y, max.y);
             z = lattice.Range(2, min.z, max.z);
-            return x.last >= x.first && y.last >= y.first && z.last >= z.first;
         }
 
         static SpawnTally[] NewTallies(SpawnRequest request)
@@ -165,7 +176,7 @@ namespace SphFluid
         }
 
         // PCG hash: M. Jarzynski, M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020.
-        static uint Hash(uint value)
+        internal static uint Hash(uint value)
         {
             uint state = unchecked(value * 747796405u + 2891336453u);
             uint word = unchecked(((state >> (int)((state >> 28) + 4)) ^ state) * 277803737u);

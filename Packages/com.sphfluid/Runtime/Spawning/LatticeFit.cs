@@ -57,7 +57,8 @@ namespace SphFluid
 
         static bool HasWall(SpawnRequest request, int face) => (request.Walls & (FluidFaces)(1 << face)) != 0;
 
-        static bool IsAligned(Matrix4x4 m)
+        /// <summary>Whether a frame is along the axes.</summary>
+        public static bool IsAligned(Matrix4x4 m)
         {
             for (int column = 0; column < 3; column++)
             {

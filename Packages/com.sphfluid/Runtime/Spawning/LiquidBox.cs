@@ -1,3 +1,5 @@
+using System;
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace SphFluid
@@ -7,6 +9,8 @@ namespace SphFluid
     {
         /// <summary>Half-width by which a point on a face counts as inside the lower face and outside the upper one.</summary>
         const float FaceTolerance = 1e-4f;
+
+        const double MostColumned = 1 << 28, MostMissed = 0.02;
 
         readonly Matrix4x4 toUnit;
 
@@ -20,13 +24,54 @@ namespace SphFluid
         }
 
         /// <inheritdoc/>
-        public override double Volume => System.Math.Abs(AffineMath.Determinant(Frame));
+        public override double Volume => Math.Abs(AffineMath.Determinant(Frame));
 
         /// <summary>Whether the point lies in the box; of two touching boxes only one holds a point of the shared face.</summary>
         public override bool Contains(Vector3 point)
         {
             Vector3 p = toUnit.MultiplyPoint3x4(point);
             return Inside(p.x) && Inside(p.y) && Inside(p.z);
+        }
+
+        /// <summary>
+        /// A box along the lattice's axes goes by it where that holds its volume. Any other has columns along its own height, evenly filled: those of a box 10.5
+        /// spacings wide are 1.05 of one apart, and hold 11 or 12 particles.
+        /// </summary>
+        public override void Fit(in SpawnLattice lattice)
+        {
+            Sites = null;
+            float spacing = lattice.Spacing;
+            double wanted = Volume / Math.Pow(spacing, 3);
+            if (wanted > MostColumned) return;
+            if (LatticeFit.IsAligned(Frame) && (!IsWide(spacing) || Math.Abs(Layers(lattice, 0) * Layers(lattice, 1) * Layers(lattice, 2) - wanted) <= MostMissed * wanted)) return;
+            Sites = Columns(wanted, Mathf.Max(Mathf.RoundToInt(Frame.GetColumn(0).magnitude / spacing), 1), Mathf.Max(Mathf.RoundToInt(Frame.GetColumn(2).magnitude / spacing), 1));
+        }
+
+        IEnumerable<Vector3> Columns(double wanted, int wide, int deep)
+        {
+            double owed = 0.5;
+            for (int k = 0; k < deep; k++)
+                for (int i = 0; i < wide; i++)
+                {
+                    owed += wanted / ((double)wide * deep);
+                    int count = (int)owed;
+                    owed -= count;
+                    for (int j = 0; j < count; j++) yield return Frame.MultiplyPoint3x4(new Vector3((i + 0.5f) / wide, (j + 0.5f) / count, (k + 0.5f) / deep) - 0.5f * Vector3.one);
+                }
+        }
+
+        // Of a box along the lattice's axes.
+        double Layers(in SpawnLattice lattice, int axis)
+        {
+            Vector3 place = Bounds.center;
+            int layers = 0;
+            (long first, long last) = lattice.Range(axis, Bounds.min[axis], Bounds.max[axis]);
+            for (long i = first; i <= last; i++)
+            {
+                place[axis] = lattice.Site(i, i, i)[axis];
+                layers += Contains(place) ? 1 : 0;
+            }
+            return layers;
         }
 
         static bool Inside(float u) => u >= -0.5f - FaceTolerance && u < 0.5f - FaceTolerance;

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace SphFluid
@@ -31,9 +32,13 @@ namespace SphFluid
     /// <summary>The hollow of the colliders round a point, up to a level: the sites that a flood from the point reaches.</summary>
     internal sealed class LiquidVessel : LiquidShape
     {
+        // Of a layer: so little more is no layer.
+        const float WholeTolerance = 0.05f;
+
         readonly VesselInput input;
         SpawnLattice lattice;
         VesselFlood flood;
+        double volume;
 
         /// <summary>The hollow round a seed; empty until it is fitted to a lattice.</summary>
         public LiquidVessel(string name, in VesselInput input, Vector3 velocity) : base(name, FrameOf(new Bounds(input.Seed, Vector3.zero)), velocity)
@@ -42,7 +47,7 @@ namespace SphFluid
         }
 
         /// <inheritdoc/>
-        public override double Volume => flood == null ? 0.0 : flood.Count * Math.Pow(lattice.Spacing, 3);
+        public override double Volume => volume;
 
         /// <summary>How the liquid gets out; null where it stays.</summary>
         public VesselLeak? Leak => flood?.Leak;
@@ -58,8 +63,25 @@ namespace SphFluid
         {
             if (flood != null && this.lattice.Origin == lattice.Origin && this.lattice.Spacing == lattice.Spacing) return;
             this.lattice = lattice;
+            (Sites, volume) = (Array.Empty<Vector3>(), 0.0);
             flood = new VesselFlood(input, lattice);
+            if (flood.Count > 0) flood = new VesselFlood(input, Laid(flood.Hollow, lattice.Spacing));
+            if (flood.Count > 0)
+            {
+                List<Vector3> places = flood.Places(out volume);
+                if (places.Count == 0) places.Add(input.Seed); // wholly in a collider, which is then named
+                Sites = places;
+            }
             Frame = FrameOf(flood.Bounds);
+        }
+
+        // As many layers as the hollow touches, shared by both sides.
+        static SpawnLattice Laid(in Bounds hollow, float spacing)
+        {
+            Vector3 origin = Vector3.zero;
+            for (int axis = 0; axis < 3; axis++)
+                origin[axis] = hollow.center[axis] - 0.5f * spacing * Mathf.Ceil(hollow.size[axis] / spacing - WholeTolerance);
+            return new SpawnLattice(origin, spacing);
         }
     }
 }

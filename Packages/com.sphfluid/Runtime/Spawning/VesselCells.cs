@@ -4,7 +4,7 @@ using UnityEngine;
 namespace SphFluid
 {
     /// <summary>
-    /// A block of lattice sites and which neighbours a triangle separates. The lines between sites are intersected with the triangles
+    /// A block of lattice sites and where triangles separate neighbours. The lines between sites are intersected with the triangles
     /// by a test that never slips between two of them (<see cref="TriangleMath.Side"/>).
     /// </summary>
     internal sealed class VesselCells
@@ -16,7 +16,7 @@ namespace SphFluid
         readonly long[] first = new long[3];
         readonly int[] counts = new int[3];
         readonly int[] strides = new int[3];
-        readonly byte[] walls;
+        readonly byte[][] lowest = new byte[3][], highest = new byte[3][]; // of an axis, above each site: the first and the last hit, 1 + 254 times its share of the way; 0: none
 
         /// <summary>The sites within bounds and, below them, a layer that only records what separates it from them.</summary>
         public VesselCells(in SpawnLattice lattice, Bounds bounds)
@@ -32,7 +32,8 @@ namespace SphFluid
                 Total = Math.Min(Total * count, Most + 1);
                 counts[axis] = (int)Math.Min(count, Most);
             }
-            if (Total <= Most) walls = new byte[Total];
+            if (Total > Most) return;
+            for (int axis = 0; axis < 3; axis++) (lowest[axis], highest[axis]) = (new byte[Total], new byte[Total]);
         }
 
         /// <summary>Number of cells, the layer below included; above <see cref="Most"/> the block cannot be used.</summary>
@@ -67,22 +68,51 @@ namespace SphFluid
         }
 
         /// <summary>Whether a triangle lies between a cell and its neighbour, also one outside the block.</summary>
-        public bool IsSeparated(int cell, int axis, bool up) => (walls[up ? cell : cell - strides[axis]] & (1 << axis)) != 0;
+        public bool IsSeparated(int cell, int axis, bool up) => lowest[axis][up ? cell : cell - strides[axis]] != 0;
+
+        /// <summary>Share of the way to a neighbour at which the first triangle is, where one separates them.</summary>
+        public float Clear(int cell, int axis, bool up) => up ? Share(lowest[axis][cell]) : 1f - Share(highest[axis][cell - strides[axis]]);
 
         /// <summary>Marks what triangles separate.</summary>
-        public void Add(TriangleMesh mesh)
+        public void Add(TriangleMesh mesh) => Visit(mesh, (below, axis, hit, weight) =>
+        {
+            ref byte low = ref lowest[axis][below], high = ref highest[axis][below];
+            if (low == 0 || hit < low) low = hit;
+            if (hit > high) high = hit;
+        });
+
+        /// <summary>
+        /// What the cells of liquid reach beyond half-way to the triangles of a mesh, in cells: counted along each axis, by the square of the normal along it, which
+        /// of a plane sum to one.
+        /// </summary>
+        public double Beyond(TriangleMesh mesh, Func<int, bool> isLiquid)
+        {
+            double sum = 0.0;
+            Visit(mesh, (below, axis, hit, weight) =>
+            {
+                if (hit == lowest[axis][below] && Index(below, axis) > 0 && isLiquid(below)) sum += weight * (Share(hit) - 0.5);
+                int above = below + strides[axis];
+                if (hit == highest[axis][below] && Index(below, axis) + 1 < counts[axis] && isLiquid(above)) sum += weight * (0.5 - Share(hit));
+            });
+            return sum;
+        }
+
+        static float Share(byte hit) => (hit - 1) / 254f;
+
+        void Visit(TriangleMesh mesh, Action<int, int, byte, double> visit)
         {
             for (int t = 0; t < mesh.TriangleCount; t++)
             {
                 mesh.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
                 if (!AffineMath.IsFinite(a + b + c)) continue;
-                for (int axis = 0; axis < 3; axis++) Add(axis, a, b, c);
+                Vector3 normal = Vector3.Cross(b - a, c - a).normalized;
+                for (int axis = 0; axis < 3; axis++) Visit(axis, a, b, c, normal[axis] * normal[axis], visit);
             }
         }
 
         int Index(int cell, int axis) => cell / strides[axis] % counts[axis];
 
-        void Add(int axis, Vector3 a, Vector3 b, Vector3 c)
+        void Visit(int axis, Vector3 a, Vector3 b, Vector3 c, double weight, Action<int, int, byte, double> visit)
         {
             int second = (axis + 1) % 3, third = (axis + 2) % 3;
             Vector3 min = Vector3.Min(a, Vector3.Min(b, c)), max = Vector3.Max(a, Vector3.Max(b, c));
@@ -94,9 +124,9 @@ namespace SphFluid
                 {
                     var line = new Vector3(0f, Coordinate(second, j), Coordinate(third, k));
                     if (TriangleMath.LineCrossing(line, u, v, w, out double hit) == 0) continue;
-                    double below = Math.Floor((hit - lattice.Origin[axis]) / lattice.Spacing - 0.5) - first[axis];
+                    double place = (hit - lattice.Origin[axis]) / lattice.Spacing - 0.5 - first[axis], below = Math.Floor(place);
                     if (below >= 0.0 && below < counts[axis])
-                        walls[(int)below * strides[axis] + j * strides[second] + k * strides[third]] |= (byte)(1 << axis);
+                        visit((int)below * strides[axis] + j * strides[second] + k * strides[third], axis, (byte)(1.5 + 254.0 * (place - below)), weight);
                 }
         }
 

@@ -30,6 +30,17 @@ namespace SphFluid
         const int Dry = 0;
         const int Source = int.MaxValue;
 
+        // Of the spacing: a wall that is farther pushes no particle.
+        const float TouchingWalls = 0.499f;
+
+        // Of the spacing: a site so near is on a wall.
+        const float OnWall = 0.02f;
+
+        // Of the spacing: no two particles are nearer.
+        const float LeastDistance = 0.5f;
+
+        const int MostPushes = 6;
+
         readonly VesselInput input;
         readonly VesselCells cells;
         readonly int[] cameFrom;
@@ -42,8 +53,7 @@ namespace SphFluid
             this.input = input;
             spacing = lattice.Spacing;
             Bounds = new Bounds(input.Seed, Vector3.zero);
-            Vector3 half = Vector3.Max(input.DomainSize * 0.5f - Vector3.one * (FluidSpawner.DomainMargin * spacing), Vector3.zero);
-            Bounds space = new Bounds(Vector3.zero, 2f * half);
+            var space = new Bounds(Vector3.zero, input.DomainSize);
             if (!input.DomainHolds) space = Common(space, Surroundings());
             lowest = Height(space.center) - Vector3.Dot(Absolute(input.Up), space.extents) - 2f * spacing;
             cells = new VesselCells(lattice, space);
@@ -52,13 +62,104 @@ namespace SphFluid
             foreach (FluidObstacle solid in input.Colliders.Solids) cells.Add(solid.Mesh);
             cameFrom = new int[cells.Total];
             Flood(cells.At(input.Seed));
-            if (Leak == null) return;
+            if (Leak == null)
+            {
+                Hollow = FindHollow();
+                return;
+            }
             Count = 0;
             Bounds = new Bounds(input.Seed, Vector3.zero);
         }
 
-        /// <summary>Number of sites in the liquid, those too near to a wall included.</summary>
+        /// <summary>Number of sites in the liquid, those at walls included.</summary>
         public long Count { get; private set; }
+
+        /// <summary>Bounds of the hollow below the surface [m], from wall to wall.</summary>
+        public Bounds Hollow { get; private set; }
+
+        /// <summary>
+        /// Where particles go: half a spacing inside the walls that cut their cells, and as many as the hollow's volume holds. Of more, those cut most are left
+        /// out; where there are fewer, the layer above the surface has the rest.
+        /// </summary>
+        /// <param name="volume">The hollow's volume [m³].</param>
+        public List<Vector3> Places(out double volume)
+        {
+            var kept = new List<Vector3>();
+            var cut = new List<(float clear, uint order, Vector3 place)>();
+            var spaced = new SpacedPoints(spacing);
+            void Keep(Vector3 place)
+            {
+                kept.Add(place);
+                spaced.Add(place);
+            }
+            void Add(int cell)
+            {
+                Vector3 place = Place(cell, out float clear);
+                if (clear < 0.5f) cut.Add((clear, FluidSpawner.Hash((uint)cell), place));
+                else Keep(place);
+            }
+            Vector3 steep = Absolute(input.Up);
+            int upright = steep.x > steep.y && steep.x > steep.z ? 0 : steep.y > steep.z ? 1 : 2;
+            bool up = input.Up[upright] > 0f;
+            double held = 0.0;
+            for (int cell = 0; cell < cameFrom.Length; cell++)
+            {
+                if (cameFrom[cell] == Dry) continue;
+                held += 1.0 + Beyond(cell);
+                Add(cell);
+                if (!cells.IsSeparated(cell, upright, up) && cells.Neighbour(cell, upright, up) is int above && above >= 0 && Height(cells.Site(above)) >= input.Level) Add(above);
+            }
+            foreach (FluidObstacle solid in input.Colliders.Solids) held += cells.Beyond(solid.Mesh, cell => cameFrom[cell] != Dry);
+            volume = held * Math.Pow(spacing, 3);
+            cut.Sort((a, b) => a.clear != b.clear ? b.clear.CompareTo(a.clear) : a.order.CompareTo(b.order));
+            int most = (int)Math.Round(held);
+            for (int i = 0; i < cut.Count && kept.Count < most; i++)
+                if (!spaced.HasNear(cut[i].place, LeastDistance * spacing) && input.Colliders.FindCovering(cut[i].place, input.Clearance) < 0) Keep(cut[i].place);
+            return kept;
+        }
+
+        // Of the surface and of the domain's faces, as VesselCells.Beyond of triangles.
+        double Beyond(int cell)
+        {
+            double sum = 0.0;
+            Vector3 site = cells.Site(cell);
+            for (int direction = 0; direction < 6; direction++)
+            {
+                int axis = direction >> 1;
+                bool up = (direction & 1) != 0;
+                if (cells.IsSeparated(cell, axis, up)) continue;
+                float rise = (up ? spacing : -spacing) * input.Up[axis], left = input.Level - Height(site);
+                if (rise >= left) sum += input.Up[axis] * input.Up[axis] * (left / rise - 0.5);
+                else if (Way(cell, axis, up) is float way && way < float.PositiveInfinity) sum += way - 0.5;
+            }
+            return sum;
+        }
+
+        // To what holds the liquid along an axis, in spacings; infinity where it goes on.
+        float Way(int cell, int axis, bool up)
+        {
+            if (cells.IsSeparated(cell, axis, up)) return cells.Clear(cell, axis, up);
+            if (!input.DomainHolds || cells.Neighbour(cell, axis, up) >= 0) return float.PositiveInfinity;
+            return (0.5f * input.DomainSize[axis] - (up ? 1f : -1f) * cells.Site(cell)[axis]) / spacing;
+        }
+
+        // Half a spacing inside walls; in a corner from one wall after the other. How far the site itself is from what its cell is cut by, in spacings.
+        Vector3 Place(int cell, out float clear)
+        {
+            Vector3 place = cells.Site(cell);
+            clear = Mathf.Min((input.Level - Height(place)) / spacing, 0.5f);
+            for (int push = 0; push < MostPushes; push++)
+            {
+                if (!(input.Colliders.Nearest(place, TouchingWalls * spacing) is Vector3 wall)) break;
+                Vector3 inward = (place - wall) / spacing;
+                if (push == 0) clear = Mathf.Min(clear, inward.magnitude);
+                place += (0.5f - inward.magnitude) * spacing * inward.normalized;
+            }
+            if (!input.DomainHolds) return place;
+            Vector3 half = Vector3.Max(0.5f * (input.DomainSize - spacing * Vector3.one), Vector3.zero), held = Vector3.Max(Vector3.Min(place, half), -half);
+            clear = Mathf.Min(clear, 0.5f - (place - held).magnitude / spacing);
+            return held;
+        }
 
         /// <summary>Bounds of those sites; of the seed when there are none.</summary>
         public Bounds Bounds { get; private set; }
@@ -74,6 +175,27 @@ namespace SphFluid
         {
             int cell = Count > 0 ? cells.At(point) : -1;
             return cell >= 0 && cameFrom[cell] != Dry;
+        }
+
+        Bounds FindHollow()
+        {
+            var walls = new Bounds(Bounds.center, Vector3.zero);
+            for (int cell = 0; cell < cameFrom.Length; cell++)
+            {
+                if (cameFrom[cell] == Dry) continue;
+                Vector3 site = cells.Site(cell);
+                for (int direction = 0; direction < 6; direction++)
+                {
+                    int axis = direction >> 1;
+                    bool up = (direction & 1) != 0;
+                    float rise = (up ? spacing : -spacing) * input.Up[axis], left = input.Level - Height(site), way = Way(cell, axis, up);
+                    if (float.IsPositiveInfinity(way)) way = rise >= left ? left / rise : 0f;
+                    Vector3 reached = site;
+                    reached[axis] += (up ? way : -way) * spacing;
+                    walls.Encapsulate(reached);
+                }
+            }
+            return walls;
         }
 
         void Flood(int seed)
@@ -119,8 +241,7 @@ namespace SphFluid
             return lowestEntered;
         }
 
-        // A site too near to a wall is the liquid's, so that it is counted as left out, but the flood does not go on from it: sites in a
-        // wall may have no clear side.
+        // A site on a wall is the liquid's, but the flood does not go on from it: it may have no clear side.
         int Enter(int cell, int from)
         {
             Vector3 site = cells.Site(cell);
@@ -129,7 +250,7 @@ namespace SphFluid
             cameFrom[cell] = from;
             if (Count++ == 0) Bounds = new Bounds(site, Vector3.one * spacing);
             else Bounds = Enclosing(Bounds, new Bounds(site, Vector3.one * spacing));
-            if (input.Colliders.FindCovering(site, input.Clearance) >= 0) return int.MaxValue;
+            if (input.Colliders.FindCovering(site, OnWall * spacing) >= 0) return int.MaxValue;
             int layer = Math.Max((int)((height - lowest) / spacing), 0);
             while (waiting.Count <= layer) waiting.Add(new Stack<int>());
             waiting[layer].Push(cell);
@@ -147,7 +268,7 @@ namespace SphFluid
             }
             float rim = Height(cells.Site(highest));
             bool over = rim > spacing;
-            return new VesselLeak(cells.Site(over || contact < 0 ? highest : contact), over ? rim : 0f);
+            return new VesselLeak(cells.Site(over || contact < 0 ? highest : contact), over ? rim - spacing : 0f); // another lattice's lowest site over the rim may be lower
         }
 
         bool TouchesWall(int cell)

@@ -67,8 +67,8 @@ namespace SphFluid.Tests
         [Test]
         public void OpenEdgesAreCounted()
         {
-            Assert.That(TestMeshes.Sheet().OpenEdges, Is.EqualTo(4));
-            Assert.That(TestMeshes.Sphere(1f, 0.1f).OpenEdges, Is.Zero);
+            Assert.That(TestMeshes.Sheet().OpenEdges().Count, Is.EqualTo(4));
+            Assert.That(TestMeshes.Sphere(1f, 0.1f).OpenEdges(), Is.Empty);
         }
 
         static SpawnResult Fill(params LiquidShape[] shapes) =>

@@ -31,14 +31,14 @@ namespace SphFluid.Tests
             // The mean depth under a tilted surface is that on the axis: the seed lies a twentieth above the floor.
             double volume = 0.5 * Sides * Math.Sin(2.0 * Math.PI / Sides) * Radius * Radius * (level / Math.Cos(tilt * Math.PI / 180.0) + 0.05);
             SpawnTally tally = result.Tallies[0];
-            Assert.That(tally.Filled + tally.Carved, Is.EqualTo(volume / Math.Pow(Spacing, 3)).Within(6).Percent);
-            Assert.That(tally.Expected, Is.EqualTo(tally.Filled + tally.Carved).Within(1e-6));
+            Assert.That(tally.Filled + tally.Carved, Is.EqualTo(volume / Math.Pow(Spacing, 3)).Within(2).Percent);
+            Assert.That(tally.Expected, Is.EqualTo(tally.Filled + tally.Carved).Within(0.51));
             foreach (FluidParticle particle in result.Particles)
             {
                 Vector3 p = Quaternion.Inverse(turn) * particle.Position;
                 Assert.That(new Vector2(p.x, p.z).magnitude, Is.LessThan(Radius));
                 Assert.That(p.y, Is.GreaterThan(-0.05f));
-                Assert.That(particle.Position.y, Is.LessThan(level));
+                Assert.That(particle.Position.y, Is.LessThan(level + Spacing));
                 Assert.That(rig.Scene.FindCovering(particle.Position, 0.29f * Spacing), Is.EqualTo(-1));
             }
             Assert.That(result.Particles.Max(p => p.Position.y), Is.EqualTo(level).Within(Spacing));
@@ -74,7 +74,7 @@ namespace SphFluid.Tests
             floor.localPosition = new Vector3(0f, -0.32f, 0f);
             Assert.That(Fill(0.19f).vessel.Leak, Is.Not.Null);
             SpawnTally tally = Fill(0.19f, domainHolds: true).result.Tallies[0];
-            Assert.That(tally.Filled + tally.Carved, Is.EqualTo(10 * 10 * 10));
+            Assert.That(tally.Filled + tally.Carved, Is.EqualTo(10 * 10 * 10.25).Within(1), "from the floor at −0.22 m to 0.19 m");
         }
 
         [Test]

@@ -12,7 +12,7 @@ namespace SphFluid.Tests
         {
             float[,] heights = Heights(rows, columns);
             TriangleMesh mesh = TerrainMesh.Make(heights, Surface(rows, columns), new Vector3(1f, 2f, 3f), 0.5f, 0.25f, -1f);
-            Assert.That(mesh.OpenEdges, Is.Zero);
+            Assert.That(mesh.OpenEdges(), Is.Empty);
             Assert.That(mesh.IsClosed);
             Assert.That(mesh.TriangleCount, Is.EqualTo(2 * (rows - 1) * (columns - 1) + 6 * (rows + columns - 2)));
 
