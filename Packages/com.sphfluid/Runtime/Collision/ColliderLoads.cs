@@ -13,9 +13,7 @@ namespace SphFluid
         // s: what physics moves in steps of its own among frames, and a knock, is no acceleration that lasts.
         const double Smoothing = 0.05;
 
-        readonly Dictionary<object, Track> tracks = new Dictionary<object, Track>();
-        readonly List<object> gone = new List<object>();
-        int frame;
+        Dictionary<object, Track> tracks = new Dictionary<object, Track>(), before = new Dictionary<object, Track>();
 
         /// <summary>Fastest speed of a collider [m/s].</summary>
         public double Speed { get; private set; }
@@ -33,75 +31,51 @@ namespace SphFluid
         /// <param name="longestMotion">Farthest that a point of one went in it, where that is known [m].</param>
         public void Note(IReadOnlyList<FluidObstacle> solids, Vector3 domain, double time, double longestMotion)
         {
-            Load = 0.0;
-            Speed = time > 0.0 ? longestMotion / time : 0.0;
+            (tracks, before) = (before, tracks);
+            tracks.Clear();
+            (Load, Speed) = (0.0, time > 0.0 ? longestMotion / time : 0.0);
             double most = 0.0;
-            frame++;
             for (int i = 0; i < solids.Count; i++)
             {
                 Bounds bounds = solids[i].Mesh.Bounds;
                 Vector3 size = Vector3.Min(bounds.size, domain);
                 float length = Mathf.Max(size.x, Mathf.Max(size.y, size.z));
-                if (!tracks.TryGetValue(solids[i].State.Key, out Track track)) tracks.Add(solids[i].State.Key, track = new Track { Place = bounds.center });
-                double speed = track.Follow(bounds.center, length, time);
-                track.Frame = frame;
+                object key = solids[i].State.Key;
+                before.TryGetValue(key, out Track track);
+                tracks[key] = track = track.After(bounds.center, length, time);
                 // What the liquid moves is as fast as it lets it.
                 double load = solids[i].State.Body == null ? Math.Sqrt(2.0 * track.Acceleration.magnitude * length) : 0.0;
-                Load = Math.Max(Load, load);
-                Speed = Math.Max(Speed, speed);
-                if (Math.Max(load, speed) <= most) continue;
-                most = Math.Max(load, speed);
-                Name = solids[i].Name;
-            }
-            if (tracks.Count == solids.Count) return;
-            gone.Clear();
-            foreach (KeyValuePair<object, Track> pair in tracks)
-                if (pair.Value.Frame != frame) gone.Add(pair.Key);
-            foreach (object key in gone) tracks.Remove(key);
-        }
-
-        /// <summary>Writes how the colliders move.</summary>
-        public void Save(SaveWriter writer)
-        {
-            writer.Write(tracks.Count);
-            foreach (KeyValuePair<object, Track> pair in tracks)
-            {
-                writer.WriteKey(pair.Key as Component);
-                writer.Write(pair.Value.Place);
-                writer.Write(pair.Value.Velocity);
-                writer.Write(pair.Value.Acceleration);
+                (Load, Speed) = (Math.Max(Load, load), Math.Max(Speed, track.Speed));
+                if (Math.Max(load, track.Speed) <= most) continue;
+                (most, Name) = (Math.Max(load, track.Speed), solids[i].Name);
             }
         }
 
-        /// <summary>Goes on from a save.</summary>
-        public void Continue(SaveReader reader, IReadOnlyList<FluidObstacle> solids)
-        {
-            tracks.Clear();
-            Dictionary<string, FluidObstacle> present = SaveReader.ByKey(solids, s => s.Source);
-            for (int left = reader.Read<int>(); left > 0; left--)
-            {
-                bool isThere = reader.TryFind(present, out FluidObstacle solid);
-                var track = new Track { Place = reader.Read<Vector3>(), Velocity = reader.Read<Vector3>(), Acceleration = reader.Read<Vector3>() };
-                if (isThere) tracks[solid.State.Key] = track;
-            }
-        }
+        /// <summary>Knows no motion any more: each collider goes on at the speed of its next frame.</summary>
+        public void Forget() => tracks.Clear();
 
-        sealed class Track
+        struct Track
         {
-            public Vector3 Place, Velocity, Acceleration;
-            public int Frame;
+            public Vector3 Acceleration;
+            public double Speed;
+            Vector3 place, velocity;
+            int frames; // 0: not seen yet, 1: it has no velocity yet
 
             // Farther than its length in a frame it was put elsewhere.
-            public double Follow(Vector3 place, float length, double time)
+            public Track After(Vector3 now, float length, double time)
             {
-                Vector3 way = place - Place;
-                Place = place;
-                if (!(time > 0.0) || way.magnitude > length) return 0.0;
-                float share = (float)(1.0 - Math.Exp(-time / Smoothing));
-                Vector3 velocity = way / (float)time, change = share * (velocity - Velocity);
-                Velocity += change;
-                Acceleration += share * (change / (float)time - Acceleration);
-                return velocity.magnitude;
+                Vector3 way = now - place;
+                Track next = this;
+                (next.place, next.Speed) = (now, 0.0);
+                next.frames = Math.Max(1, frames);
+                if (frames == 0 || !(time > 0.0) || way.magnitude > length) return next;
+                float share = frames == 1 ? 1f : (float)(1.0 - Math.Exp(-time / Smoothing));
+                Vector3 change = share * (way / (float)time - velocity);
+                next.frames = 2;
+                next.velocity += change;
+                if (frames > 1) next.Acceleration += share * (change / (float)time - Acceleration);
+                next.Speed = way.magnitude / time;
+                return next;
             }
         }
     }

@@ -56,7 +56,7 @@ namespace SphFluid
         public static string ExpectedSpeedCure(FluidSpec spec, FluidStart start, double speed)
         {
             double digit = System.Math.Pow(10.0, System.Math.Floor(System.Math.Log10(speed)) - 1.0); // two digits: 2.61 to 2.7
-            spec.ExpectedSpeed = (float)System.Math.Min(FluidSpec.MostSpeed, System.Math.Round(System.Math.Ceiling(speed / digit) * digit, 3));
+            spec.ExpectedSpeed = (float)System.Math.Min(FluidSpec.MostSpeed, System.Math.Round(System.Math.Ceiling(speed / digit - 0.01) * digit, 3));
             string cure = System.FormattableString.Invariant($"Set the simulation's Expected Speed to {spec.ExpectedSpeed} m/s");
             if (spec.TimeStepMode != FluidTimeStepMode.Fixed) return cure;
             FluidSolverSettings settings = Derive(spec, start, start.Gravity);

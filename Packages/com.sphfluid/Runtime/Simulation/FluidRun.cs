@@ -146,18 +146,12 @@ namespace SphFluid
             if (softness.Note(spec, start, pace, Solver.Settings, loads, deltaTime) is FluidMessage soft) report(soft);
             if (substeps.Note(pace.Clock, steps, deltaTime) is string text)
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.SubstepCap, spec.Owner, text,
-                    "Raise Max Substeps Per Frame, " + (IsFixed(spec) ? "or Fixed Time Step." : StepsByFrame(spec) ? "or lower the profile's Substeps."
-                        : $"or use a larger Particle Spacing; {FluidRules.Advise(Solver.Settings, Solver.Settings.MaxSpeed).Cure}.")));
-            if (guards.Note(Solver.Counters, Solver.Squeezers, obstacles.Bodies, ShorterSteps(spec)) is string guard)
+                    "Raise Max Substeps Per Frame, " + (spec.TimeStepMode == FluidTimeStepMode.Fixed ? "or Fixed Time Step." :
+                    FluidMethods.Has(spec.Method, FluidMethodFeatures.StepsByFrame) ? "or lower the profile's Substeps."
+                    : $"or use a larger Particle Spacing; {FluidRules.Advise(Solver.Settings, Solver.Settings.MaxSpeed).Cure}.")));
+            if (guards.Note(Solver.Counters, TimeStepChecks.ShorterSteps(spec.Method), Solver.Squeezers, obstacles.Bodies) is string guard)
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.GuardActed, spec.Owner, guard, guards.Cure));
         }
-
-        static bool IsFixed(in FluidSpec spec) => spec.TimeStepMode == FluidTimeStepMode.Fixed;
-
-        static bool StepsByFrame(in FluidSpec spec) => FluidMethods.Has(spec.Method, FluidMethodFeatures.StepsByFrame);
-
-        static string ShorterSteps(in FluidSpec spec) => IsFixed(spec) ? "Shorten Fixed Time Step." : StepsByFrame(spec) ? "Raise the profile's Substeps."
-            : "Lower the profile's Time Step Fraction, or raise Expected Speed or set Time Step Mode to Adaptive when colliders or forces move the liquid faster than its fall.";
 
         /// <summary>Whether there are Rigidbodies that the liquid moves.</summary>
         public bool MovesBodies => floats != null && floats.Count > 0;
@@ -212,7 +206,6 @@ namespace SphFluid
             flows.Save(Section(FluidSave.Flows), spec);
             zones.Save(Section(FluidSave.Zones), spec);
             obstacles.Bodies?.Save(Section(FluidSave.Colliders));
-            loads.Save(Section(FluidSave.Loads));
             floats?.Save(Section(FluidSave.Floats), obstacles.Bodies.Floating);
             SaveFile.Write(stream, sections);
             Continue(spec, FluidSave.From(sections));
@@ -227,7 +220,7 @@ namespace SphFluid
             Solver.Continue(save.Live, save.Progress);
             if (save.Has(FluidSave.Colliders)) obstacles.Bodies?.Load(save.Section(FluidSave.Colliders), Collision);
             if (save.Has(FluidSave.Floats)) floats?.Load(save.Section(FluidSave.Floats), obstacles.Bodies.Floating);
-            loads.Continue(save.Section(FluidSave.Loads), Collision.Solids);
+            loads.Forget();
             pace.Load(save.Section(FluidSave.Pace));
             flows.Load(save.Section(FluidSave.Flows), spec);
             zones.Load(save.Section(FluidSave.Zones), spec);

@@ -12,11 +12,11 @@ namespace SphFluid
 
         /// <summary>Takes note of the counters.</summary>
         /// <param name="counters">What the GPU counted.</param>
+        /// <param name="shorterSteps">What makes the steps shorter, the beginning of a cure.</param>
         /// <param name="squeezers">Numbers of the bodies that squeezed particles last.</param>
         /// <param name="bodies">The scene's bodies; null for none.</param>
-        /// <param name="shorter">What makes the steps shorter, a sentence.</param>
         /// <returns>What to report to the user; null when nothing new.</returns>
-        public string Note(in FluidCounters counters, uint squeezers = 0u, CollisionBodies bodies = null, string shorter = "")
+        public string Note(in FluidCounters counters, string shorterSteps, uint squeezers = 0u, CollisionBodies bodies = null)
         {
             List<string> news = null;
             bool wasSqueezed = squeezed, wasOverlapped = overlapped;
@@ -31,7 +31,7 @@ namespace SphFluid
             var cures = new List<string>();
             if (squeezed != wasSqueezed) cures.Add("Stop colliders that close a spacing apart, and leave the liquid a way out.");
             if (overlapped != wasOverlapped) cures.Add("Enable and place colliders where no liquid is.");
-            if (news.Count > cures.Count) cures.Add(shorter);
+            if (news.Count > cures.Count) cures.Add(shorterSteps + ", or raise Expected Speed or set Time Step Mode to Adaptive when colliders or forces move the liquid faster than its fall.");
             Cure = string.Join(" ", cures);
             return $"The solver's guards acted: {string.Join(", ", news)}.";
         }

@@ -8,7 +8,7 @@ namespace SphFluid
     internal sealed class FluidSave
     {
         public const string About = "ABOUT", Liquid = "LIQUID", Particles = "PARTICLE", Run = "RUN", Pace = "PACE", Flows = "FLOWS",
-            Zones = "ZONES", Colliders = "COLLIDER", Floats = "FLOATS", Loads = "LOADS", Choice = "CHOICE";
+            Zones = "ZONES", Colliders = "COLLIDER", Floats = "FLOATS", Choice = "CHOICE";
 
         readonly Dictionary<string, byte[]> sections;
         readonly List<string> missing = new List<string>();

@@ -43,7 +43,7 @@ namespace SphFluid.Tests
             ("deep Robust", $"carries liquid of this depth.*Substeps to {Number} or more", t => t.Deep(), new (string, Action<CureTests>)[]
             {
                 ("Raise the profile's Substeps", t => t.rig.Profile.Substeps = (int)t.Said),
-                ("larger Particle Spacing", t => t.simulation.Spacing = 0.02f),
+                ("larger Particle Spacing", t => t.simulation.Spacing = 0.04f),
             }),
             ("no liquid", "holds no liquid", t => Object.DestroyImmediate(t.volume.gameObject), new (string, Action<CureTests>)[]
             {
