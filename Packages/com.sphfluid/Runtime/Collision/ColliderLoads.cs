@@ -15,6 +15,8 @@ namespace SphFluid
 
         Dictionary<object, Track> tracks = new Dictionary<object, Track>(), before = new Dictionary<object, Track>();
 
+        bool atStart = true;
+
         /// <summary>Fastest speed of a collider [m/s].</summary>
         public double Speed { get; private set; }
 
@@ -42,17 +44,22 @@ namespace SphFluid
                 float length = Mathf.Max(size.x, Mathf.Max(size.y, size.z));
                 object key = solids[i].State.Key;
                 before.TryGetValue(key, out Track track);
-                tracks[key] = track = track.After(bounds.center, length, time);
+                tracks[key] = track = track.After(bounds.center, length, time, atStart);
                 // What the liquid moves is as fast as it lets it.
                 double load = solids[i].State.Body == null ? Math.Sqrt(2.0 * track.Acceleration.magnitude * length) : 0.0;
                 (Load, Speed) = (Math.Max(Load, load), Math.Max(Speed, track.Speed));
                 if (Math.Max(load, track.Speed) <= most) continue;
                 (most, Name) = (Math.Max(load, track.Speed), solids[i].Name);
             }
+            atStart = false;
         }
 
         /// <summary>Knows no motion any more: each collider goes on at the speed of its next frame.</summary>
-        public void Forget() => tracks.Clear();
+        public void Forget()
+        {
+            tracks.Clear();
+            atStart = false;
+        }
 
         struct Track
         {
@@ -62,12 +69,12 @@ namespace SphFluid
             int frames; // 0: not seen yet, 1: it has no velocity yet
 
             // Farther than its length in a frame it was put elsewhere.
-            public Track After(Vector3 now, float length, double time)
+            public Track After(Vector3 now, float length, double time, bool fromRest)
             {
                 Vector3 way = now - place;
                 Track next = this;
                 (next.place, next.Speed) = (now, 0.0);
-                next.frames = Math.Max(1, frames);
+                next.frames = Math.Max(fromRest ? 2 : 1, frames);
                 if (frames == 0 || !(time > 0.0) || way.magnitude > length) return next;
                 float share = frames == 1 ? 1f : (float)(1.0 - Math.Exp(-time / Smoothing));
                 Vector3 change = share * (way / (float)time - velocity);
