@@ -51,8 +51,8 @@ namespace SphFluid
         [SerializeField, Range(1, 1000), Tooltip("Most steps a frame. Where more are needed the liquid moves slower than time, and the console says so.")]
         int maxSubstepsPerFrame = 64;
 
-        [SerializeField, Min(0f), Tooltip("Fastest speed to be ready for in m/s, 1000 at most, when moving colliders or forces make the liquid faster than " +
-            "its fall. 0: the fall decides.")]
+        [SerializeField, Min(0f), Tooltip("Fastest speed to be ready for in m/s, 1000 at most, when something makes the liquid faster than its fall and the " +
+            "colliders, or where the speed of sound does not follow those. 0: they decide.")]
         float expectedSpeed;
 
         [Header("Gravity")]

@@ -51,6 +51,12 @@ namespace SphFluid
         /// <summary>Whether the liquid's method has a feature.</summary>
         public bool Has(FluidMethodFeatures feature) => FluidMethods.Has(settings.Method, feature);
 
+        /// <summary>What makes the steps shorter, the beginning of a cure.</summary>
+        public string ShorterSteps => TimeStepChecks.ShorterSteps(settings.Method);
+
+        /// <summary>What makes the liquid stiffer, a cure without its end; how stiff one whose steps follow the frame is hangs on these.</summary>
+        public string StifferLiquid => Has(FluidMethodFeatures.StepsByFrame) ? "raise the profile's Substeps" : "raise Expected Speed, or the profile's Sound Speed Ratio";
+
         public double ClumpedShare => Share(Now.Clumped);
 
         /// <summary>Whether something outside gives the liquid energy: a moving wall, or gravity around a periodic axis.</summary>

@@ -19,9 +19,6 @@ namespace SphFluid
         // Where no pressure acts, at walls and surfaces, pairs of the thesis method end in one place: 2 % of the particles in a few seconds.
         const double MergedLimit = 0.05;
 
-        // The Standard method's walls push as the liquid does: with its speed of sound.
-        const string StiffLiquid = "Raise Expected Speed, or the profile's Sound Speed Ratio.";
-
         const double CrowdedNeighbours = 3.0;
         const double StartCompression = 0.1;
         const long StartSteps = 20;
@@ -59,7 +56,7 @@ namespace SphFluid
             if (!(share > EscapedLimit)) return null;
             return new FluidFinding(FluidFailure.Escaped, share, EscapedLimit,
                 Invariant($"{e.Now.Escaped} particles are outside the domain and {e.NewDomainClamps} were put back onto its faces since the last measurement."),
-                e.Has(FluidMethodFeatures.PenaltyWalls) ? "Raise Expected Speed, or the profile's Wall Stiffness Ratio." : StiffLiquid);
+                e.Has(FluidMethodFeatures.PenaltyWalls) ? "Raise Expected Speed, or the profile's Wall Stiffness Ratio." : Stiffer(e));
         }
 
         public static FluidFinding? WallStacking(FluidEvidence e)
@@ -68,11 +65,11 @@ namespace SphFluid
             if (share > AtWallsLimit)
                 return new FluidFinding(FluidFailure.WallStacking, share, AtWallsLimit,
                     Invariant($"{100.0 * share:0.#} % of the particles touch the domain's walls, nearer than a tenth of a spacing."),
-                    e.Has(FluidMethodFeatures.PenaltyWalls) ? "Raise the profile's Wall Stiffness Ratio or Wall Distance Ratio." : StiffLiquid);
+                    e.Has(FluidMethodFeatures.PenaltyWalls) ? "Raise the profile's Wall Stiffness Ratio or Wall Distance Ratio." : Stiffer(e));
             if (!(e.Now.WallCrowding > CrowdingLimit)) return null;
             return new FluidFinding(FluidFailure.WallStacking, e.Now.WallCrowding, CrowdingLimit,
                 Invariant($"The layer next to the domain's walls holds {e.Now.WallCrowding:0.##} times the particles of one layer: they stack there."),
-                e.Has(FluidMethodFeatures.TwoKernels) ? "Raise the profile's Viscosity Ratio, and set Thesis Switches > Pressure Clamp." : StiffLiquid);
+                e.Has(FluidMethodFeatures.TwoKernels) ? "Raise the profile's Viscosity Ratio, and set Thesis Switches > Pressure Clamp." : Stiffer(e));
         }
 
         public static FluidFinding? Overflow(FluidEvidence e)
@@ -82,8 +79,11 @@ namespace SphFluid
             return new FluidFinding(FluidFailure.Overflow, e.Now.MaxNeighbours, limit,
                 Invariant($"A particle has {e.Now.MaxNeighbours} neighbours, over three times those of liquid at rest, and a cell holds {e.Now.MaxCellCount}: ") +
                 "nothing is lost, but steps take that much longer.",
-                "Look for liquid that starts inside other liquid; else raise the profile's Sound Speed Ratio.");
+                $"Look for liquid that starts inside other liquid; else {e.StifferLiquid}.");
         }
+
+        // The walls of such a method push as the liquid does.
+        static string Stiffer(FluidEvidence e) => $"{char.ToUpperInvariant(e.StifferLiquid[0])}{e.StifferLiquid.Substring(1)}.";
 
         public static FluidFinding? OverlappingStart(FluidEvidence e)
         {

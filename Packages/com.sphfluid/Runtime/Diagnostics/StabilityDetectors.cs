@@ -10,15 +10,13 @@ namespace SphFluid
 
         const double Rounding = 1e-3;
 
-        const string FixedStep = "With Time Step Mode Fixed shorten Fixed Time Step; else lower the profile's Time Step Fraction";
-
         public static FluidFinding? NonFinite(FluidEvidence e)
         {
             long count = e.Now.NonFinite + e.NewNonFinite;
             if (count == 0) return null;
             return new FluidFinding(FluidFailure.NonFinite, count, 0.0,
                 Invariant($"{count} positions, velocities or densities are not finite numbers."),
-                FixedStep + ", and raise Expected Speed if colliders or forces move the liquid faster than its fall.");
+                e.ShorterSteps + ", and raise Expected Speed if colliders or forces move the liquid faster than its fall.");
         }
 
         public static FluidFinding? EnergyGrowth(FluidEvidence e)
@@ -27,7 +25,7 @@ namespace SphFluid
             double now = e.AvailableEnergy(e.Now), first = e.AvailableEnergy(e.First);
             return new FluidFinding(FluidFailure.EnergyGrowth, now, e.EnergyLimit,
                 Invariant($"The liquid's energy has grown from {first:G3} J to {now:G3} J since {e.First.Time:0.###} s, and nothing gave it any."),
-                "Lower the profile's Time Step Fraction or raise its Viscosity Ratio.");
+                e.ShorterSteps + ", or raise the Viscosity Ratio.");
         }
 
         public static FluidFinding? TimeStepTooLong(FluidEvidence e)
@@ -37,7 +35,7 @@ namespace SphFluid
             return new FluidFinding(FluidFailure.TimeStepTooLong, e.TimeStep, border,
                 Invariant($"The time step of {1e3 * e.TimeStep:G3} ms is {100.0 * e.TimeStep / border:0} % of the border of stability, {1e3 * border:G3} ms, ") +
                 Invariant($"that the speed of sound ({e.Advice.SoundSpeed:G3} m/s) sets on a regular lattice."),
-                FixedStep + ", or the Sound Speed Ratio.");
+                e.ShorterSteps + ", or the Sound Speed Ratio.");
         }
 
         public static FluidFinding? ViscosityTooStiff(FluidEvidence e)
@@ -59,8 +57,8 @@ namespace SphFluid
             return new FluidFinding(FluidFailure.Tunnelling, displacement, TimeStepAdvice.SpeedLimit,
                 Invariant($"The fastest particle, at {e.Now.MaxSpeed:G3} m/s, moves {displacement:0.00} spacings a step: ") +
                 (e.Has(FluidMethodFeatures.PenaltyWalls) ? "it can cross a thin wall before the wall pushes." : "colliders hold it, but it is amid other liquid before pressure acts."),
-                e.Has(FluidMethodFeatures.PenaltyWalls) ? "Raise Expected Speed to the fastest speed, or shorten the time step; make thin colliders thicker than a spacing."
-                    : "Raise Expected Speed to the fastest speed, or set Time Step Mode to Adaptive.");
+                e.ShorterSteps + Invariant($", raise Expected Speed to {e.Now.MaxSpeed:G3} m/s or set Time Step Mode to Adaptive") +
+                (e.Has(FluidMethodFeatures.PenaltyWalls) ? "; make thin colliders thicker than a spacing." : "."));
         }
 
         public static FluidFinding? ClampActs(FluidEvidence e)
@@ -68,7 +66,7 @@ namespace SphFluid
             if (e.NewClampHits <= 0) return null;
             return new FluidFinding(FluidFailure.ClampActs, e.NewClampHits, 0.0,
                 Invariant($"The limit on accelerations cut {e.NewClampHits} of them since the last measurement: each one loses momentum."),
-                "Lower the profile's Time Step Fraction or raise Expected Speed; a Thesis Switches > Acceleration Limit As Printed always acts.");
+                e.ShorterSteps + " or raise Expected Speed; a Thesis Switches > Acceleration Limit As Printed always acts.");
         }
     }
 }

@@ -142,6 +142,9 @@ namespace SphFluid
 
         /// <summary>A clip of a Timeline has no playback whose time it could set.</summary>
         PlaybackClipUnbound,
+
+        /// <summary>Something drives or presses the liquid more than its constants are made for.</summary>
+        LiquidTooSoft,
     }
 
     /// <summary>One message to the user: which object, what is wrong and what to do about it. Shown by the inspector, the console and tests.</summary>

@@ -13,7 +13,7 @@ namespace SphFluid
     internal static class SaveFile
     {
         /// <summary>Grows with each change of what sections hold; others are refused.</summary>
-        public const uint Version = 2u;
+        public const uint Version = 3u;
 
         const int HeaderSize = 32, SectionHeaderSize = 24, NameSize = 8;
         const int Chunk = 1 << 20;

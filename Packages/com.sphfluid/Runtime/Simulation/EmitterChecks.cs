@@ -14,7 +14,8 @@ namespace SphFluid
         /// <param name="emitter">The emitter.</param>
         /// <param name="spec">The simulation.</param>
         /// <param name="soundSpeed">Its speed of sound [m/s]; infinite where it is not known yet.</param>
-        public static FluidMessage? Check(in EmitterSpec emitter, in FluidSpec spec, double soundSpeed)
+        /// <param name="start">Where its liquid starts; null where nobody is told.</param>
+        public static FluidMessage? Check(in EmitterSpec emitter, in FluidSpec spec, double soundSpeed, FluidStart start = null)
         {
             if (emitter.Shape == FluidEmitterShape.Mesh)
             {
@@ -34,7 +35,7 @@ namespace SphFluid
                 return Wrong(emitter, FormattableString.Invariant($"The emitter gives liquid of {speed:0.###} m/s; {FluidSpec.MostSpeed} m/s are the most."), "Use a larger Size, or less Speed or Volume Rate.");
             if (speed > FastestShare * soundSpeed)
                 return Wrong(emitter, FormattableString.Invariant($"The emitter gives liquid of {speed:0.###} m/s, more than a quarter of the speed of sound of '{spec.Name}', {soundSpeed:0.#} m/s."),
-                    FormattableString.Invariant($"Use a larger Size or less flow, or set the simulation's Expected Speed to {speed:0.#} m/s."));
+                    start == null ? "" : FluidConstants.ExpectedSpeedCure(spec, start, speed) + ", or use a larger Size or less flow.");
             return null;
         }
 

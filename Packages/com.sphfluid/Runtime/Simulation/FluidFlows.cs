@@ -12,6 +12,7 @@ namespace SphFluid
         const double BlockedLayers = 1.5;
 
         readonly FluidSolver solver;
+        readonly FluidStart start;
         readonly Action<FluidMessage> report;
         readonly Dictionary<EmitterState, EmitterRun> emitters = new Dictionary<EmitterState, EmitterRun>();
         readonly Dictionary<DrainState, int> drainSources = new Dictionary<DrainState, int>();
@@ -22,9 +23,10 @@ namespace SphFluid
         readonly int firstCapacity;
         bool reportedGrowth, reportedRecycling, reportedFull;
 
-        public FluidFlows(FluidSolver solver, Action<FluidMessage> report)
+        public FluidFlows(FluidSolver solver, FluidStart start, Action<FluidMessage> report)
         {
             this.solver = solver;
+            this.start = start;
             this.report = report;
             firstCapacity = solver.Capacity;
         }
@@ -168,7 +170,7 @@ namespace SphFluid
                 }
                 run.IsUsed = true;
                 double soundSpeed = emitter.State.IsOn ? solver.Settings.SoundSpeed : double.PositiveInfinity; // it falls where nothing comes in
-                if (EmitterChecks.Check(emitter, spec, soundSpeed) is FluidMessage wrong) report(wrong);
+                if (EmitterChecks.Check(emitter, spec, soundSpeed, start) is FluidMessage wrong) report(wrong);
                 else run.Emit(emitter, spec, begin, begin + time, solver.Exchange.Births, solver.Exchange.Lifetimes);
             }
             gone.Clear();
@@ -271,7 +273,7 @@ namespace SphFluid
                 run.ReportedBlocked = true;
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterBlocked, emitter.Owner,
                     FormattableString.Invariant($"Of what the emitter gives {100.0 * emitter.State.Blocked / given:0} % finds no place: liquid stands before the nozzle, or the nozzle reaches out of the domain."),
-                    emitter.UnderWater ? "Move the nozzle into the domain, away from colliders, or lower its speed." : "Raise the nozzle out of the liquid, or switch Under Water on, move it into the domain, or raise its speed."));
+                    emitter.UnderWater ? "Move the nozzle into the domain, away from colliders, or lower its speed." : "Raise the nozzle out of the liquid, switch Under Water on, or move it into the domain."));
             }
         }
 

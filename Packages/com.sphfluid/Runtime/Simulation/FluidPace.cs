@@ -10,6 +10,9 @@ namespace SphFluid
         // The measured speed is a few frames old; liquid that hits something is faster by now.
         const double SpeedMargin = 1.25;
 
+        // No liquid is measured to be without pressure altogether.
+        const double LeastCompression = 1e-4;
+
         // Of the step by rule: at a million times the speed of sound there is no liquid left to compute.
         const double ShortestStep = 1e-6;
 
@@ -41,6 +44,18 @@ namespace SphFluid
 
         /// <summary>Whether the liquid rests and takes no steps.</summary>
         public bool IsAsleep => sleep != null && sleep.IsAsleep;
+
+        /// <summary>The speed that colliders now ask the constants to be made for [m/s].</summary>
+        public double Driven { get; private set; }
+
+        /// <summary>Whether the constants follow that.</summary>
+        public bool FollowsColliders => reference != null && !yields;
+
+        /// <summary>Mean compression of the particles some frames ago; NaN where it is not measured.</summary>
+        public double Compression => speeds?.Sample.Compression ?? double.NaN;
+
+        /// <summary>That of liquid at rest that is as deep as the profile's Max Compression is for.</summary>
+        public double PressedByRule => 0.5 * spec.Profile.Rules.MaxCompression;
 
         /// <summary>Bytes of GPU memory.</summary>
         public long GpuBytes => speeds?.GpuBytes ?? 0;
@@ -81,9 +96,11 @@ namespace SphFluid
 
         /// <summary>Steps to take for a frame.</summary>
         /// <param name="deltaTime">Its time [s].</param>
-        /// <param name="bodyMotion">How far the fastest collider goes in it [m].</param>
-        public int Advance(double deltaTime, double bodyMotion)
+        /// <param name="bodyMotion">How far the fastest collider goes in it [m], or the liquid of an emitter.</param>
+        /// <param name="loads">How the colliders drive the liquid.</param>
+        public int Advance(double deltaTime, double bodyMotion, ColliderLoads loads)
         {
+            if (deltaTime > 0.0) Follow(deltaTime, bodyMotion / deltaTime, loads);
             Prepare(deltaTime, bodyMotion);
             int steps = Clock.Advance(deltaTime);
             solver.LongestStep = (float)((Clock as FrameClock)?.LongestOfLate ?? 0.0);
@@ -109,16 +126,22 @@ namespace SphFluid
             }
             if (adaptive != null)
             {
-                if (deltaTime > 0.0) Follow(deltaTime, bodyMotion / deltaTime);
                 adaptive.StableStep = LongestStep();
             }
         }
 
         // A collider that moves is known before it hits.
-        void Follow(double deltaTime, double bodySpeed)
+        void Follow(double deltaTime, double bodySpeed, ColliderLoads loads)
         {
+            double head = Math.Min(speeds == null ? double.PositiveInfinity : Math.Max(speeds.Sample.Head, bodySpeed), reference?.Most ?? solver.Settings.MaxSpeed);
+            FluidRuleInput rules = spec.Profile.Rules;
+            double load = loads.Load * Math.Max(1.0, 1.0 / (rules.SoundSpeedRatio * Math.Sqrt(2.0 * rules.MaxCompression)));
+            double loaded = load > 0.0 ? Math.Sqrt(head * head + load * load) : 0.0;
+            Driven = Math.Min(Math.Max(loads.Speed, loaded), FluidSpec.MostSpeed);
             if (reference == null || yields) return;
-            if (reference.Follow(Math.Max(speeds.Sample.Head, bodySpeed), deltaTime)) solver.ApplySettings(AtReference());
+            double leap = Math.Sqrt(PressedByRule / Math.Max(Compression, LeastCompression));
+            if (reference.Follow(Follows(spec) ? Math.Max(speeds.Sample.Head, bodySpeed) : reference.Most, deltaTime, Driven, Math.Min(loaded, Driven), leap))
+                solver.ApplySettings(AtReference());
         }
 
         /// <summary>Records what the next frames go by, after a frame's steps and the neighbour setup.</summary>
@@ -176,14 +199,14 @@ namespace SphFluid
             FluidMethods.Has(spec.Method, FluidMethodFeatures.KeptNeighbours | FluidMethodFeatures.StepsByFrame);
 
         // Such a method's steps follow the frame in either mode.
-        bool StepsByFrame => spec.TimeStepMode != FluidTimeStepMode.Fixed && FluidMethods.Has(spec.Method, FluidMethodFeatures.StepsByFrame);
+        static bool StepsByFrame(in FluidSpec spec) => spec.TimeStepMode != FluidTimeStepMode.Fixed && FluidMethods.Has(spec.Method, FluidMethodFeatures.StepsByFrame);
 
-        bool IsAdaptive => !StepsByFrame && (reference != null || spec.TimeStepMode == FluidTimeStepMode.Adaptive);
+        bool IsAdaptive => !StepsByFrame(spec) && (reference != null || spec.TimeStepMode == FluidTimeStepMode.Adaptive);
 
         void TakeLimits(in FluidSpec now, in FluidSolverSettings rule)
         {
             spec = now;
-            TakeReference(Follows(now), rule);
+            TakeReference(Hears(now), rule);
             TakeSleep(now, rule);
             if (MeasuresSpeeds(now)) speeds ??= new SpeedReadback(solver, now.Profile.Shaders, FirstSpeed());
             else DropSpeeds();
@@ -193,7 +216,7 @@ namespace SphFluid
         {
             double step = solver.Settings.TimeStep;
             int most = spec.MaxSubstepsPerFrame;
-            if (StepsByFrame)
+            if (StepsByFrame(spec))
             {
                 adaptive = null;
                 IStepClock made = FluidMethods.Of(spec.Method).MakeClock(solver.Settings, most);
@@ -234,7 +257,12 @@ namespace SphFluid
         static bool Follows(in FluidSpec spec) => spec.Profile.SoundSpeedMode == FluidSoundSpeedMode.FollowsLiquid &&
             spec.TimeStepMode != FluidTimeStepMode.Fixed && FluidMethods.Has(spec.Method, FluidMethodFeatures.FollowingSoundSpeed);
 
-        FluidSolverSettings AtReference() => FluidConstants.Derive(spec, start, start.Gravity, reference.Speed);
+        // Without a speed that follows the liquid only colliders raise the constants.
+        static bool Hears(in FluidSpec spec) => Follows(spec) || StepsByFrame(spec);
+
+        FluidSolverSettings AtReference() => Follows(spec)
+            ? FluidConstants.Derive(spec, start, start.Gravity, reference.Speed)
+            : FluidConstants.Derive(spec, start, start.Gravity, double.NaN, Math.Sqrt(Math.Max(0.0, reference.Speed * reference.Speed - reference.Most * reference.Most)));
 
         // Liquid that starts at rest takes long steps until it falls.
         float FirstSpeed() =>

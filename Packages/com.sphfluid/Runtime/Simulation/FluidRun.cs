@@ -15,6 +15,8 @@ namespace SphFluid
         readonly CommandBuffer commands;
         readonly SubstepMonitor substeps = new SubstepMonitor();
         readonly GuardMonitor guards = new GuardMonitor();
+        readonly ColliderLoads loads = new ColliderLoads();
+        readonly SoftnessWatch softness = new SoftnessWatch();
         readonly FluidPace pace;
         readonly FluidFlows flows;
         readonly FluidZones zones;
@@ -23,7 +25,7 @@ namespace SphFluid
         Vector3 position;
         Quaternion rotation;
         int knownChanges, knownParticles, knownSettings;
-        double restedTime;
+        double restedTime, motionTime;
 
         /// <summary>Starts; takes over <paramref name="collision"/>, which has been gathered.</summary>
         /// <exception cref="ArgumentException">A setting cannot be computed with.</exception>
@@ -36,8 +38,8 @@ namespace SphFluid
             live = FluidLiveKey.Of(spec);
             (position, rotation) = (spec.Position, spec.Rotation);
             Solver = new FluidSolver(start.Constants, spec.Profile.Shaders, particles, spec.FixedSlots);
-            flows = new FluidFlows(Solver, report);
-            zones = new FluidZones(Solver, report);
+            flows = new FluidFlows(Solver, start, report);
+            zones = new FluidZones(Solver, start, report);
             commands = new CommandBuffer { name = "SPH Fluid" };
             try
             {
@@ -126,22 +128,29 @@ namespace SphFluid
             }
             floats?.Follow(spec.Owner.gameObject.scene);
             FollowBodies(spec);
-            double motion = Math.Max(obstacles.Bodies?.LongestMotion ?? 0.0, deltaTime * flows.FastestSpeed(spec));
-            int steps = frameTime == null ? pace.StepOnce(motion) : pace.Advance(deltaTime, motion);
+            motionTime += deltaTime; // frames without a step join into one motion
+            double moved = obstacles.Bodies?.LongestMotion ?? 0.0;
+            if (motionTime > deltaTime && deltaTime > 0f) moved *= deltaTime / motionTime;
+            double motion = Math.Max(moved, deltaTime * flows.FastestSpeed(spec));
+            loads.Note(Collision.Solids, spec.DomainSize, deltaTime, moved);
+            int steps = frameTime == null ? pace.StepOnce(motion) : pace.Advance(deltaTime, motion, loads);
             flows.Begin(spec, steps * pace.Clock.TimeStep);
             if (zones.Waits(spec)) zones.Follow(spec, steps * pace.Clock.TimeStep);
             Execute(steps);
             flows.End(spec, steps);
             if (steps > 0) floats?.Note(obstacles.Bodies.Floating, Solver.SimulatedTime);
             floats?.GiveAhead();
+            if (steps > 0) motionTime = 0.0;
             if (steps > 0) pace.Stepped(steps * pace.Clock.TimeStep);
             Know();
+            if (softness.Note(spec, start, pace, Solver.Settings, loads, deltaTime) is FluidMessage soft) report(soft);
             if (substeps.Note(pace.Clock, steps, deltaTime) is string text)
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.SubstepCap, spec.Owner, text,
-                    "Raise Max Substeps Per Frame, use a larger Particle Spacing, or lower the profile's Sound Speed Ratio."));
-            if (guards.Note(Solver.Counters, Solver.Squeezers, obstacles.Bodies) is string guard)
-                report(new FluidMessage(FluidSeverity.Warning, FluidIssue.GuardActed, spec.Owner, guard,
-                    "Lower the profile's Time Step Fraction, or raise Expected Speed or set Time Step Mode to Adaptive when colliders or forces move the liquid faster than its fall."));
+                    "Raise Max Substeps Per Frame, " + (spec.TimeStepMode == FluidTimeStepMode.Fixed ? "or Fixed Time Step." :
+                    FluidMethods.Has(spec.Method, FluidMethodFeatures.StepsByFrame) ? "or lower the profile's Substeps."
+                    : $"or use a larger Particle Spacing; {FluidRules.Advise(Solver.Settings, Solver.Settings.MaxSpeed).Cure}.")));
+            if (guards.Note(Solver.Counters, TimeStepChecks.ShorterSteps(spec.Method), Solver.Squeezers, obstacles.Bodies) is string guard)
+                report(new FluidMessage(FluidSeverity.Warning, FluidIssue.GuardActed, spec.Owner, guard, guards.Cure));
         }
 
         /// <summary>Whether there are Rigidbodies that the liquid moves.</summary>
@@ -211,6 +220,7 @@ namespace SphFluid
             Solver.Continue(save.Live, save.Progress);
             if (save.Has(FluidSave.Colliders)) obstacles.Bodies?.Load(save.Section(FluidSave.Colliders), Collision);
             if (save.Has(FluidSave.Floats)) floats?.Load(save.Section(FluidSave.Floats), obstacles.Bodies.Floating);
+            loads.Forget();
             pace.Load(save.Section(FluidSave.Pace));
             flows.Load(save.Section(FluidSave.Flows), spec);
             zones.Load(save.Section(FluidSave.Zones), spec);

@@ -19,6 +19,8 @@ namespace SphFluid
         static readonly int PotentialCentre = Id("_PotentialCentre");
         static readonly int PotentialRate = Id("_PotentialRate");
         static readonly int PotentialLow = Id("_PotentialLow");
+        static readonly int Density = Id("_Density");
+        static readonly int RestDensity = Id("_RestDensity");
 
         static readonly uint[] Zeros = new uint[SpeedCounts.Size];
 
@@ -46,6 +48,8 @@ namespace SphFluid
                 measure.SetBuffer(cmd, Particles, solver.Particles);
                 measure.SetBuffer(cmd, Counts, counts);
                 measure.SetBuffer(cmd, Counters, solver.State.Published.Counters);
+                measure.SetBuffer(cmd, Density, solver.Density);
+                measure.SetFloat(cmd, RestDensity, settings.RestDensity);
                 measure.SetInt(cmd, ParticleCount, solver.ParticleCount);
                 measure.SetVector(cmd, Potential, settings.Gravity);
                 measure.SetVector(cmd, PotentialCentre, settings.BodyForce.Centre);

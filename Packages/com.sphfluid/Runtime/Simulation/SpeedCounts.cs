@@ -15,8 +15,11 @@ namespace SphFluid
         /// <summary>The bits of the fastest speed of the steps [m/s].</summary>
         public const int Fastest = 3 * Bins;
 
+        /// <summary>The sum of the particles' compressions, in 64ths.</summary>
+        public const int Compression = Fastest + 1;
+
         /// <summary>Numbers in all.</summary>
-        public const int Size = Fastest + 1;
+        public const int Size = Compression + 1;
 
         const int FirstBin = 696, Shift = 20;
 
@@ -31,14 +34,17 @@ namespace SphFluid
         public static float UpperEdge(int bin) =>
             bin >= Bins - 1 ? float.PositiveInfinity : (float)Math.Sqrt(BitConverter.Int32BitsToSingle((FirstBin + bin + 1) << Shift));
 
+        /// <summary>Mean of max(ρ/ρ0 − 1, 0); 0 where nothing was counted.</summary>
+        /// <param name="counts">The numbers.</param>
+        public static float MeanCompression(IReadOnlyList<uint> counts) => counts[Compression] / 64f / Math.Max(1L, Count(counts, Speeds));
+
         /// <summary>What a share of the particles does not exceed, by up to 6 % too much; 0 where nothing was counted.</summary>
         /// <param name="counts">The numbers.</param>
         /// <param name="kind">Where the kind begins.</param>
         /// <param name="share">0 to 1; 1 is the largest.</param>
         public static float Quantile(IReadOnlyList<uint> counts, int kind, double share)
         {
-            long all = 0;
-            for (int bin = 0; bin < Bins; bin++) all += counts[kind + bin];
+            long all = Count(counts, kind);
             if (all == 0) return 0f;
             long least = Math.Max(1L, (long)Math.Ceiling(share * all)), below = 0;
             for (int bin = 0; bin < Bins; bin++)
@@ -47,6 +53,13 @@ namespace SphFluid
                 if (below >= least) return UpperEdge(bin);
             }
             return float.PositiveInfinity;
+        }
+
+        static long Count(IReadOnlyList<uint> counts, int kind)
+        {
+            long all = 0;
+            for (int bin = 0; bin < Bins; bin++) all += counts[kind + bin];
+            return all;
         }
     }
 
@@ -74,6 +87,9 @@ namespace SphFluid
         /// <summary>The farthest of these distances, up to 6 % too much [m].</summary>
         public float Farthest;
 
+        /// <summary>Mean compression of the particles, max(ρ/ρ0 − 1, 0).</summary>
+        public float Compression;
+
         /// <summary>Number of the keeping of places that the distances are from; 0: none.</summary>
         public int Kept;
 
@@ -86,6 +102,7 @@ namespace SphFluid
             Present = SpeedCounts.Quantile(counts, SpeedCounts.Speeds, 1.0),
             Distance = SpeedCounts.Quantile(counts, SpeedCounts.Distances, BulkShare),
             Farthest = SpeedCounts.Quantile(counts, SpeedCounts.Distances, 1.0),
+            Compression = SpeedCounts.MeanCompression(counts),
             Kept = kept,
         };
 

@@ -4,7 +4,7 @@ namespace SphFluid
 {
     /// <summary>
     /// The speed that a running liquid's constants are made for. It follows the measured one down slowly, because a softer liquid is
-    /// compressed more and its level sinks, and up at once as fast as pressure can follow; never above the speed by rule.
+    /// compressed more and its level sinks, and up at once as fast as pressure can follow; never above the speed by rule but for what colliders do.
     /// </summary>
     internal sealed class SpeedReference
     {
@@ -27,7 +27,7 @@ namespace SphFluid
             Most = Speed = most;
         }
 
-        /// <summary>The speed by rule, which is not exceeded [m/s].</summary>
+        /// <summary>The speed by rule, which only colliders exceed [m/s].</summary>
         public double Most { get; private set; }
 
         /// <summary>The speed in use [m/s].</summary>
@@ -52,17 +52,20 @@ namespace SphFluid
         internal (double speed, bool falls) Progress
         {
             get => (Speed, falls);
-            set => (Speed, falls) = (Math.Min(value.speed, Most), value.falls);
+            set => (Speed, falls) = (double.IsInfinity(value.speed) ? Most : value.speed, value.falls);
         }
 
         /// <summary>Follows the measured speed for a frame.</summary>
         /// <param name="measured">What the liquid has or will have at the domain's lowest place [m/s].</param>
         /// <param name="time">Length of the frame [s].</param>
+        /// <param name="driven">What colliders make necessary, whatever the rule says [m/s].</param>
+        /// <param name="loaded">The part of that by accelerations, which comes with the pressure that a stiffer liquid needs [m/s].</param>
+        /// <param name="leap">Times that the speed may be at once for such a part: liquid under no pressure does not feel it.</param>
         /// <returns>Whether the speed in use changed.</returns>
-        public bool Follow(double measured, double time)
+        public bool Follow(double measured, double time, double driven = 0.0, double loaded = 0.0, double leap = 1.0)
         {
-            double before = Speed, target = Math.Min(measured, Most), frame = Math.Min(time, LongestFrame);
-            if (target > Speed) Speed = Math.Min(target, Speed * Math.Exp(frame / RiseTime));
+            double before = Speed, target = Math.Max(Math.Min(measured, Most), driven), frame = Math.Min(time, LongestFrame);
+            if (target > Speed) Speed = Math.Min(target, Math.Max(Speed * Math.Exp(frame / RiseTime), Math.Min(loaded, Speed * leap)));
             falls = target < Speed && (falls || target * Slack < Speed);
             if (falls) Speed = Math.Max(target, Speed * Math.Exp(-frame / FallTime));
             return Speed != before;

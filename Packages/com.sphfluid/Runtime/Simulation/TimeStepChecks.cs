@@ -6,13 +6,16 @@ namespace SphFluid
     /// <summary>Rules about a time step that the user gives.</summary>
     internal static class TimeStepChecks
     {
+        // A float that is as long as the limit: 0.0012 s, as it is proposed.
+        const double RoundingSlack = 1.0 + 1e-6;
+
         /// <summary>Warns where the fixed step, or that of frames of 1/60 s, is above what is stable at the fastest expected speed.</summary>
         public static void Check(in FluidSpec spec, in FluidSolverSettings settings, List<FluidMessage> messages)
         {
             bool byFrame = spec.TimeStepMode != FluidTimeStepMode.Fixed;
             if (byFrame && !FluidMethods.Has(spec.Method, FluidMethodFeatures.StepsByFrame)) return;
             TimeStepAdvice advice = FluidRules.Advise(settings, settings.MaxSpeed);
-            if (settings.TimeStep <= advice.Largest) return;
+            if (settings.TimeStep <= advice.Largest * RoundingSlack) return;
             if (byFrame)
             {
                 messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.TimeStepInvalid, spec.Owner,
@@ -28,6 +31,10 @@ namespace SphFluid
                 FormattableString.Invariant($"Use a Fixed Time Step of {better} s, or set Time Step Mode to Automatic; {advice.Cure}.")));
         }
 
+        /// <summary>What makes the steps of a method shorter, the beginning of a cure.</summary>
+        public static string ShorterSteps(FluidMethodKind method) => "With Time Step Mode Fixed shorten Fixed Time Step; else " +
+            (FluidMethods.Has(method, FluidMethodFeatures.StepsByFrame) ? "raise the profile's Substeps" : "lower the profile's Time Step Fraction");
+
         static string Consequence(TimeStepLimit limit)
         {
             switch (limit)
@@ -39,8 +46,8 @@ namespace SphFluid
             }
         }
 
-        // To two digits: 0.00053871 to 0.00053.
-        static double RoundedDown(double step)
+        /// <summary>To two digits: 0.00053871 to 0.00053.</summary>
+        internal static double RoundedDown(double step)
         {
             double digit = Math.Pow(10.0, Math.Floor(Math.Log10(step)) - 1.0);
             return Math.Round(Math.Floor(step / digit) * digit, 15);

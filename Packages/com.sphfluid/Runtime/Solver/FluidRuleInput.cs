@@ -29,6 +29,9 @@ namespace SphFluid
         /// <summary>Largest initial speed [m/s].</summary>
         public float InitialSpeed;
 
+        /// <summary>√(2 a L) of what presses the liquid besides gravity, a vessel of the length L that is accelerated by a [m/s]; not with the thesis method.</summary>
+        public float LoadSpeed;
+
         /// <summary>Rest density ρ0 [kg/m³].</summary>
         public float RestDensity;
 
@@ -134,6 +137,7 @@ namespace SphFluid
             Require.NotNegative(LiquidHeight, nameof(LiquidHeight));
             Require.NotNegative(LiquidDepth, nameof(LiquidDepth));
             Require.NotNegative(InitialSpeed, nameof(InitialSpeed));
+            Require.NotNegative(LoadSpeed, nameof(LoadSpeed));
             Require.NotNegative(KinematicViscosity, nameof(KinematicViscosity));
             Require.NotNegative(ViscosityRatio, nameof(ViscosityRatio));
             Require.NotNegative(WallStiffnessRatio, nameof(WallStiffnessRatio));

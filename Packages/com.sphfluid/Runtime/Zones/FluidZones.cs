@@ -17,18 +17,20 @@ namespace SphFluid
         const double MostFast = 1.25;
 
         readonly FluidSolver solver;
+        readonly FluidStart start;
         readonly Action<FluidMessage> report;
         readonly List<ForceZone> now = new List<ForceZone>();
         readonly List<ZoneState> bursts = new List<ZoneState>();
         readonly List<ZonePush> pushes = new List<ZonePush>();
         readonly List<(Vector3 place, float reach, float speed)> blows = new List<(Vector3, float, float)>();
         ForceZones zones;
-        double expected;
+        double expected, fall, fallWith = double.NaN;
         bool reportedSum;
 
-        public FluidZones(FluidSolver solver, Action<FluidMessage> report)
+        public FluidZones(FluidSolver solver, FluidStart start, Action<FluidMessage> report)
         {
             this.solver = solver;
+            this.start = start;
             this.report = report;
         }
 
@@ -83,7 +85,7 @@ namespace SphFluid
             for (int i = 0; i < (spec.Zones?.Count ?? 0); i++)
             {
                 ZoneSpec zone = spec.Zones[i];
-                if (Check(zone, spec, solver.Settings) is FluidMessage wrong) report(wrong);
+                if ((Check(zone, spec) ?? Torn(zone, spec)) is FluidMessage wrong) report(wrong);
                 else
                 {
                     ReportFast(zone, spec);
@@ -141,7 +143,7 @@ namespace SphFluid
                 messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.ForceZoneInvalid, spec.Owner,
                     $"The method {spec.Method} has no force zones: those of the scene do nothing to it.", "Set Method to Standard."));
             for (int i = 0; i < spec.Zones.Count; i++)
-                if (Check(spec.Zones[i], spec, default) is FluidMessage wrong) messages.Add(wrong);
+                if (Check(spec.Zones[i], spec) is FluidMessage wrong) messages.Add(wrong);
         }
 
         // Bursts and impulses act for one frame. Where some may act on the same liquid, their sum is held to what one alone may give.
@@ -201,12 +203,21 @@ namespace SphFluid
         void ReportFast(in ZoneSpec zone, in FluidSpec spec)
         {
             expected = Math.Max(expected, solver.Settings.MaxSpeed); // it follows the liquid in some modes
-            double speed = zone.SpeedFrom(expected, spec.DomainSize, spec.Rotation);
+            double speed = zone.SpeedFrom(Fall(spec), spec.DomainSize, spec.Rotation);
             if (zone.State.FastIn == this || !(speed > MostFast * expected)) return;
             zone.State.FastIn = this;
             report(new FluidMessage(FluidSeverity.Warning, FluidIssue.ForceZoneInvalid, zone.Owner,
                 FormattableString.Invariant($"The force zone can bring the liquid of '{spec.Name}' to {speed:0.##} m/s, and its time step and speed of sound are made for {expected:0.##} m/s: it is compressed more than it should be."),
-                FormattableString.Invariant($"Set the simulation's Expected Speed to {speed:0.#} m/s, or give the zone less strength or size.")));
+                FluidConstants.ExpectedSpeedCure(spec, start, speed) + ", or give the zone less strength or size."));
+        }
+
+        // What the liquid comes into a zone with, whatever speed is expected.
+        double Fall(FluidSpec spec)
+        {
+            if (fallWith == spec.ExpectedSpeed) return fall;
+            fallWith = spec.ExpectedSpeed;
+            spec.ExpectedSpeed = 0f;
+            return fall = FluidConstants.Derive(spec, start, start.Gravity).MaxSpeed;
         }
 
         void Add(Component owner, in FluidSpec spec, in ForceZone made)
@@ -217,8 +228,7 @@ namespace SphFluid
                     $"'{spec.Name}' has {ForceZone.Most} force zones and bursts, as many as act on a liquid at a time; this one does nothing.", "Disable some."));
         }
 
-        // Without a speed of sound only the numbers.
-        static FluidMessage? Check(in ZoneSpec zone, in FluidSpec spec, in FluidSolverSettings settings)
+        static FluidMessage? Check(in ZoneSpec zone, in FluidSpec spec)
         {
             if (zone.Shape == FluidZoneShape.Collider)
                 return Wrong(zone, FluidSeverity.Error, "The force zone's shape is its object's collider, and the object has no Box, Sphere or Capsule Collider: the zone does nothing.",
@@ -226,12 +236,19 @@ namespace SphFluid
             if (zone.Fault is string fault)
                 return Wrong(zone, FluidSeverity.Error, $"The force zone's {fault} is no number that can be computed with, so the zone does nothing.",
                     "Give its fields finite numbers: sizes greater than zero, rates and times of zero or more.");
-            double largest = MostInAStep * settings.SoundSpeed / settings.TimeStep;
-            if (settings.TimeStep > 0f && !zone.IsDrag && Math.Abs(zone.Strength) > largest)
-                return Wrong(zone, FluidSeverity.Error,
-                    FormattableString.Invariant($"The force zone's strength is {zone.Strength} m/s²; more than {largest:0.#} m/s² tears the liquid of '{spec.Name}' apart within a step."),
-                    "Use less strength, or raise the simulation's Expected Speed.");
             return null;
+        }
+
+        // As the speed of sound grows steps by rule shorten in proportion; and the zone brings the liquid to a speed of its own.
+        FluidMessage? Torn(in ZoneSpec zone, in FluidSpec spec)
+        {
+            FluidSolverSettings settings = solver.Settings;
+            double largest = MostInAStep * settings.SoundSpeed / settings.TimeStep, more = Math.Abs(zone.Strength) / largest;
+            if (zone.IsDrag || !(more > 1.0)) return null;
+            double needed = 1.02 * Math.Max(settings.MaxSpeed * Math.Sqrt(more), zone.SpeedFrom(Fall(spec), spec.DomainSize, spec.Rotation));
+            return Wrong(zone, FluidSeverity.Error,
+                    FormattableString.Invariant($"The force zone's strength is {zone.Strength} m/s²; more than {largest:0.#} m/s² tears the liquid of '{spec.Name}' apart within a step."),
+                    FluidConstants.ExpectedSpeedCure(spec, start, needed) + ", or use less strength.");
         }
 
         static FluidMessage Wrong(in ZoneSpec zone, FluidSeverity severity, string text, string cure) =>

@@ -174,11 +174,26 @@ namespace SphFluid
             AffineMap stretch0 = Stretch0.Map, stretch1 = Stretch1.Map;
             for (int corner = 0; corner < 8; corner++)
             {
-                var p = new Vector3((corner & 1) == 0 ? min.x : max.x, (corner & 2) == 0 ? min.y : max.y, (corner & 4) == 0 ? min.z : max.z);
+                Vector3 p = Corner(min, max, corner);
                 Vector3 from = Rotation0 * stretch0.Apply(p) + Position0, to = Rotation1 * stretch1.Apply(p) + Position1;
                 longest = Mathf.Max(longest, (to - from).magnitude);
             }
             return longest + (Deformation?.Longest ?? 0f);
+        }
+
+        /// <summary>Largest displacement of a place near a box of simulation space that moves with a rigid body [m]: of a wide one that turns its far ends are left out.</summary>
+        public float LongestWithin(Bounds box, float near)
+        {
+            if (IsStretched || Deformation != null) return float.PositiveInfinity;
+            Quaternion back = Quaternion.Inverse(Rotation0);
+            Vector3 half = box.extents + new Vector3(near, near, near), low = box.center - half, high = box.center + half;
+            float longest = 0f;
+            for (int corner = 0; corner < 8; corner++)
+            {
+                Vector3 from = Corner(low, high, corner), to = Rotation1 * (back * (from - Position0)) + Position1;
+                longest = Mathf.Max(longest, (to - from).magnitude);
+            }
+            return longest;
         }
 
         /// <summary>Smallest and largest stretch from the start of the frame to its end.</summary>
@@ -188,6 +203,9 @@ namespace SphFluid
             (double least1, double most1) = Stretch1.Range();
             return (Math.Min(least0, least1), Math.Max(most0, most1));
         }
+
+        static Vector3 Corner(Vector3 min, Vector3 max, int number) =>
+            new Vector3((number & 1) == 0 ? min.x : max.x, (number & 2) == 0 ? min.y : max.y, (number & 4) == 0 ? min.z : max.z);
 
         BodyFollowing MoveTo(in AffineMap motion, FluidObstacle solid)
         {

@@ -79,7 +79,7 @@ namespace SphFluid
         /// <summary>Whether a body is still moving: the steps have not gone through all of its motion of the frame.</summary>
         public bool IsUnderWay { get; private set; }
 
-        /// <summary>Farthest that a point of a body goes in the motion of the frame, or of a corner of its box [m].</summary>
+        /// <summary>Farthest that a point of a body goes in the motion of the frame where liquid can be, or of a corner of its box [m].</summary>
         public float LongestMotion { get; private set; }
 
         /// <summary>Times a body's motion could not be followed, since the start; it was put at its new place at once.</summary>
@@ -119,7 +119,8 @@ namespace SphFluid
                     Version++;
                 }
                 IsUnderWay |= !motions[i].IsAtRest;
-                if (!motions[i].IsAtRest) LongestMotion = Mathf.Max(LongestMotion, motions[i].LongestDisplacement(bodies[i].BoundsMin, bodies[i].BoundsMax));
+                if (!motions[i].IsAtRest)
+                    LongestMotion = Mathf.Max(LongestMotion, Mathf.Min(motions[i].LongestDisplacement(bodies[i].BoundsMin, bodies[i].BoundsMax), motions[i].LongestWithin(domain, reach)));
                 HasStretch |= motions[i].IsStretched || motions[i].Deformation != null;
             }
             if (deformed) Deform(solids); // the steps of other bodies must not take it there

@@ -5,8 +5,8 @@ namespace SphFluid
     /// <summary>
     /// Constants that methods with Wendland's kernel and one speed of sound share.
     /// <list type="bullet">
-    /// <item><description>v_max = √(v0² + 2 g H): a fall from the top of the liquid to the floor.</description></item>
-    /// <item><description>c = max(ratio v_max, √(g D / η)): the compression η allowed at rest, 1/ratio² in motion.</description></item>
+    /// <item><description>v_max = √(v0² + 2 g H + 2 a L): a fall from the top of the liquid to the floor, in a vessel that is accelerated.</description></item>
+    /// <item><description>c = max(ratio v_max, √((g D + a L) / η)): the compression η allowed at rest, 1/ratio² in motion.</description></item>
     /// <item><description>m = ρ0 dx³ / Σ W dx³: the rest lattice has the rest density, less what rounding may add.</description></item>
     /// <item><description>ν = max(real, α c R), α = 0.001: a tenth of what the thesis's two kernels need.</description></item>
     /// </list>
@@ -30,9 +30,9 @@ namespace SphFluid
         {
             double dx = input.Spacing;
             double radius = input.SupportRatio * dx;
-            double gravity = input.Gravity.magnitude;
-            speed = Math.Max(input.MinSpeed, Math.Sqrt((double)input.InitialSpeed * input.InitialSpeed + 2.0 * gravity * input.LiquidHeight));
-            sound = Math.Max(leastSound, Math.Max(input.SoundSpeedRatio * speed, Math.Sqrt(gravity * input.LiquidDepth / input.MaxCompression)));
+            double gravity = input.Gravity.magnitude, load = (double)input.LoadSpeed * input.LoadSpeed;
+            speed = Math.Max(input.MinSpeed, Math.Sqrt((double)input.InitialSpeed * input.InitialSpeed + 2.0 * gravity * input.LiquidHeight + load));
+            sound = Math.Max(leastSound, Math.Max(input.SoundSpeedRatio * speed, Math.Sqrt((gravity * input.LiquidDepth + 0.5 * load) / input.MaxCompression)));
             kinematic = Math.Max(input.KinematicViscosity, ViscosityShare * input.ViscosityRatio * sound * radius);
             return new FluidSolverSettings
             {

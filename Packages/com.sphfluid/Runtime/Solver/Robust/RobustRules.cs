@@ -45,7 +45,7 @@ namespace SphFluid
                 Substeps = input.Substeps,
                 Iterations = LeastIterations,
                 Relaxation = (float)RelaxationFor(input.SupportRatio),
-                DepthSpeed = (float)Math.Sqrt(input.Gravity.magnitude * input.LiquidDepth),
+                DepthSpeed = (float)Math.Sqrt(input.Gravity.magnitude * input.LiquidDepth + 0.5 * input.LoadSpeed * input.LoadSpeed),
                 StableOrder = true,
                 NeighbourList = true,
             });

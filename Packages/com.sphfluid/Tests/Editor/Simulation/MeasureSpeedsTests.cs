@@ -142,6 +142,26 @@ namespace SphFluid.Tests
             }
         }
 
+        [Test]
+        public void CompressionIsItsMean([Values(1, 257, 1009)] int count)
+        {
+            using (var solver = new FluidSolver(Settings(), shaders, Spread(count)))
+            using (GraphicsBuffer counts = GpuBuffers.Create("Counts", SpeedCounts.Size, sizeof(uint)))
+            {
+                var pass = new MeasureSpeedsPass(shaders);
+                var random = new System.Random(3);
+                float[] density = Enumerable.Range(0, count).Select(i => i % 7 == 3 ? float.NaN : solver.Settings.RestDensity * (0.5f + 2f * (float)random.NextDouble())).ToArray();
+                GpuTest.Run(cmd =>
+                {
+                    solver.RecordNeighbourSetup(cmd);
+                    cmd.SetBufferData(solver.Density, density);
+                    pass.Record(cmd, solver, counts);
+                });
+                double expected = density.Sum(d => d > solver.Settings.RestDensity ? d / solver.Settings.RestDensity - 1.0 : 0.0) / count;
+                Assert.That(SpeedSample.Of(GpuTest.Read<uint>(counts, SpeedCounts.Size), 0).Compression, Is.EqualTo(expected).Within(1.0 / 64.0 * ((count + 255) / 256) / count + 1e-4));
+            }
+        }
+
         uint[] Measure(in FluidSolverSettings settings, FluidParticle[] particles)
         {
             FluidParticle[] start = particles.Select(p => new FluidParticle(p.Position, Vector3.zero, p.Id)).ToArray();

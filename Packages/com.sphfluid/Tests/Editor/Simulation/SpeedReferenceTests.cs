@@ -35,6 +35,20 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void CollidersRaiseItAboveTheRuleAndAtOnceWhereNothingIsPressed()
+        {
+            var reference = new SpeedReference(0.1);
+            reference.Follow(0.1, Frame, 3.0);
+            Assert.That(reference.Speed, Is.EqualTo(0.1 * Math.Exp(10.0 * Frame)).Within(1e-12), "a speed: as pressure can follow");
+            reference.Follow(0.1, Frame, 3.0, 2.0, 1000.0);
+            Assert.That(reference.Speed, Is.EqualTo(2.0), "the part by acceleration, of liquid without pressure");
+            reference.Follow(0.1, Frame, 9.0, 9.0, 1.5);
+            Assert.That(reference.Speed, Is.EqualTo(3.0), "no more than its pressure allows");
+            for (int frame = 0; frame < 600; frame++) reference.Follow(100.0, Frame);
+            Assert.That(reference.Speed, Is.EqualTo(0.1).Within(1e-9), "back to the rule");
+        }
+
+        [Test]
         public void AFlickerByABinIsNoChange()
         {
             var reference = new SpeedReference(2.0);
