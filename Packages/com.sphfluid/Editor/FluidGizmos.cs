@@ -148,7 +148,7 @@ namespace SphFluid.Editor
         static void DrawPipe(FluidEmitter emitter, in EmitterSpec spec)
         {
             FluidSimulation owner = FluidScene.Owner(emitter, emitter.Simulation, SceneObjects.Find<FluidSimulation>(emitter));
-            if (owner == null || EmitterChecks.Check(spec, owner.Spec, double.PositiveInfinity) != null) return;
+            if (owner == null || EmitterChecks.Check(spec, owner.Spec) != null) return;
             Bounds wall = EmitterPipe.Of(spec, owner.Spacing, owner.Spec.SupportRadius).Mesh.Bounds;
             Gizmos.DrawWireCube(wall.center, wall.size);
         }

@@ -13,9 +13,7 @@ namespace SphFluid
         /// <summary>What keeps an emitter from working; null when nothing does.</summary>
         /// <param name="emitter">The emitter.</param>
         /// <param name="spec">The simulation.</param>
-        /// <param name="soundSpeed">Its speed of sound [m/s]; infinite where it is not known yet.</param>
-        /// <param name="start">Where its liquid starts; null where nobody is told.</param>
-        public static FluidMessage? Check(in EmitterSpec emitter, in FluidSpec spec, double soundSpeed, FluidStart start = null)
+        public static FluidMessage? Check(in EmitterSpec emitter, in FluidSpec spec)
         {
             if (emitter.Shape == FluidEmitterShape.Mesh)
             {
@@ -33,11 +31,11 @@ namespace SphFluid
                     "Use a smaller Size or a larger Particle Spacing.");
             if (speed > FluidSpec.MostSpeed)
                 return Wrong(emitter, FormattableString.Invariant($"The emitter gives liquid of {speed:0.###} m/s; {FluidSpec.MostSpeed} m/s are the most."), "Use a larger Size, or less Speed or Volume Rate.");
-            if (speed > FastestShare * soundSpeed)
-                return Wrong(emitter, FormattableString.Invariant($"The emitter gives liquid of {speed:0.###} m/s, more than a quarter of the speed of sound of '{spec.Name}', {soundSpeed:0.#} m/s."),
-                    start == null ? "" : FluidConstants.ExpectedSpeedCure(spec, start, speed) + ", or use a larger Size or less flow.");
             return null;
         }
+
+        /// <summary>Whether an emitter's liquid is too fast for a speed of sound [m/s].</summary>
+        public static bool IsTooFast(in EmitterSpec emitter, in FluidSpec spec, double soundSpeed) => emitter.Speed(spec.Spacing) > FastestShare * soundSpeed;
 
         /// <summary>What keeps a drain from working as it is set to; null when nothing does.</summary>
         public static FluidMessage? Check(in DrainSpec drain)
@@ -60,7 +58,7 @@ namespace SphFluid
                 messages.Add(new FluidMessage(FluidSeverity.Warning, FluidIssue.EmitterInvalid, spec.Owner,
                     $"The method {spec.Method} has a fixed number of particles: its emitters and drains do nothing.", "Set Method to Standard."));
             for (int i = 0; i < (spec.Emitters?.Count ?? 0); i++)
-                if (Check(spec.Emitters[i], spec, double.PositiveInfinity) is FluidMessage wrong) messages.Add(wrong);
+                if (Check(spec.Emitters[i], spec) is FluidMessage wrong) messages.Add(wrong);
             for (int i = 0; i < (spec.Drains?.Count ?? 0); i++)
                 if (Check(spec.Drains[i]) is FluidMessage wrong) messages.Add(wrong);
             if (spec.CapacityPolicy != FluidCapacityPolicy.Grow && spec.Capacity < 0)
@@ -99,7 +97,7 @@ namespace SphFluid
             return null;
         }
 
-        static FluidMessage Wrong(in EmitterSpec emitter, string text, string cure) =>
+        internal static FluidMessage Wrong(in EmitterSpec emitter, string text, string cure) =>
             new FluidMessage(FluidSeverity.Error, FluidIssue.EmitterInvalid, emitter.Owner, text, cure);
     }
 }

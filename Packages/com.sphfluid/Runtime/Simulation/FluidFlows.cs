@@ -170,7 +170,8 @@ namespace SphFluid
                 }
                 run.IsUsed = true;
                 double soundSpeed = emitter.State.IsOn ? solver.Settings.SoundSpeed : double.PositiveInfinity; // it falls where nothing comes in
-                if (EmitterChecks.Check(emitter, spec, soundSpeed, start) is FluidMessage wrong) report(wrong);
+                if (EmitterChecks.Check(emitter, spec) is FluidMessage wrong) report(wrong);
+                else if (EmitterChecks.IsTooFast(emitter, spec, soundSpeed)) report(TooFast(emitter, spec, soundSpeed));
                 else run.Emit(emitter, spec, begin, begin + time, solver.Exchange.Births, solver.Exchange.Lifetimes);
             }
             gone.Clear();
@@ -181,6 +182,13 @@ namespace SphFluid
                 solver.Exchange.Counts.Close(emitters[state].Source);
                 emitters.Remove(state);
             }
+        }
+
+        FluidMessage TooFast(in EmitterSpec emitter, in FluidSpec spec, double soundSpeed)
+        {
+            double speed = emitter.Speed(spec.Spacing);
+            return EmitterChecks.Wrong(emitter, FormattableString.Invariant($"The emitter gives liquid of {speed:0.###} m/s, more than a quarter of the speed of sound of '{spec.Name}', {soundSpeed:0.#} m/s."),
+                FluidConstants.ExpectedSpeedCure(spec, start, speed) + ", or use a larger Size or less flow.");
         }
 
         // One that was disabled goes on counting.

@@ -159,8 +159,8 @@ namespace SphFluid
         static FluidParticle Particle(SpawnRequest request, Vector3 site, LiquidShape shape, int id)
         {
             float amplitude = Mathf.Clamp(request.Jitter, 0f, MaxJitter) * request.Spacing;
-            uint state = Hash((uint)id ^ Hash((uint)request.Seed));
-            Vector3 offset = new Vector3(Signed(state), Signed(Hash(state + 1)), Signed(Hash(state + 2))) * amplitude;
+            uint state = PcgHash.Of((uint)id ^ PcgHash.Of((uint)request.Seed));
+            Vector3 offset = new Vector3(Signed(state), Signed(PcgHash.Of(state + 1)), Signed(PcgHash.Of(state + 2))) * amplitude;
             Vector3 velocity = Velocity(request, site + offset, shape);
             return new FluidParticle { Position = site + offset, Id = (uint)id, VelT0 = velocity, VelT1 = velocity };
         }
@@ -173,14 +173,6 @@ namespace SphFluid
         {
             float speed = velocity.magnitude;
             return speed <= fastest || float.IsNaN(fastest) ? fastest : speed;
-        }
-
-        // PCG hash: M. Jarzynski, M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020.
-        internal static uint Hash(uint value)
-        {
-            uint state = unchecked(value * 747796405u + 2891336453u);
-            uint word = unchecked(((state >> (int)((state >> 28) + 4)) ^ state) * 277803737u);
-            return (word >> 22) ^ word;
         }
 
         static float Signed(uint hash) => (hash >> 8) * (2f / 16777216f) - 1f;

@@ -67,7 +67,7 @@ namespace SphFluid.Tests
                 ("Move the volume out of the collider", t => (t.other.transform.position, t.volume.transform.localPosition) = (new Vector3(-0.25f, 0f, 0f), 0.1f * Vector3.right)),
                 ("out of the simulation's Collider Layers", t => t.simulation.ColliderLayers = 0),
             }),
-            ("collider in the volume", "would start inside colliders", t => t.Box(new Vector3(0.1f, 0f, 0f), 0.15f * Vector3.one), new (string, Action<CureTests>)[] { ("Move the volume or the collider apart", t => t.other.transform.position = 0.18f * Vector3.up) }),
+            ("collider in the volume", "would start inside colliders", t => t.Box(new Vector3(0.1f, 0f, 0f), 0.15f * Vector3.one), new (string, Action<CureTests>)[] { ("move the volume and the collider apart", t => t.other.transform.position = 0.18f * Vector3.up) }),
             ("many particles", $"needs .* particles.*Particle Spacing of {Number} m or more", t => t.rig.Profile.MaxParticles = 30, new (string, Action<CureTests>)[]
             {
                 ("Use a Particle Spacing of", t => t.simulation.Spacing = t.Said),

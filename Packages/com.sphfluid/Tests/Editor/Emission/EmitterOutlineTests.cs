@@ -120,7 +120,7 @@ namespace SphFluid.Tests
         public void AMeshThatGivesNothingIsNamedWithTheCure()
         {
             FluidSpec liquid = new FluidSpec { Spacing = Spacing };
-            string Said(EmitterSpec nozzle) => EmitterChecks.Check(nozzle, liquid, double.PositiveInfinity)?.ToString();
+            string Said(EmitterSpec nozzle) => EmitterChecks.Check(nozzle, liquid)?.ToString();
             Assert.That(Said(Nozzle(Made(Frame(0.05f, 0f)))), Is.Null);
             Assert.That(Said(Nozzle(null)), Does.Contain("'Tap'").And.Contain("Assign a mesh"));
             Assert.That(Said(Nozzle(Made(Frame(0.05f, 0f)), new Vector3(1f, 0f, 1f))), Does.Contain("no place for a particle"), "seen edge on");

@@ -107,7 +107,7 @@ namespace SphFluid.Tests
         {
             EmitterSpec nozzle = Nozzle(FluidEmitterShape.Disc, 100f, 100f, 1f);
             nozzle.Owner = new GameObject("Lake").transform;
-            FluidMessage? wrong = EmitterChecks.Check(nozzle, Liquid(), double.PositiveInfinity);
+            FluidMessage? wrong = EmitterChecks.Check(nozzle, Liquid());
             Object.DestroyImmediate(nozzle.Owner.gameObject);
             Assert.That(wrong?.Text, Does.Contain("particles a layer"));
         }
