@@ -30,7 +30,7 @@ namespace SphFluid
 
         /// <summary>What a running simulation goes by.</summary>
         public static readonly ShaderGroup Simulation = new ShaderGroup("the simulation", "Shaders/Simulation",
-            groupThreads: 256, buffers: 4, writableBuffers: 2, groupMemory: 4096, vertexBuffers: 0,
+            groupThreads: 256, buffers: 4, writableBuffers: 2, groupMemory: 4100, vertexBuffers: 0,
             "MeasureSpeeds");
 
         /// <summary>Measurements of a whole liquid.</summary>
