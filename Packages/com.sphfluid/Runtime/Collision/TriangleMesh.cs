@@ -192,7 +192,11 @@ namespace SphFluid
         // Prepared at the first use.
         MeshObstacle Obstacle => obstacle ??= new MeshObstacle(this);
 
-        TriangleMesh With(Vector3[] vertices, int[] indices) => new TriangleMesh(vertices, indices, null) { joints = joints };
+        TriangleMesh With(Vector3[] vertices, int[] indices)
+        {
+            _ = Welded; // a copy that is flat has corners at one place that are apart in the others
+            return new TriangleMesh(vertices, indices, null) { joints = joints };
+        }
 
         bool IsBalanced()
         {

@@ -29,6 +29,17 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void ACopyThatIsFlatAsksFirstAndChangesNothing()
+        {
+            TriangleMesh box = new MeshReader().Read(TestMeshes.Cube());
+            TriangleMesh flat = box.Transformed(Matrix4x4.Scale(new Vector3(1f, 0f, 1f)));
+            Assert.That(flat.Winding(Vector3.one), Is.Zero);
+            Assert.That(box.IsClosed);
+            Assert.That(box.Contains(box.Bounds.center));
+            Assert.That(box.Transformed(Matrix4x4.Translate(Vector3.up)).Contains(box.Bounds.center + Vector3.up));
+        }
+
+        [Test]
         public void DegenerateTrianglesAreFound()
         {
             Vector3 x = Vector3.right, y = Vector3.up;
