@@ -81,7 +81,10 @@ namespace SphFluid
         /// <summary>Fastest particle at the end of the frame, up to 6 % too much [m/s].</summary>
         public float Present;
 
-        /// <summary>Distance from where they were when their places were kept that all but a hundredth do not exceed, up to 6 % too much [m].</summary>
+        /// <summary>Distance from where they were when their places were kept that half of the particles do not exceed, up to 6 % too much [m].</summary>
+        public float HalfDistance;
+
+        /// <summary>The distance that all but a hundredth do not exceed, up to 6 % too much [m].</summary>
         public float Distance;
 
         /// <summary>The farthest of these distances, up to 6 % too much [m].</summary>
@@ -100,6 +103,7 @@ namespace SphFluid
             Bulk = SpeedCounts.Quantile(counts, SpeedCounts.Speeds, BulkShare),
             Head = SpeedCounts.Quantile(counts, SpeedCounts.Heads, BulkShare),
             Present = SpeedCounts.Quantile(counts, SpeedCounts.Speeds, 1.0),
+            HalfDistance = SpeedCounts.Quantile(counts, SpeedCounts.Distances, 0.5),
             Distance = SpeedCounts.Quantile(counts, SpeedCounts.Distances, BulkShare),
             Farthest = SpeedCounts.Quantile(counts, SpeedCounts.Distances, 1.0),
             Compression = SpeedCounts.MeanCompression(counts),

@@ -46,6 +46,19 @@ namespace SphFluid.Tests
         }
 
         [UnityTest]
+        public IEnumerator APoolThatStartsInItsBalanceSleepsWithinFiveSeconds()
+        {
+            FluidSimulation simulation = Pool();
+            simulation.DomainSize = new Vector3(0.36f, 0.3f, 0.24f);
+            simulation.Spacing = 0.03f; // 12 x 6 x 8 particles: some hundred of them find a better place
+            FluidVolume volume = simulation.GetComponentInChildren<FluidVolume>();
+            volume.Size = new Vector3(0.36f, 0.18f, 0.24f);
+            volume.transform.localPosition = new Vector3(0f, -0.06f, 0f);
+            yield return UntilAsleep(simulation);
+            Assert.That(simulation.SimulatedTime, Is.LessThan(5.0));
+        }
+
+        [UnityTest]
         public IEnumerator WhateverTouchesTheLiquidWakesItInTheSameFrame()
         {
             FluidSimulation simulation = Pool();

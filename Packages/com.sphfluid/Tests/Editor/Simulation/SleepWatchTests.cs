@@ -55,6 +55,15 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        public void AFewThatFindABetterPlaceKeepNothingAwakeAndAStreamDoes()
+        {
+            Func<double, float> still = t => 0.002f * (float)Math.Sqrt((t - Kept) / 3.0);
+            Assert.That(TimeToSleep(Watch(), _ => 0.1f, t => 0.01f * (float)Math.Sqrt((t - Kept) / 3.0), still), Is.Not.NaN, "0.4 dx in 3 s");
+            Assert.That(TimeToSleep(Watch(), _ => 0.1f, t => 0.01f * (float)(t - Kept), still), Is.NaN, "0.4 dx a second");
+            Assert.That(TimeToSleep(Watch(), _ => 0.1f, t => 0.006f * (float)(t - Kept) / 3f, t => 0.006f * (float)(t - Kept) / 3f), Is.NaN, "all go");
+        }
+
+        [Test]
         public void OneFastParticleKeepsAllAwake()
         {
             Assert.That(TimeToSleep(Watch(), t => t % 2.0 < Frame ? 0.5f : 0.001f, _ => 0f), Is.NaN);
@@ -80,7 +89,7 @@ namespace SphFluid.Tests
         double Kept { get; set; }
 
         // Samples are three frames old, as in a running simulation; within a minute.
-        double TimeToSleep(SleepWatch watch, Func<double, float> speed, Func<double, float> distance)
+        double TimeToSleep(SleepWatch watch, Func<double, float> speed, Func<double, float> distance, Func<double, float> half = null)
         {
             var samples = new SpeedSample[3];
             for (int i = 0; i < 3; i++) samples[i].Present = 1f;
@@ -90,7 +99,14 @@ namespace SphFluid.Tests
                 double time = frame * Frame;
                 watch.Note(samples[frame % 3], Frame, () => Keep(ref kept, time), () => Forget(ref kept));
                 if (watch.IsAsleep) return time;
-                samples[frame % 3] = new SpeedSample { Present = speed(time), Distance = kept != 0 ? distance(time) : 0f, Farthest = kept != 0 ? 2f * distance(time) : 0f, Kept = kept };
+                samples[frame % 3] = new SpeedSample
+                {
+                    Present = speed(time),
+                    HalfDistance = kept != 0 ? (half ?? distance)(time) : 0f,
+                    Distance = kept != 0 ? distance(time) : 0f,
+                    Farthest = kept != 0 ? 2f * distance(time) : 0f,
+                    Kept = kept,
+                };
             }
             return double.NaN;
         }
