@@ -47,7 +47,7 @@ namespace SphFluid.Tests
                     start[i].Position.y -= (float)(gravity / soundSquared * (depth * y - 0.5 * y * y));
                 }
                 rig.Start(start);
-                rig.Frame((int)(12.0 * Math.Sqrt(depth / gravity) / settings.TimeStep));
+                rig.Frame((int)(8.0 * Math.Sqrt(depth / gravity) / settings.TimeStep));
                 FluidCounters counters = rig.Solver.ReadCountersNow();
                 FluidParticle[] particles = rig.Particles();
                 double speed = Math.Sqrt(particles.Average(p => (double)p.VelT0.sqrMagnitude)) / Math.Sqrt(gravity * depth);
@@ -64,7 +64,6 @@ namespace SphFluid.Tests
         }
 
         [TestCase(0.1f, false)]
-        [TestCase(1f, false)]
         [TestCase(2f, false)]
         [TestCase(1f, true)]
         public void AShakenBoxLosesNothing(float spacingsPerStep, bool turns)
@@ -77,7 +76,7 @@ namespace SphFluid.Tests
             {
                 Transform box = rig.AddBox(size);
                 rig.Start(Block(new Vector3Int(8, 8, 8), -4f * Spacing * Vector3.one));
-                for (int step = 1; step <= 120; step++)
+                for (int step = 1; step <= 80; step++)
                 {
                     float phase = 2f * Mathf.PI * step / period;
                     box.position = turns ? Vector3.zero : reach * new Vector3(Mathf.Sin(phase), 0.3f * Mathf.Sin(2f * phase), 0f);
