@@ -260,7 +260,7 @@ namespace SphFluid.Tests
                 lone.Size = Vector3.one * SimulationRig.Spacing;
                 lone.transform.localPosition = new Vector3(0.15f, 0.15f, 0f);
                 FluidWhitewater whitewater = Add(simulation, drawn);
-                yield return PictureRig.Frames(20);
+                yield return PictureRig.Frames(12);
                 Assert.IsTrue(whitewater == null || whitewater.Counts.Particles > 10, "there is whitewater to be seen");
                 simulation.Paused = true;
                 yield return PictureRig.Frames(2);
