@@ -37,15 +37,12 @@ namespace SphFluid.Tests
 
         [TestCase("cup", 5.0, 12)]
         [TestCase("cup", 150.0, 3)]
-        [TestCase("open-cup", 20.0, 8)]
         [TestCase("funnel", 0.0, 16)]
         [TestCase("bunny", 0.0, 6)]
         [TestCase("knife", 10.0, 7)]
-        [TestCase("vertex", 10.0, 7)]
         [TestCase("wall", 3.0, 15)]
         [TestCase("sizes", 5.0, 3)]
         [TestCase("coplanar", 5.0, 5)]
-        [TestCase("pulse-25", 1.885, 12)]
         [TestCase("pulse-50", 3.77, 12)]
         [TestCase("uneven-50", 3.77, 8)]
         [TestCase("spin", 10.0, 10)]
@@ -115,8 +112,6 @@ namespace SphFluid.Tests
         }
 
         [TestCase("cup", 5.0, 6, 0.1)]
-        [TestCase("open-cup", 5.0, 6, 0.1)]
-        [TestCase("coplanar", 5.0, 6, 0.1)]
         [TestCase("pulse-50", 3.77, 12, 0.1)]
         [TestCase("grow", 1.0, 7, 0.08)]
         [TestCase("waved", 2.0, 3, 0.05)]

@@ -75,16 +75,6 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void TheHalfDoublesThePressureThatCarriesAColumn()
-        {
-            // WallCaseRunTests has both slopes at rest.
-            Run(SwitchCatalogue.PressureHalf(), 0.2f, out SwitchResult full, out SwitchResult half);
-            Assert.That(full.PressureSlope, Is.EqualTo(1.0).Within(0.3), "dp/dz over ρ g without the ½, k = c², while it still swings");
-            Assert.That(half.PressureSlope, Is.EqualTo(2.0 * full.PressureSlope).Within(0.02), "with it, k = 2 c²");
-            Assert.That(half.MeanHeight, Is.EqualTo(full.MeanHeight).Within(0.01 * full.MeanHeight), "the same column");
-        }
-
-        [Test]
         public void TheHalfWithoutDoubledStiffnessHalvesTheForce()
         {
             FluidSolverSettings settings = TestSettings.ByRule(Vector3.one, 0.05f);
