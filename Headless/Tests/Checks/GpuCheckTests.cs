@@ -18,7 +18,7 @@ public sealed class GpuCheckTests
     private const string Plain = "[numthreads(64,1,1)] void StandardDensity(uint3 id : SV_DispatchThreadID) { Out[id.x] = Sum(id.x); }";
 
     // Each is a process of its own, and a run compiles for all of them.
-    private static readonly GpuFamily[] families = [.. GpuFamily.All.Take(2)];
+    private const int Families = 2;
 
     private TemporaryPackage package = null!;
     private Dictionary<string, string>? written;
@@ -33,7 +33,7 @@ public sealed class GpuCheckTests
     public void ATableThatWasJustWrittenPassesAndAnotherMesaIsSkipped()
     {
         WritePlainAndItsTables();
-        Assert.That(Run().Select(r => r.Passed), Is.Not.Empty.And.All.True);
+        Assert.That(Run(families: Families).Select(r => r.Passed), Is.Not.Empty.And.All.True);
 
         foreach (string file in Directory.GetFiles(Tables)) File.WriteAllText(file, File.ReadAllText(file).Replace("# Mesa ", "# Mesa 1."));
         Assert.That(Run().Select(r => r.SkippedBecause), Has.All.Contains("the tables are of Mesa 1."));
@@ -106,7 +106,7 @@ public sealed class GpuCheckTests
         Write(Plain);
         if (written is null)
         {
-            Assert.That(Run(update: true).Single().Passed);
+            Assert.That(Run(update: true, Families).Single().Passed);
             written = Directory.GetFiles(Tables).ToDictionary(f => Path.GetFileName(f)!, File.ReadAllText);
         }
         Directory.CreateDirectory(Tables);
@@ -117,9 +117,9 @@ public sealed class GpuCheckTests
 
     private void Write(string kernel) => package.Write("Shaders/A.compute", Kernels + kernel);
 
-    private List<CheckReport> Run(bool update = false)
+    private List<CheckReport> Run(bool update = false, int families = 1)
     {
-        var reports = new GpuCheck(package.Packages, Path.Combine(package.Project, "cache"), Tables, families).Run(update).ToList();
+        var reports = new GpuCheck(package.Packages, Path.Combine(package.Project, "cache"), Tables, [.. GpuFamily.All.Take(families)]).Run(update).ToList();
         if (update && reports[0].SkippedBecause is { } reason) Assert.Ignore(reason);
         return reports;
     }

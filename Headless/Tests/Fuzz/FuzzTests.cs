@@ -14,7 +14,7 @@ namespace Headless.Tests.Fuzz;
 [Category("Gpu")]
 public sealed class FuzzTests
 {
-    private const int UsualCount = 150;
+    private const int UsualCount = 60;
     private const int CompileEvery = 8;
 
     private FuzzProject project = null!;

@@ -55,18 +55,6 @@ public sealed class MeasurementOutputTests
         Assert.That(run.Errors, Does.Match("^[a-z]+: --out: '/proc/sphfluid' cannot be written: "));
     }
 
-    [Test]
-    public void WhatTheSameMeasurementWroteIsReplaced()
-    {
-        string[] flags = ["--table", "thesis", "--particles", "128", "--grids", "none", "--no-sweep"];
-        Assert.That(Measure("SphFluid.Validation.CommandLine.Bench", folder, flags).ExitCode, Is.Zero);
-        string table = Path.Combine(folder, "thesis.csv");
-        int lines = File.ReadAllLines(table).Length;
-        File.AppendAllText(table, "an older row\n");
-        Assert.That(Measure("SphFluid.Validation.CommandLine.Bench", folder, flags).ExitCode, Is.Zero);
-        Assert.That(File.ReadAllLines(table), Has.Length.EqualTo(lines));
-    }
-
     private static string FirstFigure() => Path.GetFileName(
         Directory.GetFiles(Path.Combine(FuzzProject.Repository, "Packages/com.sphfluid.validation/Documentation~/images"), "thesis-*.png").Order(StringComparer.Ordinal).First());
 

@@ -12,8 +12,8 @@ namespace SphFluid.Validation
     /// </summary>
     sealed class BenchDrawing : IDisposable
     {
-        public const int Width = 1280;
-        public const int Height = 720;
+        /// <summary>Width and height of the picture.</summary>
+        public static readonly Vector2Int Size = new Vector2Int(1280, 720);
 
         /// <summary>Iso value of every surface with the thesis's field.</summary>
         public const float IsoValue = 0.5f;
@@ -40,18 +40,19 @@ namespace SphFluid.Validation
         static readonly int LightColour = Shader.PropertyToID("_LightColor0");
 
         readonly Matrix4x4 view;
-        readonly Matrix4x4 projection = Matrix4x4.Perspective(45f, (float)Width / Height, Near, Far);
+        readonly Matrix4x4 projection;
         readonly MeasuredParticles particles;
         RenderTexture target;
         BenchBackdrop backdrop;
 
-        public BenchDrawing(FluidShaderSet shaders)
+        public BenchDrawing(FluidShaderSet shaders, Vector2Int size)
         {
+            projection = Matrix4x4.Perspective(45f, (float)size.x / size.y, Near, Far);
             // Unity's view matrix looks down -z.
             Quaternion rotation = Quaternion.LookRotation(-Eye, Vector3.up);
             view = Matrix4x4.Scale(new Vector3(1f, 1f, -1f)) * Matrix4x4.TRS(Eye, rotation, Vector3.one).inverse;
             particles = new MeasuredParticles(shaders);
-            target = new RenderTexture(Width, Height, 24) { name = "SPH Fluid benchmark", hideFlags = HideFlags.HideAndDontSave };
+            target = new RenderTexture(size.x, size.y, 24) { name = "SPH Fluid benchmark", hideFlags = HideFlags.HideAndDontSave };
             target.Create();
         }
 
@@ -59,7 +60,7 @@ namespace SphFluid.Validation
         public RenderTexture Target => target;
 
         /// <summary>What clear water is drawn before.</summary>
-        public BenchBackdrop Backdrop => backdrop ?? (backdrop = new BenchBackdrop(view, projection, Near, Far, -0.5f * BenchLiquid.Edge, Width, Height));
+        public BenchBackdrop Backdrop => backdrop ?? (backdrop = new BenchBackdrop(view, projection, Near, Far, -0.5f * BenchLiquid.Edge, target.width, target.height));
 
         /// <summary>Records how much water lies behind each pixel.</summary>
         public void RecordThickness(CommandBuffer cmd, MeasuredWater water)

@@ -24,11 +24,11 @@ namespace SphFluid.Validation
         readonly CommandBuffer cmd = new CommandBuffer { name = "Fluid Benchmark" };
         readonly BenchDrawing drawing;
 
-        public BenchSampler(FluidShaderSet shaders, IReadOnlyList<BenchBlock> blocks)
+        public BenchSampler(FluidShaderSet shaders, IReadOnlyList<BenchBlock> blocks, Vector2Int pictureSize)
         {
             this.shaders = shaders;
             clock = new GpuClock(blocks);
-            drawing = new BenchDrawing(shaders);
+            drawing = new BenchDrawing(shaders, pictureSize);
         }
 
         /// <summary>Least GPU time of a sample [ms].</summary>

@@ -43,6 +43,9 @@ namespace SphFluid.Validation
         /// <summary>Least GPU time of a sample [ms].</summary>
         internal double SampleMilliseconds { get; set; } = 200.0;
 
+        /// <summary>Width and height of the picture that is drawn.</summary>
+        internal Vector2Int PictureSize { get; set; } = BenchDrawing.Size;
+
         private protected override string Unfinished => $"The files in '{Folder}' hold whole rounds; their column samples says how many.";
 
         /// <summary>4,096, 8,192, ... 1,048,576.</summary>
@@ -117,7 +120,7 @@ namespace SphFluid.Validation
             IEnumerable<IReadOnlyList<int>> sizes = plan.SizeBySize ? plan.Particles.Select(n => (IReadOnlyList<int>)new[] { n }) : new[] { plan.Particles };
             foreach (IReadOnlyList<int> particles in sizes)
             {
-                using (var sampler = new BenchSampler(shaders, plan.Blocks) { SampleMilliseconds = SampleMilliseconds })
+                using (var sampler = new BenchSampler(shaders, plan.Blocks, PictureSize) { SampleMilliseconds = SampleMilliseconds })
                 using (var run = new BenchTableRun(table, sampler, arguments, Progress) { Forecast = forecast, Session = session })
                     yield return run.Run(shaders, plan, particles);
             }

@@ -130,15 +130,25 @@ namespace SphFluid.Tests
                     yield return null;
                 }
             }
-            Assert.That(File.ReadAllLines(Path.Combine(folder, "thesis.csv")), Has.Length.EqualTo(1));
+            string table = Path.Combine(folder, "thesis.csv");
+            Assert.That(File.ReadAllLines(table), Has.Length.EqualTo(1));
             Assert.That(said, Has.Some.StartsWith("Stopped early."));
+
+            File.AppendAllText(table, "an older row\n");
+            using (BenchSession again = Create("--particles", "128", "--grids", "none"))
+                for (int i = 0; i < 200 && File.ReadAllLines(table).Length > 1; i++)
+                {
+                    Assert.That(again.Step(), Is.True);
+                    yield return null;
+                }
+            Assert.That(File.ReadAllLines(table), Has.Length.EqualTo(1), "what the same measurement wrote is replaced");
         }
 
         BenchSession Create(params string[] flags)
         {
             var words = new List<string> { "player", "--", "--no-sweep", "--out", folder };
             words.AddRange(flags);
-            return new BenchSession(BenchArguments.Parse(words), TestAssets.Water.Shaders, new SessionProgress(said.Add, null)) { SampleMilliseconds = 5.0 };
+            return new BenchSession(BenchArguments.Parse(words), TestAssets.Water.Shaders, new SessionProgress(said.Add, null)) { SampleMilliseconds = 2.0, PictureSize = new Vector2Int(64, 36) };
         }
     }
 }

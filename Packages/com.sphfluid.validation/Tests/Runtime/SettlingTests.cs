@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     public sealed class SettlingTests
     {
         const float FrameTime = 1f / 30f;
-        const float Seconds = 2f;
+        const float Seconds = 1.4f;
 
         SimulationRig rig;
 

@@ -19,7 +19,7 @@ namespace SphFluid.Tests
             foreach (CaseMethod method in CaseMethod.All.Where(m => m.Kind != FluidMethodKind.ThesisPrinted))
             {
                 StepCostRow row = null;
-                var work = new SessionWork(new StepCostRun(SessionAssets.PackageShaders) { LeastSeconds = 0.05 }.Run(new StepCostPoint(method, method.SupportRatio, 300), r => row = r));
+                var work = new SessionWork(new StepCostRun(SessionAssets.PackageShaders) { LeastSeconds = 0.01 }.Run(new StepCostPoint(method, method.SupportRatio, 300), r => row = r));
                 while (work.Step())
                     yield return null;
                 Assert.That(row.Steps, Is.GreaterThanOrEqualTo(12), method.Name);

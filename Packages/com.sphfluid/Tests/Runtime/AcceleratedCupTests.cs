@@ -24,12 +24,21 @@ namespace SphFluid.Tests
         [TearDown]
         public void TearDown() => rig.Dispose();
 
+        // Each pair of the values 0 and 1 of gravity, 1 and 9 of acceleration, with both modes of both methods.
+        static readonly (FluidMethodKind Method, FluidTimeStepMode Mode, float Gravity, float Acceleration)[] Cups =
+        {
+            (FluidMethodKind.Standard, FluidTimeStepMode.Automatic, 0f, 1f),
+            (FluidMethodKind.Standard, FluidTimeStepMode.Automatic, 1f, 9f),
+            (FluidMethodKind.Standard, FluidTimeStepMode.Adaptive, 0f, 9f),
+            (FluidMethodKind.Robust, FluidTimeStepMode.Automatic, 0f, 9f),
+            (FluidMethodKind.Robust, FluidTimeStepMode.Adaptive, 1f, 1f),
+        };
+
         [UnityTest]
         public IEnumerator ItIsAsStiffAsOneAtRest(
-            [Values(FluidMethodKind.Standard, FluidMethodKind.Robust)] FluidMethodKind method,
-            [Values(FluidTimeStepMode.Automatic, FluidTimeStepMode.Adaptive)] FluidTimeStepMode mode,
-            [Values(0f, 1f)] float gravity, [Values(1f, 9f)] float acceleration)
+            [ValueSource(nameof(Cups))] (FluidMethodKind Method, FluidTimeStepMode Mode, float Gravity, float Acceleration) given)
         {
+            (FluidMethodKind method, FluidTimeStepMode mode, float gravity, float acceleration) = given;
             var found = new List<(float height, float compression)>();
             foreach (bool moves in new[] { true, false })
             {

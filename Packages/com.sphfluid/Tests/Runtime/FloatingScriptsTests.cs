@@ -90,7 +90,7 @@ namespace SphFluid.Tests
             yield return Play(0.4f);
             var places = new List<Vector3>();
             var turns = new List<Quaternion>();
-            yield return Play(0.8f, () =>
+            yield return Play(0.5f, () =>
             {
                 places.Add(crate.transform.position);
                 turns.Add(crate.transform.rotation);
@@ -155,7 +155,7 @@ namespace SphFluid.Tests
         public IEnumerator InCalmWaterABodySleepsUntilTheBalanceChanges()
         {
             yield return Play(0.1f);
-            crate.sleepThreshold = 0.05f;
+            crate.sleepThreshold = 0.1f;
             float waited = 0f;
             while (!crate.IsSleeping() && waited < 8f)
             {
@@ -165,7 +165,7 @@ namespace SphFluid.Tests
 
             Vector3 place = crate.position;
             int awake = 0;
-            yield return Play(0.5f, () => awake += crate.IsSleeping() ? 0 : 1);
+            yield return Play(0.3f, () => awake += crate.IsSleeping() ? 0 : 1);
             Assert.That(waited, Is.LessThan(8f));
             Assert.That(awake, Is.Zero, "frames awake");
             Assert.That((crate.position - place).magnitude + OnTheGpu().Velocity.magnitude, Is.Zero);

@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     /// <summary>The component: what it costs when it is off, what it leaves of the liquid, and when it begins anew.</summary>
     public sealed class FluidWhitewaterTests
     {
-        const int Frames = 18;
+        const int Frames = 14;
 
         SimulationRig rig;
 

@@ -54,7 +54,7 @@ namespace SphFluid.Tests
             FluidWhitewater whitewater = simulation.gameObject.AddComponent<FluidWhitewater>();
             FluidDiagnostics diagnostics = simulation.gameObject.AddComponent<FluidDiagnostics>();
             diagnostics.Interval = 1;
-            for (int i = 0; i < 40; i++) yield return null;
+            for (int i = 0; i < 25; i++) yield return null;
             Assert.That(diagnostics.MeasurementCount, Is.GreaterThan(10));
             Assert.That(diagnostics.Statistics.MaxSpeed, Is.GreaterThan(1f));
             Assert.That(simulation.Messages.Where(m => m.Issue == FluidIssue.Diagnosis), Is.Empty);

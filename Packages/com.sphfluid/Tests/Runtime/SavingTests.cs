@@ -137,7 +137,7 @@ namespace SphFluid.Tests
             return stream.ToArray();
         }
 
-        IEnumerator CheckContinuation(Rigidbody crate, int before = 12, int after = 8)
+        IEnumerator CheckContinuation(Rigidbody crate, int before = 8, int after = 5)
         {
             yield return Play(before);
             byte[] save = Save();

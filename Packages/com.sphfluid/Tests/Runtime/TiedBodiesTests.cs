@@ -49,7 +49,7 @@ namespace SphFluid.Tests
             Add("Pebble", 0.5f * Spacing * Vector3.one, 0.5f, new Vector3(12f * Spacing, Level + Edge, 3f * Spacing));
             float[] heights = bodies.Select(b => b.position.y - Floor).ToArray(), fastest = new float[bodies.Count];
             LogAssert.Expect(LogType.Warning, new Regex("'Pebble': The body measures 0\\.03 x 0\\.03 x 0\\.03 m.*Particle Spacing of 0\\.06 m.*Use a Particle Spacing of 0\\.0"));
-            for (int frame = 0; frame < 24; frame++)
+            for (int frame = 0; frame < 18; frame++)
             {
                 for (int i = 0; i < 9; i++) Tie(bodies[i], bodies[i + 1]);
                 yield return null;

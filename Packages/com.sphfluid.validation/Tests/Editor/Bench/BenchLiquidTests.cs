@@ -71,7 +71,7 @@ namespace SphFluid.Tests
         {
             FluidShaderSet shaders = SurfaceTestScene.LoadShaders();
             using (var liquid = new BenchLiquid(shaders, BenchSolver.ThesisOctant, 512))
-            using (var drawing = new BenchDrawing(shaders))
+            using (var drawing = new BenchDrawing(shaders, new Vector2Int(320, 180)))
             {
                 GpuTest.Run(cmd => liquid.Solver.RecordNeighbourSetup(cmd));
                 GpuTest.Run(cmd => drawing.RecordParticles(cmd, liquid.Solver));

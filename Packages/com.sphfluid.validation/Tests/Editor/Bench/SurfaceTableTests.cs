@@ -75,7 +75,7 @@ namespace SphFluid.Tests
             const int count = 1009;
             FluidShaderSet shaders = SurfaceTestScene.LoadShaders();
             using (var liquid = new BenchLiquid(shaders, BenchSolver.ThesisOctant, count))
-            using (var drawing = new BenchDrawing(shaders))
+            using (var drawing = new BenchDrawing(shaders, new Vector2Int(320, 180)))
             using (var surface = new WhitewaterBenchSurface(shaders, BenchConfig.Whitewater, liquid.Solver))
             {
                 while (!surface.HasCapacity)
@@ -97,7 +97,7 @@ namespace SphFluid.Tests
             const int cells = 13;
             FluidShaderSet shaders = SurfaceTestScene.LoadShaders();
             using (var liquid = new BenchLiquid(shaders, BenchSolver.ThesisOctant, 1009))
-            using (var drawing = new BenchDrawing(shaders))
+            using (var drawing = new BenchDrawing(shaders, new Vector2Int(320, 180)))
             using (var surface = new DenseBenchSurface(shaders, cells))
             using (var field = new SurfaceField(shaders, BenchLiquid.SurfaceGrid(cells)))
             using (var twin = new SurfacePolygoniser(shaders))
@@ -121,7 +121,7 @@ namespace SphFluid.Tests
             if (MeasuredGeometrySurface.MissingSupport() != null)
                 Assert.Ignore(MeasuredGeometrySurface.MissingSupport());
             using (var liquid = new BenchLiquid(shaders, BenchSolver.ThesisOctant, 1009))
-            using (var drawing = new BenchDrawing(shaders))
+            using (var drawing = new BenchDrawing(shaders, new Vector2Int(320, 180)))
             {
                 Color[][] pictures = Surfaces(shaders, liquid.Solver.Settings, 17).Select(s => Picture(s, liquid.Solver, drawing)).ToArray();
 
@@ -136,7 +136,7 @@ namespace SphFluid.Tests
         {
             FluidShaderSet shaders = SurfaceTestScene.LoadShaders();
             using (var liquid = new BenchLiquid(shaders, BenchSolver.ThesisOctant, 1009))
-            using (var drawing = new BenchDrawing(shaders))
+            using (var drawing = new BenchDrawing(shaders, new Vector2Int(320, 180)))
             {
                 Color[][] pictures = new[] { FluidWaterQuality.Fast, FluidWaterQuality.Balanced, FluidWaterQuality.Fine }
                     .Select(quality => BenchConfig.WaterSurface(new BenchWaterLook(quality, 0)))

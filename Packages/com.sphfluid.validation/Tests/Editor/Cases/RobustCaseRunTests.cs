@@ -20,7 +20,7 @@ namespace SphFluid.Tests
         {
             var column = new HydrostaticCase();
             CaseSetup setup = column.Build(Coarse(column, 10));
-            HydrostaticMetric metric = WallCaseRig.Shorter(setup, 4.0, 7.0);
+            HydrostaticMetric metric = WallCaseRig.Shorter(setup, 3.0, 5.0);
             Assert.That(WallCaseRig.Run(column.Name, setup, metric, SurfaceTestScene.LoadShaders()).Failure, Is.Null);
             Assert.That(WallCaseStates.Named(metric, HydrostaticMetric.ErrorName), Is.LessThan(0.05));
             Assert.That(WallCaseStates.Named(metric, HydrostaticMetric.FaceName), Is.EqualTo(1).Within(0.1));

@@ -38,7 +38,7 @@ namespace SphFluid.Tests
         public void MarinsGaugesSeeTheWater()
         {
             var marin = new MarinCase();
-            Run(marin, Coarse(marin, 6), out CaseMetric metric);
+            Run(marin, Coarse(marin, 5), out CaseMetric metric);
             foreach (CaseError error in metric.Evaluate())
             {
                 if (error.Name.StartsWith("height at"))
@@ -82,7 +82,7 @@ namespace SphFluid.Tests
             var sloshing = new SloshingCase();
             CaseParameters parameters = Coarse(sloshing, 6);
             CaseSetup setup = sloshing.Build(parameters);
-            setup.Duration = 3.0; // the block has fallen over, run up the other wall and come back
+            setup.Duration = 2.4; // the block has fallen over, run up the other wall and come back
             CaseMetric metric = sloshing.CreateMetric(parameters, setup);
             CaseResult result = WallCaseRig.Run(sloshing.Name, setup, metric, SurfaceTestScene.LoadShaders());
             Assert.That(result.Failure, Is.Null);

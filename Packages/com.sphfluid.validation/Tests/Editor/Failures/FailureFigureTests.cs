@@ -40,8 +40,11 @@ namespace SphFluid.Tests
         {
             FailureExperiment around = StepFailures.TimeStep(1.42, 1.33);
             around.Failing.Steps = around.Cured.Steps = 60;
-            Assert.That(around.Run(false, shaders).Figure, Is.GreaterThan(0.2), "dt √k/R = 1.42");
-            Assert.That(around.Run(true, shaders).Figure, Is.LessThan(1e-3), "1.33");
+            FailureResult beyond = around.Run(false, shaders), cured = around.Run(true, shaders);
+            Assert.That(beyond.Names(around.Failure), beyond.Named);
+            Assert.That(cured.Names(around.Failure), Is.False, cured.Named);
+            Assert.That(beyond.Figure, Is.GreaterThan(0.2), "dt √k/R = 1.42");
+            Assert.That(cured.Figure, Is.LessThan(1e-3), "1.33");
         }
 
         [Test]

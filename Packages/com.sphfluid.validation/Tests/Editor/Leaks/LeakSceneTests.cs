@@ -36,26 +36,22 @@ namespace SphFluid.Tests
         }
 
         [TestCase("cup", 5.0, 12)]
-        [TestCase("cup", 150.0, 4)]
-        [TestCase("open-cup", 20.0, 8)]
-        [TestCase("funnel", 0.0, 24)]
-        [TestCase("bunny", 0.0, 8)]
-        [TestCase("bunny-turned", 0.0, 5)]
-        [TestCase("knife", 10.0, 9)]
-        [TestCase("vertex", 10.0, 9)]
+        [TestCase("cup", 150.0, 3)]
+        [TestCase("funnel", 0.0, 16)]
+        [TestCase("bunny", 0.0, 6)]
+        [TestCase("knife", 10.0, 7)]
         [TestCase("wall", 3.0, 15)]
-        [TestCase("sizes", 5.0, 4)]
+        [TestCase("sizes", 5.0, 3)]
         [TestCase("coplanar", 5.0, 5)]
-        [TestCase("pulse-25", 1.885, 12)]
         [TestCase("pulse-50", 3.77, 12)]
-        [TestCase("uneven-50", 3.77, 12)]
-        [TestCase("spin", 10.0, 14)]
+        [TestCase("uneven-50", 3.77, 8)]
+        [TestCase("spin", 10.0, 10)]
         [TestCase("shear", 3.016, 18)]
         [TestCase("grow", 1.0, 7)]
         [TestCase("afloat", 2.0, 5)]
-        [TestCase("waved", 2.0, 3)]
-        [TestCase("wrung", 1.0, 3)]
-        [TestCase("wheel", 20.0, 7)]
+        [TestCase("waved", 2.0, 2)]
+        [TestCase("wrung", 1.0, 2)]
+        [TestCase("wheel", 20.0, 5)]
         public void NothingLeaks(string name, double speed, int frames)
         {
             LeakScene scene = LeakSceneEntry.Find(name).Build(speed);
@@ -70,8 +66,8 @@ namespace SphFluid.Tests
             Assert.That(result.Counters.Overlaps, Is.Zero);
         }
 
-        [TestCase("bumped", 10.0, 8)]
-        [TestCase("pressed", 10.0, 8)]
+        [TestCase("bumped", 10.0, 6)]
+        [TestCase("pressed", 10.0, 6)]
         public void WhereNoPlaceIsLeftEveryEscapeIsNamed(string name, double speed, int frames)
         {
             LeakScene scene = LeakSceneEntry.Find(name).Build(speed);
@@ -90,7 +86,7 @@ namespace SphFluid.Tests
         public void LiquidInACupRestsHalfASpacingFromItsWalls()
         {
             LeakScene scene = LeakSceneEntry.Find("still-cup").Build(0.0);
-            scene.Frames = 45;
+            scene.Frames = 32;
 
             LeakResult result = Play(scene);
 
@@ -106,7 +102,7 @@ namespace SphFluid.Tests
         public void ASheetKeepsFlowAndRestApart()
         {
             LeakScene scene = LeakSceneEntry.Find("two-sided").Build(2.0);
-            scene.Frames = 7;
+            scene.Frames = 4;
 
             LeakResult result = Play(scene);
 
@@ -116,12 +112,10 @@ namespace SphFluid.Tests
         }
 
         [TestCase("cup", 5.0, 6, 0.1)]
-        [TestCase("open-cup", 5.0, 6, 0.1)]
-        [TestCase("coplanar", 5.0, 6, 0.1)]
         [TestCase("pulse-50", 3.77, 12, 0.1)]
         [TestCase("grow", 1.0, 7, 0.08)]
-        [TestCase("waved", 2.0, 4, 0.08)]
-        [TestCase("wrung", 1.0, 4, 0.04)]
+        [TestCase("waved", 2.0, 3, 0.05)]
+        [TestCase("wrung", 1.0, 3, 0.02)]
         [TestCase("pressed", 10.0, 8, 0.05)]
         public void TheDetectorsSeeWhatGoesThrough(string name, double speed, int frames, double share)
         {

@@ -24,7 +24,7 @@ namespace SphFluid.Tests
             PySph program = FindOrIgnore();
             PeerPoint point = PeerRig.Point("hydrostatic", 10);
             CaseSetup setup = point.Setup;
-            (setup.Duration, setup.SampleInterval) = (0.05, 0.02);
+            (setup.Duration, setup.SampleInterval) = (0.025, 0.01);
             using (var folder = new PeerFolder())
             {
                 folder.Write(point);
@@ -37,11 +37,11 @@ namespace SphFluid.Tests
                 Assert.That(facts.End, Is.EqualTo(setup.Duration).Within(1e-6));
                 Assert.That(facts.Steps, Is.GreaterThan(10));
                 Assert.That(facts.BoundaryParticles, Is.EqualTo(2 * 6 * 8 * 8), "six layers below and above");
-                Assert.That(samples.Select(s => s.Time), Is.EqualTo(new[] { 0.0, 0.02, 0.04, 0.05 }).Within(facts.TimeStep));
+                Assert.That(samples.Select(s => s.Time), Is.EqualTo(new[] { 0.0, 0.01, 0.02, 0.025 }).Within(facts.TimeStep));
                 FluidSnapshot first = samples[0].State, last = samples[3].State;
                 Assert.That(first.LocalPositions, Is.EqualTo(setup.Particles.Select(p => p.Position)), "the case's own particles, by id");
                 Assert.That(last.LocalPositions, Is.Not.EqualTo(first.LocalPositions));
-                float fastest = last.Velocities.Max(v => v.magnitude), fall = 9.81f * 0.05f;
+                float fastest = last.Velocities.Max(v => v.magnitude), fall = 9.81f * 0.025f;
                 Assert.That(fastest, Is.LessThan(0.5f * fall), "the floor bears it");
                 float[] lowest = last.LocalPositions.Zip(last.Pressures, (p, pressure) => (p.y, pressure)).OrderBy(p => p.y).Take(64).Select(p => p.pressure).ToArray();
                 Assert.That(lowest.Average(), Is.EqualTo(9810.0 * 0.95).Within(200.0), "pressure of the lowest layer, half a spacing above the floor");

@@ -28,7 +28,7 @@ namespace SphFluid.Tests
 
         // Tolerances as in GpuAgainstCpuTests: a rounding of a position a step, and paths that part after many.
         [TestCase(1, 4e-6)]
-        [TestCase(15, 5e-4)]
+        [TestCase(8, 5e-4)]
         public void PositionsAgree(int steps, double tolerance)
         {
             foreach (Feature feature in Enum.GetValues(typeof(Feature)))

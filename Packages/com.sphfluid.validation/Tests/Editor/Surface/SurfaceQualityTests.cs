@@ -97,7 +97,7 @@ namespace SphFluid.Tests
         [Test]
         public void ASettledPoolIsFlatAndStill()
         {
-            SurfaceQuality quality = Measure(Solved(SolvedStates.Settled(scale, new Vector3Int(12, 5, 12)), 6));
+            SurfaceQuality quality = Measure(Solved(SolvedStates.Settled(scale, new Vector3Int(12, 5, 12)), 4));
 
             AssertClosed(quality);
             Assert.That(quality.Volume, Is.EqualTo(1.0).Within(0.05));
@@ -108,7 +108,7 @@ namespace SphFluid.Tests
         [Test]
         public void ADamBreakIsClosedAndDoesNotFlicker()
         {
-            SurfaceQuality quality = Measure(Solved(SolvedStates.DamBreak(scale), 6));
+            SurfaceQuality quality = Measure(Solved(SolvedStates.DamBreak(scale), 4));
 
             AssertClosed(quality);
             Assert.That(quality.Flicker, Is.LessThan(0.4), "the motion itself has 0.2 to 0.3");

@@ -75,16 +75,6 @@ namespace SphFluid.Tests
         }
 
         [Test]
-        public void TheHalfDoublesThePressureThatCarriesAColumn()
-        {
-            // WallCaseRunTests has both slopes at rest.
-            Run(SwitchCatalogue.PressureHalf(), 0.2f, out SwitchResult full, out SwitchResult half);
-            Assert.That(full.PressureSlope, Is.EqualTo(1.0).Within(0.3), "dp/dz over ρ g without the ½, k = c², while it still swings");
-            Assert.That(half.PressureSlope, Is.EqualTo(2.0 * full.PressureSlope).Within(0.02), "with it, k = 2 c²");
-            Assert.That(half.MeanHeight, Is.EqualTo(full.MeanHeight).Within(0.01 * full.MeanHeight), "the same column");
-        }
-
-        [Test]
         public void TheHalfWithoutDoubledStiffnessHalvesTheForce()
         {
             FluidSolverSettings settings = TestSettings.ByRule(Vector3.one, 0.05f);
@@ -108,7 +98,7 @@ namespace SphFluid.Tests
         [Test]
         public void WithoutItselfAParticleFindsTooLittleAndTheColumnShrinks()
         {
-            Assert.That(Printed(SwitchCatalogue.SelfDensity(), 0.5f).MeanHeight, Is.LessThan(0.9 * Column(SwitchCatalogue.SelfDensity()).MeanHeight));
+            Assert.That(Printed(SwitchCatalogue.SelfDensity(), 0.35f).MeanHeight, Is.LessThan(0.9 * Column(SwitchCatalogue.SelfDensity()).MeanHeight));
         }
 
         [Test]
@@ -124,7 +114,7 @@ namespace SphFluid.Tests
         [Test]
         public void WithoutTheClampASheetDrawsItselfIntoClumps()
         {
-            Run(SwitchCatalogue.PressureClamp(), 0.2f, out SwitchResult corrected, out SwitchResult printed);
+            Run(SwitchCatalogue.PressureClamp(), 0.15f, out SwitchResult corrected, out SwitchResult printed);
             Assert.That(corrected.Clumped(0.5f), Is.Zero);
             Assert.That(corrected.Pressure.Min(), Is.Zero);
             Assert.That(printed.Clumped(0.5f), Is.GreaterThan(0.3));
@@ -170,8 +160,10 @@ namespace SphFluid.Tests
         [Test]
         public void TheWholePrintedTextDoesNotMakeALiquid()
         {
-            Run(SwitchCatalogue.AllPrinted(), 0.15f, out SwitchResult corrected, out SwitchResult printed);
-            Assert.That(printed.MeanHeight, Is.LessThan(0.5 * corrected.MeanHeight));
+            // The corrected method leaves 0.6 of the height by then.
+            SwitchExperiment experiment = SwitchCatalogue.AllPrinted();
+            float start = experiment.Start.Average(p => p.Position.y) + 0.5f * experiment.Printed.DomainSize.y;
+            Assert.That(Printed(experiment, 0.15f).MeanHeight, Is.LessThan(0.35 * start));
         }
 
         static FluidParticle[] Pair() => ParticleSets.Lattice(new Vector3Int(2, 1, 1), 0.05f, 0f, 1);

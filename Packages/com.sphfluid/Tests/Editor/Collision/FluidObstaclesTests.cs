@@ -84,7 +84,6 @@ namespace SphFluid.Tests
 
 #if SPHFLUID_TERRAIN
         [TestCase(FluidMethodKind.Standard)]
-        [TestCase(FluidMethodKind.Thesis)]
         public void TerrainHoldsFallingLiquidExceptWhereItHasAHole(FluidMethodKind method)
         {
             var holder = new GameObject("Ground") { hideFlags = HideFlags.HideAndDontSave };

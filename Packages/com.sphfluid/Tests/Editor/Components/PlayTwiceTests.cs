@@ -12,7 +12,7 @@ namespace SphFluid.Tests
     /// <summary>Play mode without a domain reload: a second play begins with the statics of the first, and goes as the first did.</summary>
     public sealed class PlayTwiceTests
     {
-        const int Frames = 5;
+        const int Frames = 3;
 
         static readonly List<string> Planted = new List<string>();
 

@@ -51,7 +51,7 @@ namespace SphFluid.Tests
                 {
                     for (int batch = 1; batch <= 3; batch++)
                     {
-                        GpuTest.Run(cmd => solver.RecordSteps(cmd, 110));
+                        GpuTest.Run(cmd => solver.RecordSteps(cmd, 55));
                         FluidParticle p = GpuTest.Read<FluidParticle>(solver.Particles, 1)[0];
                         Assert.That(p.Position.x - Centre.x, Is.EqualTo(0.5 * Math.Cos(3.0 * solver.SimulatedTime)).Within(2e-5));
                         Assert.That(p.Position.y, Is.EqualTo(Centre.y).Within(1e-6));

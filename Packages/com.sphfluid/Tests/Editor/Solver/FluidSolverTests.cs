@@ -21,8 +21,8 @@ namespace SphFluid.Tests
         [Test]
         public void SameStartGivesTheSameBits()
         {
-            FluidParticle[] first = Run(TestSettings.ByRule(Domain, 0.025f), Block(), 60);
-            FluidParticle[] second = Run(TestSettings.ByRule(Domain, 0.025f), Block(), 60);
+            FluidParticle[] first = Run(TestSettings.ByRule(Domain, 0.025f), Block(), 30);
+            FluidParticle[] second = Run(TestSettings.ByRule(Domain, 0.025f), Block(), 30);
             Assert.That(second.SequenceEqual(first), Is.True);
         }
 
@@ -134,7 +134,7 @@ namespace SphFluid.Tests
             FluidParticle[] block = ParticleSets.Lattice(new Vector3Int(8, 8, 8), 0.04f, 1e-4f, 2);
             using (var solver = new FluidSolver(settings, shaders, block))
             {
-                int steps = (int)(1.2f / settings.TimeStep);
+                int steps = (int)(0.9f / settings.TimeStep);
                 for (int done = 0; done < steps; done += 100)
                 {
                     GpuTest.Run(cmd => solver.RecordSteps(cmd, 100));

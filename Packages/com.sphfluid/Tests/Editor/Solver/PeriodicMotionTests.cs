@@ -85,7 +85,7 @@ namespace SphFluid.Tests
                 start[i].VelT0 = new Vector3(0.7f, -0.3f, 0.2f) + ParticleSets.RandomVector(random);
             }
 
-            FluidParticle[] end = Run(settings, start, 60, out FluidCounters counters);
+            FluidParticle[] end = Run(settings, start, 40, out FluidCounters counters);
             Double3 before = Momentum(start, out double size);
             Double3 drift = Momentum(end, out _) - before;
             TestContext.WriteLine($"drift {drift.Length / size:E1}");

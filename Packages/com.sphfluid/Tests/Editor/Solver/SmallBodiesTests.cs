@@ -29,7 +29,7 @@ namespace SphFluid.Tests
 
         [TestCase(FluidMethodKind.Standard)]
         [TestCase(FluidMethodKind.Robust)]
-        public void NoneIsShotAway(FluidMethodKind method) => Check(method, 12, new[] { 0.1f, 1.5f }, new[] { 100f, 8000f });
+        public void NoneIsShotAway(FluidMethodKind method) => Check(method, 9, new[] { 0.1f, 1.5f }, new[] { 100f, 8000f });
 
         [TestCase(FluidMethodKind.Standard)]
         [TestCase(FluidMethodKind.Robust)]

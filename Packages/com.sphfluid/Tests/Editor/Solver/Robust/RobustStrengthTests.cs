@@ -17,7 +17,7 @@ namespace SphFluid.Tests
             {
                 double start = block.Energy(), most = 0.0;
                 float fastest = 4f;
-                for (int frame = 0; frame < 100; frame++)
+                for (int frame = 0; frame < 80; frame++)
                 {
                     block.Solver.PeakSpeed = fastest;
                     block.Frame(substeps, Frame / substeps);

@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     public sealed class ContactShotTests
     {
         const float Spacing = 0.01f;
-        const int Shots = 4099;
+        const int Shots = 1999;
 
         // Triangles round a centre: soups with needles, flat pieces, duplicates and turned copies, fans, cut patches.
         internal static List<Vector3> Scene(int kind, Vector3 centre, System.Random random)

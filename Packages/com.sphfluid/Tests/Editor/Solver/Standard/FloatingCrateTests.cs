@@ -8,8 +8,7 @@ namespace SphFluid.Tests
     {
         // Three halves as wide as high, let go a little above its draught and tilted.
         // Any force that is a frame late makes the light one diverge: it carries three times its mass of water along.
-        [TestCase(0.1f)]
-        [TestCase(0.5f)]
+        [TestCase(0.1f)] // FloatingRigidbodyTests has a heavier one
         public void ACrateFloatsUprightAsDeepAsItIsHeavy(float ratio)
         {
             using (var tank = new FloatingTank(0.06f, 13, 9, 0.3f * new Vector3(1.5f, 1f, 1.5f), ratio, 0.3f * (0.55f - ratio), Quaternion.Euler(5f, 0f, 3f)))

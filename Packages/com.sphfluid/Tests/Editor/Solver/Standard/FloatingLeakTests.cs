@@ -43,14 +43,13 @@ namespace SphFluid.Tests
         // Kicked hard, the boxes hit each other and the faces of the domain, and liquid between them has no place.
         // The heavy one has no weight: it would go through the floor, which holds liquid only, and press what is inside against it.
         [TestCase(0.2f, 1, 2f)]
-        [TestCase(5f, 3, 2f)]
         [TestCase(5f, 4, 5f)]
         public void NothingCrossesTheWallOfABoxThatIsKickedAndSpun(float ratio, int seed, float kick)
         {
-            var domain = new Vector3(28, 22, 12) * Spacing;
+            var domain = new Vector3(28, 20, 12) * Spacing;
             FluidSolverSettings settings = BodyRig.Water(domain, Spacing, 12 * Spacing, 5f);
             FloatingPose[] poses = { new FloatingPose(new Vector3(-0.2f, -0.1f, 0f), Quaternion.Euler(10f, 20f, 0f)), new FloatingPose(new Vector3(0.2f, -0.1f, 0f), Quaternion.Euler(0f, -30f, 15f)) };
-            FluidParticle[] water = FloatingRig.Block(new Vector3Int(28, 13, 12), Spacing, -0.5f * domain)
+            FluidParticle[] water = FloatingRig.Block(new Vector3Int(28, 11, 12), Spacing, -0.5f * domain)
                 .Where(p => poses.All(pose => IsFree(p.Position, pose))).ToArray();
             for (int i = 0; i < water.Length; i++) water[i].Id = (uint)i;
             using (var rig = new FloatingRig(settings, water))

@@ -23,12 +23,12 @@ namespace SphFluid.Tests
         static void Check(double settling, double mean)
         {
             // The last two spacings along x are a mesh's, the box is five wide.
-            var domain = Spacing * new Vector3(20f, Deep + 4f, 14f);
+            var domain = Spacing * new Vector3(20f, Deep + 3f, 12f);
             FluidSolverSettings settings = BodyRig.Water(domain, Spacing, Deep * Spacing);
             settings.Viscosity = 0.01f; // comes to rest soon
             Vector3 box = 5f * Spacing * Vector3.one, centre = new Vector3(-Spacing, -0.5f * domain.y + 6.5f * Spacing, 0f);
             Vector3 clear = 0.5f * box + 0.4f * Spacing * Vector3.one;
-            FluidParticle[] water = WallForceRig.Block(new Vector3Int(18, Deep, 14), Spacing, -0.5f * domain, Vector3.zero)
+            FluidParticle[] water = WallForceRig.Block(new Vector3Int(18, Deep, 12), Spacing, -0.5f * domain, Vector3.zero)
                 .Where(p => Mathf.Abs(p.Position.x - centre.x) > clear.x || Mathf.Abs(p.Position.y - centre.y) > clear.y || Mathf.Abs(p.Position.z) > clear.z).ToArray();
             for (int i = 0; i < water.Length; i++) water[i].Id = (uint)i;
             using (var rig = new WallForceRig(settings, water))

@@ -145,7 +145,7 @@ namespace SphFluid.Tests
                 using (var film = new Film(0.1f, friction, true))
                 {
                     double top = film.NoSlip(film.Floor + Film.Layers * Spacing);
-                    film.Steps(250);
+                    film.Steps(150);
                     return film.SpeedAtTheFloor() / top;
                 }
             }

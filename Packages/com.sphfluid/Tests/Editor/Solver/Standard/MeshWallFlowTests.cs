@@ -48,7 +48,7 @@ namespace SphFluid.Tests
                 }
                 rig.Start(start);
                 double least = double.PositiveInfinity, gained = 0.0;
-                for (int part = 0; part < 24; part++)
+                for (int part = 0; part < 16; part++)
                 {
                     rig.Frame((int)(0.5 * Math.Sqrt(depth / gravity) / settings.TimeStep));
                     double energy = rig.Particles().Average(p => 0.5 * p.VelT0.sqrMagnitude + gravity * (p.Position.y + 0.5 * size.y));
@@ -72,7 +72,6 @@ namespace SphFluid.Tests
         }
 
         [TestCase(0.1f, false)]
-        [TestCase(1f, false)]
         [TestCase(2f, false)]
         [TestCase(1f, true)]
         public void AShakenBoxLosesNothing(float spacingsPerStep, bool turns)
@@ -85,7 +84,7 @@ namespace SphFluid.Tests
             {
                 Transform box = rig.AddBox(size);
                 rig.Start(Block(new Vector3Int(8, 8, 8), -4f * Spacing * Vector3.one));
-                for (int step = 1; step <= 120; step++)
+                for (int step = 1; step <= 80; step++)
                 {
                     float phase = 2f * Mathf.PI * step / period;
                     box.position = turns ? Vector3.zero : reach * new Vector3(Mathf.Sin(phase), 0.3f * Mathf.Sin(2f * phase), 0f);

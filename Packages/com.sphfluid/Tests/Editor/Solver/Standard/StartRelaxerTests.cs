@@ -9,7 +9,7 @@ namespace SphFluid.Tests
     public sealed class StartRelaxerTests
     {
         const float Spacing = 0.025f, Depth = 0.15f;
-        static readonly Vector3 Domain = new Vector3(0.25f, 0.3f, 0.2f);
+        static readonly Vector3 Domain = new Vector3(0.2f, 0.25f, 0.2f);
 
         FluidShaderSet shaders;
 

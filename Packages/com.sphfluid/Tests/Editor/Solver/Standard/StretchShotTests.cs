@@ -15,11 +15,9 @@ namespace SphFluid.Tests
         // Fans near the origin, soups and patches two metres off it, where floats are coarser.
         [TestCase(0f, 1, false)]
         [TestCase(0f, 1, true)]
-        [TestCase(2f, 0, false)]
         [TestCase(2f, 0, true)]
-        [TestCase(2f, 2, false)]
         [TestCase(2f, 2, true)]
-        public void NoShotCrosses(float offset, int kind, bool deforms) => Shoot(offset, kind, deforms, 2048);
+        public void NoShotCrosses(float offset, int kind, bool deforms) => Shoot(offset, kind, deforms, 1024);
 
         [Test]
         [Explicit("Four times as many shots: a minute.")]

@@ -29,8 +29,6 @@ namespace SphFluid.Tests
         [TestCase(10007)]
         [TestCase(65536)]
         [TestCase(65537)]
-        [TestCase(131071)]
-        [TestCase(262144)]
         [TestCase(262145)]
         public void ResultIsTheSamePairsInOrder(int count)
         {
@@ -38,6 +36,7 @@ namespace SphFluid.Tests
         }
 
         [Test]
+        [Explicit("A million pairs: with fewer, strips reach all distances but one.")]
         public void TwoDistancesThatNoStripReaches()
         {
             CheckSort(SortPairs.Random(1024 * 1024, 150000));

@@ -11,7 +11,7 @@ namespace SphFluid.Tests
     public sealed class BlockMarkingTests
     {
         const float Spacing = 0.05f;
-        static readonly Vector3Int Lattice = new Vector3Int(24, 20, 16);
+        static readonly Vector3Int Lattice = new Vector3Int(20, 16, 14);
         static readonly Vector3 Domain = Spacing * (Vector3)Lattice;
 
         static readonly string[] States = { "pool", "splash", "film", "drops", "coincident", "full", "bubbles" };

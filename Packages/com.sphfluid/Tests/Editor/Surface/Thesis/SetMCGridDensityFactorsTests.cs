@@ -18,7 +18,6 @@ namespace SphFluid.Tests
 
         [TestCase(SurfaceGridSize.Cells32, true)]
         [TestCase(SurfaceGridSize.Cells32, false)]
-        [TestCase(SurfaceGridSize.Cells64, true)]
         [TestCase(SurfaceGridSize.Cells32, true, false)]
         [TestCase(SurfaceGridSize.Cells32, true, true, FluidAxes.X | FluidAxes.Z)]
         [TestCase(SurfaceGridSize.Cells32, true, false, FluidAxes.X | FluidAxes.Y)]

@@ -15,7 +15,7 @@ namespace SphFluid.Tests
         const float Spacing = 3e-4f, Tension = 0.0728f, Density = 1000f, Gravity = 9.81f;
 
         // In spacings. Water stands Level high at first, and the plate's lower edge is Edge above the floor.
-        const int Narrow = 8, Plate = 3, Wide = 16, Level = 10, Edge = 3, Top = 18, Slab = 7;
+        const int Narrow = 8, Plate = 3, Wide = 16, Level = 8, Edge = 3, Top = 14, Slab = 7;
 
         // Of the column that swings between both slots, with an allowance for what moves below the plate.
         static readonly double period = 2.0 * Math.PI * Math.Sqrt(1.5 * Level * Spacing / (Gravity * (1.0 + Narrow / (double)Wide)));

@@ -24,7 +24,7 @@ namespace SphFluid.Tests
             {
                 var samples = new List<(double Time, double Length)> { (0.0, Lengthening(start)) };
                 int parts = Math.Max(1, (int)(LambPeriod / 40.0 / settings.TimeStep));
-                while (rig.Solver.SimulatedTime < 1.5 * LambPeriod)
+                while (rig.Solver.SimulatedTime < 1.3 * LambPeriod)
                 {
                     rig.Steps(parts);
                     samples.Add((rig.Solver.SimulatedTime, Lengthening(rig.Particles())));
@@ -49,7 +49,7 @@ namespace SphFluid.Tests
             double expected = Spacing * Math.Pow(cube.Length * 3.0 / (4.0 * Math.PI), 1.0 / 3.0);
             using (var rig = new StandardRig(settings, cube))
             {
-                Settle(rig, 2.0 * LambPeriod);
+                Settle(rig, 1.4 * LambPeriod);
                 FluidParticle[] end = rig.Particles();
                 Vector3 centre = Mean(end);
                 double radius = Math.Sqrt(5.0 / 3.0 * end.Average(p => (double)(p.Position - centre).sqrMagnitude));
