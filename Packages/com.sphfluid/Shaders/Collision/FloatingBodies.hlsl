@@ -9,7 +9,10 @@
 #define BODY_NUMBER_BITS 10u
 #define BODY_NUMBER_MASK 1023u
 
-#define FLOATING_SEEDS 1u // bit of Flags: the state begins anew at the pose and the velocities of the input
+// Bits of Flags.
+#define FLOATING_SEEDS 1u  // the state begins anew at the pose and the velocities of the input
+#define FLOATING_JOINED 2u // it rests on others, or they on it, and all move as one rigid body
+#define FLOATING_LEADS 4u  // the first of those
 
 // Mirrored by FloatingState; 96 bytes. Velocities lie between the steps, as those of the particles do.
 struct FloatingState
@@ -52,9 +55,9 @@ struct FloatingInput
     float3 PushAngularVelocity; // rad/s
     float TurnsPerMetre; // 1/m: of these, for angular velocities
     float3 PushDisplacement; // m
-    float Unused5;
+    uint Next;          // number of the next body that moves with it as one; 0: none
     float3 PushRotation; // rad, as a vector
-    float Unused6;
+    float Unused5;
 };
 
 // A collider of a body, where its triangles rest in the body's frame. Mirrored by FloatingPart; 32 bytes.

@@ -30,6 +30,7 @@ namespace SphFluid
         readonly List<FloatingBody> slots = new List<FloatingBody>();
         readonly List<BodyMotion> attached = new List<BodyMotion>();
         readonly Dictionary<BodyMotion, (FloatingPart part, Bounds box)> rests = new Dictionary<BodyMotion, (FloatingPart, Bounds)>();
+        readonly Dictionary<int, int> joined = new Dictionary<int, int>(); // by stack: number of its first body
         readonly List<FluidMessage> messages = new List<FluidMessage>();
         readonly HashSet<FloatingBody> present = new HashSet<FloatingBody>();
         FloatingInput[] inputs = Array.Empty<FloatingInput>();
@@ -62,6 +63,9 @@ namespace SphFluid
 
         /// <summary>Whether the next dispatch is the first of a frame.</summary>
         public bool Begins { get; set; }
+
+        /// <summary>Whether bodies move as one.</summary>
+        public bool Joins => joined.Count > 0;
 
         /// <summary>Bodies that found no number.</summary>
         public int LeftOut { get; private set; }
@@ -238,11 +242,28 @@ namespace SphFluid
                 }
 
                 inputs[s].PartCount = first - inputs[s].FirstPart;
-                if (least.Bound(ref inputs[s], (box ?? default).size) && slots[s].TryName())
+                if (least.Bound(ref inputs[s], (box ?? default).size, slots[s].Stack == 0 ? slots[s].Mass.Mass : slots[s].StackMass) && slots[s].TryName())
                     messages.Add(least.Message(source, (box ?? default).size, slots[s].Mass.Mass));
             }
 
             if (rests.Count > attached.Count) Forget();
+            Join();
+        }
+
+        // From the last to the first, each with the number of the next.
+        void Join()
+        {
+            joined.Clear();
+            for (int s = slots.Count - 1; s >= 0; s--)
+            {
+                if (slots[s] == null || slots[s].Stack == 0) continue;
+                joined.TryGetValue(slots[s].Stack, out int next);
+                inputs[s].Next = (uint)next;
+                inputs[s].Flags |= FloatingInput.Joined;
+                joined[slots[s].Stack] = s + 1;
+            }
+
+            foreach (int first in joined.Values) inputs[first - 1].Flags |= FloatingInput.Leads;
         }
 
         (FloatingPart part, Bounds box) Rest(BodyMotion motion, in FloatingPose pose)

@@ -30,6 +30,12 @@ namespace SphFluid
         /// <summary>Angular velocity that its owner has now [rad/s].</summary>
         public Vector3 AngularVelocity { get; set; }
 
+        /// <summary>Number of the stack of bodies with which it moves as one; 0: it moves alone.</summary>
+        public int Stack { get; set; }
+
+        /// <summary>Mass of that stack [kg].</summary>
+        public float StackMass { get; set; }
+
         /// <summary>Number of its last seed, unlike that of any other body's; 0 before the first frame.</summary>
         public uint Epoch { get; private set; }
 

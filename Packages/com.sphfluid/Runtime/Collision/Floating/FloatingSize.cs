@@ -32,10 +32,11 @@ namespace SphFluid
         /// <summary>Bounds what a body takes of the liquid's impulses.</summary>
         /// <param name="input">The body.</param>
         /// <param name="size">Edges of the box about its colliders [m].</param>
+        /// <param name="mass">Its mass with that of all that moves with it as one [kg].</param>
         /// <returns>Whether it is below the least.</returns>
-        public bool Bound(ref FloatingInput input, Vector3 size)
+        public bool Bound(ref FloatingInput input, Vector3 size, float mass)
         {
-            bool isSmall = input.InverseMass > 0f && IsSmall(size, 1f / input.InverseMass, spacing);
+            bool isSmall = input.InverseMass > 0f && IsSmall(size, mass, spacing);
             input.MostPull = isSmall ? pull : 1e30f;
             input.MostSpeed = isSmall ? speed : 2f * speed;
             input.TurnsPerMetre = 2f / spacing;

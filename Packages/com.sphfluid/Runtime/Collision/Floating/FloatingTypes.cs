@@ -33,6 +33,9 @@ namespace SphFluid
         /// <summary>Bit of <see cref="Flags"/>: the state begins anew at this pose and these velocities.</summary>
         public const uint Seeds = 1u;
 
+        /// <summary>Bits of <see cref="Flags"/>: it moves as one with others that it rests on or that rest on it; it is the first of them.</summary>
+        public const uint Joined = 2u, Leads = 4u;
+
         public Quaternion Rotation;
         public Vector3 Centre;
         public uint Epoch;
@@ -55,9 +58,9 @@ namespace SphFluid
         public Vector3 PushAngularVelocity;
         public float TurnsPerMetre;
         public Vector3 PushDisplacement;
-        public float Unused5;
+        public uint Next;
         public Vector3 PushRotation;
-        public float Unused6;
+        public float Unused5;
     }
 
     /// <summary>A collider of a body; mirrored by FloatingPart in Shaders/Collision/FloatingBodies.hlsl.</summary>

@@ -13,6 +13,9 @@ namespace SphFluid
         Vector3 mean, gained; // acceleration while awake [m/s²]; velocity by what has changed of it since [m/s]
         float calm;
 
+        /// <summary>It falls asleep: one that is woken at once is calm anew.</summary>
+        public void Begin() => calm = 0f;
+
         /// <summary>A frame of a body.</summary>
         /// <param name="asleep">Whether it sleeps.</param>
         /// <param name="acceleration">By the liquid and gravity [m/s²].</param>
@@ -27,9 +30,7 @@ namespace SphFluid
             if (asleep) return 0.5f * gained.sqrMagnitude > Stirred * threshold;
             mean += part * (acceleration - mean);
             calm = energy < Calm * threshold ? calm + time : 0f;
-            if (calm <= Patience) return false;
-            calm = 0f; // of one that is woken at once
-            return true;
+            return calm > Patience;
         }
     }
 }

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace SphFluid
@@ -37,7 +38,8 @@ namespace SphFluid
         {
             public FloatingMass Mass;
             public FloatMotion Last;
-            public FloatChange Refused, Given, Pull; // Given: with the next steps of physics; Pull: accelerations by the liquid, evened out
+            public FloatChange Refused, Correction, Given; // Given: with the next steps of physics
+            public FloatChange Pull, Share, Spread; // accelerations by the liquid, evened out; of a stack Share is what contacts leave of it, and Spread what they take
             public Vector3 ExpectedVelocity, ExpectedAngularVelocity; // of the frame, without what others do
             public FloatShift Shift, Turn;
             public FloatRest Rest;
@@ -60,8 +62,36 @@ namespace SphFluid
         /// <summary>The body on the GPU.</summary>
         public FloatingBody Body { get; }
 
-        /// <summary>Whether it is in the domain in this frame.</summary>
-        public bool IsPresent { get; set; }
+        /// <summary>Its colliders in the domain in this frame; none: it is not there.</summary>
+        public List<Collider> Colliders { get; } = new List<Collider>();
+
+        /// <summary>How it answers to impulses.</summary>
+        public FloatingMass Mass => state.Mass;
+
+        /// <summary>Where it was last seen.</summary>
+        public FloatMotion Motion => state.Last;
+
+        /// <summary>Accelerations by the liquid, evened out.</summary>
+        public FloatChange Pull => state.Pull;
+
+        /// <summary>With the next step of physics: towards the GPU's body.</summary>
+        public FloatChange Correction => state.Correction;
+
+        /// <summary>Whether it moves and turns about all axes.</summary>
+        public bool IsFree
+        {
+            get
+            {
+                Vector3 turns = state.Mass.InverseInertia;
+                return rigidbody.constraints == RigidbodyConstraints.None && Mathf.Min(turns.x, turns.y, turns.z) > 0f;
+            }
+        }
+
+        /// <summary>Whether it sleeps.</summary>
+        public bool IsAsleep => rigidbody.IsSleeping();
+
+        /// <summary>Whether it may fall asleep.</summary>
+        public bool IsCalm { get; private set; }
 
         /// <summary>Whether the liquid can move a Rigidbody.</summary>
         public static bool Moves(Rigidbody rigidbody) => rigidbody != null && !rigidbody.isKinematic;
@@ -75,39 +105,82 @@ namespace SphFluid
             state.Unseen = unseen ? 0.5f * time * time * state.Mass.Gravity.magnitude : 0f;
         }
 
-        /// <summary>Before physics is stepped for a time: the liquid's force, and once a frame a correction.</summary>
-        public void Give(in FloatSpace space, float time)
+        /// <summary>Before physics is stepped for a time: once a frame a correction.</summary>
+        public void Correct(in FloatSpace space, float time)
         {
             Sample(space);
+            state.Correction = default;
+            if (state.IsCorrected || Body.KnownFrame < 0 || rigidbody.IsSleeping()) return;
+            state.IsCorrected = true;
+            state.Correction = CorrectionBy(Body.Known, time);
+        }
+
+        /// <summary>Of a body of a stack: it takes the part of the correction that all have; by the rest the GPU's body goes its way.</summary>
+        public void Take(in FloatChange common)
+        {
+            var rest = new FloatChange { Displacement = state.Correction.Displacement - common.Displacement, Rotation = state.Correction.Rotation - common.Rotation };
+            follower.Give(rest);
+            Body.Push(Vector3.zero, Vector3.zero, -rest.Displacement, -rest.Rotation);
+            state.Correction = common;
+        }
+
+        /// <summary>After that: the liquid's force and the correction.</summary>
+        public void Give(in FloatSpace space, float time)
+        {
             if (rigidbody.IsSleeping()) return;
-            FloatChange change = default;
+            FloatChange change = default, spread = default;
             if (Body.KnownFrame >= 0)
             {
-                (change.Velocity, change.AngularVelocity) = (time * state.Pull.Velocity, time * state.Pull.AngularVelocity);
-                if (!state.IsCorrected) Correct(Body.Known, time, ref change);
+                (change.Velocity, change.AngularVelocity) = (time * state.Share.Velocity, time * state.Share.AngularVelocity);
+                (spread.Velocity, spread.AngularVelocity) = (time * state.Spread.Velocity, time * state.Spread.AngularVelocity);
+                Add(state.Correction, time, ref change);
             }
 
             change.Velocity = state.Mass.Free(change.Velocity);
             state.Given = change;
-            Vector3 velocity = change.Velocity + state.Shift.Begin(), angularVelocity = change.AngularVelocity + state.Turn.Begin();
+            Vector3 velocity = change.Velocity + spread.Velocity + state.Shift.Begin(), angularVelocity = change.AngularVelocity + spread.AngularVelocity + state.Turn.Begin();
             if (velocity != Vector3.zero) rigidbody.AddForce(space.ToWorld * velocity, ForceMode.VelocityChange);
             if (angularVelocity != Vector3.zero) rigidbody.AddTorque(space.ToWorld * angularVelocity, ForceMode.VelocityChange);
         }
 
-        /// <summary>Once a frame, before the liquid's steps: where the Rigidbody is, and what others than the liquid did to it.</summary>
-        public void Follow(in FloatSpace space)
+        /// <summary>Once a frame, before the liquid's steps: where the Rigidbody is, and what the liquid does to it.</summary>
+        public void See(in FloatSpace space)
         {
-            bool wasKnown = state.IsKnown;
             Sample(space);
             FloatingMass found = RigidbodyMass.Of(rigidbody, space.ToSimulation);
             if (!found.IsNear(state.Mass)) state.Mass = found;
             Rest();
+        }
+
+        /// <summary>It bears nothing and rests on nothing.</summary>
+        public void StandAlone() => Stand(0, state.Mass.Mass, state.Pull, default);
+
+        /// <summary>It is one of a stack.</summary>
+        /// <param name="stack">Number of the stack.</param>
+        /// <param name="mass">Mass of the stack [kg].</param>
+        /// <param name="share">Accelerations of the body by what the liquid does to the stack.</param>
+        /// <param name="spread">What contacts take of <see cref="Pull"/>.</param>
+        public void Stand(int stack, float mass, in FloatChange share, in FloatChange spread) =>
+            (Body.Stack, Body.StackMass, state.Share, state.Spread) = (stack, mass, share, spread);
+
+        /// <summary>Puts it to sleep.</summary>
+        public void Sleep()
+        {
+            state.Rest.Begin();
+            rigidbody.Sleep();
+        }
+
+        /// <summary>Wakes it.</summary>
+        public void Wake() => rigidbody.WakeUp();
+
+        /// <summary>After that: what others than the liquid did to it.</summary>
+        public void Follow(in FloatSpace space)
+        {
             Body.Mass = rigidbody.IsSleeping() ? FloatingMass.Held : state.Mass;
             Look(space); // as the colliders are seen: interpolated, where it is
             Body.Velocity = state.Last.Velocity;
             Body.AngularVelocity = state.Last.AngularVelocity;
-            if (!wasKnown) Restart();
-            else if (state.Refused.Displacement.magnitude > Elsewhere * reach) Restart();
+            if (state.Refused.Displacement.magnitude > Elsewhere * reach) Restart();
             else Body.Push(Beyond(state.Last.Velocity - state.ExpectedVelocity, state.ExpectedVelocity, Rounding, Rounding),
                 Beyond(state.Last.AngularVelocity - state.ExpectedAngularVelocity, state.ExpectedAngularVelocity, Rounding, Rounding),
                 state.Refused.Displacement, state.Refused.Rotation);
@@ -169,16 +242,20 @@ namespace SphFluid
             };
         }
 
-        // A displacement and a turn are velocities of one step; PhysX bounds how fast a body turns.
-        void Correct(in FloatingState known, float time, ref FloatChange given)
+        // PhysX bounds how fast a body turns.
+        FloatChange CorrectionBy(in FloatingState known, float time)
         {
-            state.IsCorrected = true;
-            FloatChange rates = state.Pull;
+            FloatChange rates = state.Share;
             rates.Velocity += state.Mass.Gravity;
             float mostTurn = time * Mathf.Max(0f, rigidbody.maxAngularVelocity - state.Last.AngularVelocity.magnitude);
-            FloatChange change = follower.Correct(
+            return follower.Correct(
                 new FloatMotion { Pose = known.Pose, Velocity = known.Velocity, AngularVelocity = known.AngularVelocity }, Body.KnownFrame,
                 rates, mostTurn, state.IsHeld);
+        }
+
+        // A displacement and a turn are velocities of one step.
+        void Add(in FloatChange change, float time, ref FloatChange given)
+        {
             given.Velocity += change.Velocity;
             given.AngularVelocity += change.AngularVelocity;
             if (change.Displacement.magnitude < LeastCorrection && change.Rotation.magnitude < LeastCorrection) return;
@@ -190,6 +267,7 @@ namespace SphFluid
         // The liquid's force evened out; and a body in calm liquid may sleep, which forces alone would never let it.
         void Rest()
         {
+            IsCalm = false;
             if (Body.KnownFrame < 0) return;
             FloatingState known = Body.Known;
             FloatChange pull = PullOf(known);
@@ -203,7 +281,7 @@ namespace SphFluid
             bool isBehind = (known.Pose.Centre - state.Last.Pose.Centre).magnitude > RestGap;
             if (!state.Rest.Turns(asleep, acceleration, isBehind ? float.PositiveInfinity : energy, rigidbody.sleepThreshold, known.Time)) return;
             if (asleep) rigidbody.WakeUp();
-            else rigidbody.Sleep();
+            else IsCalm = true;
         }
 
         // Over the mass, or somewhat more of what turns.
@@ -223,6 +301,7 @@ namespace SphFluid
                 if (step > 0f) EndStep(space, step, ref now);
             }
 
+            if (!state.IsKnown) (state.ExpectedVelocity, state.ExpectedAngularVelocity) = (now.Velocity, now.AngularVelocity);
             if (step > 0f || rigidbody.IsSleeping()) (state.StepLength, state.Given, state.Shift, state.Turn) = (0f, default, default, default);
             state.Last = now;
             state.IsKnown = true;

@@ -12,6 +12,7 @@ namespace SphFluid
         readonly List<RigidbodyFloat> ordered = new List<RigidbodyFloat>();
         readonly List<Rigidbody> gone = new List<Rigidbody>();
         readonly PhysicsClock clock = new PhysicsClock();
+        readonly FloatStacks stacks;
         FloatSpace space;
         float stepped, taken, behind; // time of the last frame with steps of physics, of this one's, and how much later than them it is now [s]
         bool atAnyTime; // physics is stepped otherwise than once after each FixedUpdate
@@ -20,6 +21,7 @@ namespace SphFluid
         public RigidbodyFloats(float reach)
         {
             this.reach = reach;
+            stacks = new FloatStacks(0.05f * reach);
         }
 
         /// <summary>Number of bodies.</summary>
@@ -29,7 +31,7 @@ namespace SphFluid
         public void Begin(Vector3 position, Quaternion rotation)
         {
             space = new FloatSpace(position, rotation);
-            foreach (RigidbodyFloat known in ordered) known.IsPresent = false;
+            foreach (RigidbodyFloat known in ordered) known.Colliders.Clear();
         }
 
         /// <inheritdoc/>
@@ -44,7 +46,7 @@ namespace SphFluid
                 ordered.Add(found);
             }
 
-            found.IsPresent = true;
+            found.Colliders.Add(collider);
             return found.Body;
         }
 
@@ -58,6 +60,8 @@ namespace SphFluid
             taken = 0f;
             if (atAnyTime) TakeSteps(scene);
             else clock.Dispose();
+            foreach (RigidbodyFloat known in ordered) known.See(space);
+            stacks.Find(ordered);
             foreach (RigidbodyFloat known in ordered) known.Follow(space);
         }
 
@@ -104,6 +108,7 @@ namespace SphFluid
         public void Load(SaveReader reader, FloatingBodies bodies)
         {
             Leave();
+            stacks.Clear();
             Dictionary<string, RigidbodyFloat> byKey = SaveReader.ByKey(ordered, f => f.Rigidbody);
             bodies.Load(reader, byKey, f => f.Body);
             for (int left = reader.Read<int>(); left > 0; left--)
@@ -119,6 +124,9 @@ namespace SphFluid
 
         void Give(in FloatSpace now, float time)
         {
+            foreach (KeyValuePair<Rigidbody, RigidbodyFloat> known in floats)
+                if (RigidbodyFloat.Moves(known.Key)) known.Value.Correct(now, time);
+            stacks.Correct();
             foreach (KeyValuePair<Rigidbody, RigidbodyFloat> known in floats)
                 if (RigidbodyFloat.Moves(known.Key)) known.Value.Give(now, time);
         }
@@ -140,7 +148,7 @@ namespace SphFluid
         void Leave()
         {
             foreach (KeyValuePair<Rigidbody, RigidbodyFloat> known in floats)
-                if (!known.Value.IsPresent) gone.Add(known.Key);
+                if (known.Value.Colliders.Count == 0) gone.Add(known.Key);
             foreach (Rigidbody rigidbody in gone)
             {
                 ordered.Remove(floats[rigidbody]);

@@ -12,12 +12,13 @@ namespace SphFluid
         static readonly int KickStep = Id("_KickStep");
         static readonly int PushPart = Id("_PushPart");
 
-        readonly ComputeKernel kernel;
+        readonly ComputeKernel kernel, join;
 
         public MoveBodiesPass(FluidShaderSet shaders)
             : base(shaders, "MoveBodies")
         {
             kernel = Kernel();
+            join = Kernel("JoinBodies");
         }
 
         /// <summary>Poses at the start of a step, and at its end by the present velocities; before the walls are gathered.</summary>
@@ -36,16 +37,22 @@ namespace SphFluid
         {
             using (Sample(cmd))
             {
-                Vector3 step = state.BodyStep;
+                if (moves && state.Bodies.Floating.Joins) Dispatch(cmd, state, join, kick);
                 kernel.SetBool(cmd, Moves, moves);
                 kernel.SetBool(cmd, Begins, begins);
-                kernel.SetFloat(cmd, TimeStep, step.z);
-                kernel.SetFloat(cmd, KickStep, kick);
-                kernel.SetFloat(cmd, PushPart, step.y - step.x);
-                state.Bodies.Floating.SetMotion(cmd, kernel);
                 state.Bodies.SetOut(cmd, kernel);
-                kernel.DispatchThreads(cmd, state.Bodies.Floating.Count);
+                Dispatch(cmd, state, kernel, kick);
             }
+        }
+
+        static void Dispatch(CommandBuffer cmd, CellState state, ComputeKernel kernel, float kick)
+        {
+            Vector3 step = state.BodyStep;
+            kernel.SetFloat(cmd, TimeStep, step.z);
+            kernel.SetFloat(cmd, KickStep, kick);
+            kernel.SetFloat(cmd, PushPart, step.y - step.x);
+            state.Bodies.Floating.SetMotion(cmd, kernel);
+            kernel.DispatchThreads(cmd, state.Bodies.Floating.Count);
         }
     }
 }

@@ -105,6 +105,38 @@ namespace SphFluid.Tests
             }
         }
 
+        // One half is struck; the other goes along, as the whole box does that is struck as much, but for the gyroscopic torque, which one body has not.
+        [Test]
+        public void HalvesThatRestOnEachOtherMoveAsTheWhole()
+        {
+            Quaternion turn = Quaternion.Euler(10f, 20f, 30f);
+            Vector3 half = new Vector3(0.3f, 0.1f, 0.2f), away = new Vector3(0.5f, 0f, 0f), up = turn * new Vector3(0f, 0.05f, 0f);
+            Vector3 strike = new Vector3(0.4f, 0.1f, 0.2f), spin = new Vector3(0.5f, 0f, 1f);
+            using (var rig = new FloatingRig(Settings(false), FarParticle))
+            {
+                FloatingBody lower = rig.AddBox(half, 500f, -away - up, turn), alone = rig.AddBox(half, 500f, 0.6f * Vector3.down, turn);
+                FloatingBody upper = rig.AddBox(half, 500f, -away + up, turn), whole = rig.AddBox(new Vector3(0.3f, 0.2f, 0.2f), 500f, away, turn);
+                (lower.Stack, upper.Stack) = (1, 1);
+                rig.Frame(1);
+                upper.Push(strike, spin, Vector3.zero, Vector3.zero);
+                Vector3 angular = Vector3.Cross(up, upper.Mass.Mass * strike) + turn * Vector3.Scale(upper.Mass.Inertia, Quaternion.Inverse(turn) * spin);
+                whole.Push(0.5f * strike, turn * Vector3.Scale(whole.Mass.InverseInertia, Quaternion.Inverse(turn) * angular), Vector3.zero, Vector3.zero);
+                for (int frame = 0; frame < 4; frame++) rig.Frame(frame == 0 ? 1 : 3);
+                FloatingState expected = rig.Read(whole);
+                Assert.That(expected.AngularVelocity.magnitude, Is.GreaterThan(0.5f));
+                foreach (FloatingBody body in new[] { lower, upper })
+                {
+                    FloatingState state = rig.Read(body);
+                    Vector3 arm = expected.Rotation * new Vector3(0f, body == upper ? 0.05f : -0.05f, 0f);
+                    Assert.That((state.AngularVelocity - expected.AngularVelocity).magnitude, Is.LessThan(2e-3f));
+                    Assert.That((state.Velocity - expected.Velocity - Vector3.Cross(expected.AngularVelocity, arm)).magnitude, Is.LessThan(2e-3f));
+                    Assert.That((state.Centre + 2f * away - expected.Centre - arm).magnitude, Is.LessThan(1e-4f));
+                }
+
+                Assert.That(rig.Read(alone).Velocity, Is.EqualTo(Vector3.zero));
+            }
+        }
+
         // Liquid thrown at a box that is free: both exchange what they have, in every substep.
         [TestCase(100f, 0f, 1)]
         [TestCase(1000f, 25f, 3)]
