@@ -15,7 +15,7 @@ namespace SphFluid
         /// <summary>Velocities with which the step begins [m/s]; w: the id's bits.</summary>
         public readonly FluidBuffer Velocities;
 
-        /// <summary>Positions after the step [m].</summary>
+        /// <summary>Positions after the step [m]; w: below zero of a particle that left, else what the method takes along: with Standard the density with which the step began.</summary>
         public readonly FluidBuffer NewPositions;
 
         /// <summary>Velocities after the step [m/s]; w: the id's bits.</summary>
@@ -24,7 +24,7 @@ namespace SphFluid
         /// <summary>ρ [kg/m³].</summary>
         public readonly FluidBuffer Densities;
 
-        /// <summary>Positions with which the step begins [m]; w: p/ρ².</summary>
+        /// <summary>Positions with which the step begins [m]; w: p/ρ², and what NewPositions has between the sort and the density.</summary>
         public readonly FluidBuffer PositionTerms;
 
         /// <summary>Place of each particle within its cell.</summary>

@@ -66,6 +66,11 @@ namespace SphFluid
                 kernel.SetBuffer(cmd, CellBindings.Carried, state.Carried);
                 kernel.SetOut(cmd, state.CarriedSorted);
             }
+            else
+            {
+                kernel.SetOut(cmd, state.Buffers.PositionTerms);
+            }
+
             kernel.SetOut(cmd, state.Buffers.Positions);
             kernel.SetOut(cmd, state.Buffers.Velocities);
         }

@@ -53,6 +53,7 @@ namespace SphFluid
         public static void SetEnd(CommandBuffer cmd, ComputeKernel kernel, StandardState state, in FluidStep step)
         {
             if (state.HasFloatingBodies) kernel.Set(cmd, state.Walls.WallBodies);
+            kernel.Set(cmd, state.Buffers.Densities);
             kernel.SetOut(cmd, state.Buffers.NewVelocities);
             CellBindings.SetCounting(cmd, kernel, state, step);
             kernel.Set(cmd, state.Published.Counters);

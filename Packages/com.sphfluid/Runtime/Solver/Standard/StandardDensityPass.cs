@@ -8,6 +8,7 @@ namespace SphFluid
         static readonly int DensityFactor = Id("_DensityFactor");
         static readonly int InverseMoment = Id("_InverseMoment");
         static readonly int SoundSpeedSquared = Id("_SoundSpeedSquared");
+        static readonly int Impact = Id("_Impact");
         static readonly int SuctionFloor = Id("_SuctionFloor");
         static readonly int SupportSquared = Id("_SupportSquared");
         static readonly int Ahead = Id("_Ahead");
@@ -57,6 +58,7 @@ namespace SphFluid
             kernel.SetFloat(cmd, DensityFactor, (float)(settings.ParticleMass * WendlandKernel.Factor(settings.SupportRadius)));
             kernel.SetFloat(cmd, InverseMoment, (float)(1.0 / WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing)));
             kernel.SetFloat(cmd, SoundSpeedSquared, settings.SoundSpeed * settings.SoundSpeed);
+            kernel.SetVector(cmd, Impact, state.Impact);
             kernel.SetFloat(cmd, SuctionFloor, settings.PressureClamp ? 0f : -settings.RestDensity);
             kernel.SetOut(cmd, state.Buffers.Densities);
             kernel.SetOut(cmd, state.Buffers.PositionTerms);

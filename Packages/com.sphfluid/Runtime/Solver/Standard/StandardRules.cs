@@ -1,4 +1,5 @@
 using System;
+using UnityEngine;
 
 namespace SphFluid
 {
@@ -14,6 +15,9 @@ namespace SphFluid
         const double AcousticBorder = 0.9;
         const double ViscousLimit = 0.035;
         const double ViscousBorder = 0.072;
+
+        // τ c/R, and the rate at which density grows over ρ0 c/R.
+        const float ImpactTime = 0.4f, ImpactRate = 0.07f;
 
         public static FluidSolverSettings Derive(in FluidRuleInput input)
         {
@@ -54,6 +58,13 @@ namespace SphFluid
             return new TimeStepAdvice(
                 AcousticBorder * radius / (sound / moment + speed), TimeStepAdvice.SpeedStep(spacing, speed), viscous, border,
                 double.PositiveInfinity, sound, speed, kinematic, isImplicit, capillary: capillary);
+        }
+
+        /// <summary>What StandardDensity.compute needs of the last step: τ/dt, and by how much density may grow in it without τ.</summary>
+        public static Vector2 Impact(in FluidSolverSettings settings, float step)
+        {
+            float crossing = settings.SupportRadius / settings.SoundSpeed;
+            return new Vector2(ImpactTime * crossing / step, ImpactRate * settings.RestDensity * step / crossing);
         }
 
         // A step that the user gives is taken as it is, so what holds it is chosen by it.

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using UnityEngine;
 
 namespace SphFluid
 {
@@ -15,6 +16,9 @@ namespace SphFluid
 
         /// <summary>What surface tension needs; null where there never was any.</summary>
         public TensionBuffers Tension { get; private set; }
+
+        /// <summary>How far the density is taken ahead where it grows, over the step before; 0 where that step is not known.</summary>
+        public Vector2 Impact { get; set; }
 
         /// <summary>The constants that only this method has.</summary>
         public StandardSettings Own => Settings.Own<StandardSettings>();

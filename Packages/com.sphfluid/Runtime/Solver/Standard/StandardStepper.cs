@@ -1,3 +1,4 @@
+using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace SphFluid
@@ -21,6 +22,7 @@ namespace SphFluid
         DriftParticlesPass driftParticles;
         bool isLoaded;
         float listTime;
+        float lastStep;
 
         public StandardStepper(in FluidSolverSettings settings, FluidShaderSet shaders, int particleCount) : base(shaders)
         {
@@ -40,6 +42,7 @@ namespace SphFluid
         {
             base.RecordLoad(cmd);
             isLoaded = false;
+            lastStep = 0f;
         }
 
         /// <inheritdoc/>
@@ -52,6 +55,8 @@ namespace SphFluid
         public override void RecordNeighbourSetup(CommandBuffer cmd)
         {
             state.RequireList();
+            bool isAnew = Order == ParticleOrder.Sorted; // the density before is gone
+            state.Impact = lastStep > 0f && !isAnew ? StandardRules.Impact(state.Settings, lastStep) : Vector2.zero;
             if (Order == ParticleOrder.Counted)
             {
                 state.ListTime = isLoaded ? listTime : 0f; // of particles just loaded nobody knows who stands at a surface
@@ -88,6 +93,7 @@ namespace SphFluid
                 ProveMotion(cmd, step, state.Buffers.PositionTerms);
             }
 
+            lastStep = step.Length;
             Order = step.KeepsOrder ? ParticleOrder.Left : ParticleOrder.Counted;
         }
 

@@ -7,30 +7,31 @@
 
 // The last word of a step on a particle: where the next step sorts, it is counted into the cell of its new place or, beyond an open
 // face or in a drain, taken out of the liquid: the sort leaves it behind.
-RWStructuredBuffer<float4> _NewPositionsOut; // w: 1 of a particle that left, else 0
+RWStructuredBuffer<float4> _NewPositionsOut; // w: below zero of a particle that left, else what its method takes along
 RWStructuredBuffer<uint> _RankOut; // place in the cell; before, where something is drained, DRAINED of a particle that is to leave
 uint _KeepsOrder; // 1: the next step goes on in the order of the last sort, so nothing is counted and nobody leaves
 uint _Drains;     // 1: DrainParticles has gone before
 
 #define DRAINED 0xffffffffu
 
-void CountInCell(uint id, float3 position)
+// place: the new one; w: what the method takes along, not below zero.
+void CountInCell(uint id, float4 place)
 {
     bool leaves = false;
     for (bool counts = !Switched(_KeepsOrder); counts; counts = false) // a loop that ends at once is skipped where a branch may not be
     {
-        leaves = any(position < _OpenLow) || any(position > _OpenHigh);
+        leaves = any(place.xyz < _OpenLow) || any(place.xyz > _OpenHigh);
         for (bool drains = Switched(_Drains); drains; drains = false)
         {
             leaves = leaves || _RankOut[id] == DRAINED;
         }
-        _RankOut[id] = CountCell(leaves ? RemovedCell() : CellNumber(CellAt(position)), id);
+        _RankOut[id] = CountCell(leaves ? RemovedCell() : CellNumber(CellAt(place.xyz)), id);
         if (leaves)
         {
             CountEvent(COUNTER_REMOVED);
         }
     }
-    _NewPositionsOut[id] = float4(position, leaves ? 1.0 : 0.0);
+    _NewPositionsOut[id] = float4(place.xyz, leaves ? -1.0 : place.w);
 }
 
 #endif

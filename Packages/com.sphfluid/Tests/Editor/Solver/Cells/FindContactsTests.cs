@@ -13,6 +13,7 @@ namespace SphFluid.Tests
     /// </summary>
     public sealed class FindContactsTests
     {
+        const float Carried = 1000f; // what a method takes along
         const float Spacing = 0.01f;
         const float Rest = 0.1f * Spacing;
         const float Longest = 8f * Spacing;
@@ -78,6 +79,7 @@ namespace SphFluid.Tests
                 int[] listed = Find(rig, Enumerable.Range(0, count).Select(i => End(i, 1.5f)).ToArray());
                 Vector4[] places = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
                 Assert.That(listed, Is.Empty);
+                Assert.That(places.Select(p => p.w), Is.All.EqualTo(Carried));
                 for (int i = 0; i < count; i++)
                     Assert.That(((Vector3)places[i] - End(i, 1f)).magnitude, Is.LessThan(1e-6f), $"particle {i}");
                 Assert.That(rig.Counters()[Shortened], Is.EqualTo((uint)(count + 1) / 2u));
@@ -182,7 +184,7 @@ namespace SphFluid.Tests
         {
             StandardState state = rig.State;
             state.RequireWalls();
-            state.Buffers.NewPositions.SetData(to.Select(p => (Vector4)p).ToArray());
+            state.Buffers.NewPositions.SetData(to.Select(p => StandardStateRig.WithW(p, Carried)).ToArray());
             StandardStateRig.EmptyContacts(state);
             state.Walls.WallGap.SetData(Enumerable.Repeat(new Vector4(gapAt.x, gapAt.y, gapAt.z, gap), state.ParticleCount).ToArray());
             var pass = new FindContactsPass(shaders);

@@ -31,7 +31,7 @@ namespace SphFluid.Tests
                     cellOf[i] = hasLeft ? cells.CellCount : StandardStateRig.Number(cells, cell);
                     Vector3 position = StandardStateRig.Within(cells, cell, random);
                     Vector3 velocity = ParticleSets.RandomVector(random);
-                    positions[i] = StandardStateRig.WithW(position, hasLeft ? 1f : 0f);
+                    positions[i] = StandardStateRig.WithW(position, hasLeft ? -1f : 1000f + i);
                     velocities[i] = StandardStateRig.WithW(velocity, StandardStateRig.FromBits(ids[i]));
                 }
 
@@ -57,12 +57,14 @@ namespace SphFluid.Tests
                 uint[] sums = GpuTest.Read<uint>(buffers.CellCount, buffers.CellCount.Count);
                 Assert.That(sums, Is.All.Zero, "the scan's sums are cleared for the next count");
                 Vector4[] sortedPositions = GpuTest.Read<Vector4>(buffers.Positions, count);
+                Vector4[] terms = GpuTest.Read<Vector4>(buffers.PositionTerms, count);
                 Vector4[] sortedVelocities = GpuTest.Read<Vector4>(buffers.Velocities, count);
                 int live = (int)starts[cells.CellCount];
                 for (int place = 0; place < live; place++)
                 {
                     int source = stable ? byId[place] : byRank[place];
                     Assert.That((Vector3)sortedPositions[place], Is.EqualTo((Vector3)positions[source]), $"position at {place}");
+                    Assert.That(terms[place].w, Is.EqualTo(positions[source].w), $"density before at {place}");
                     // Every third had many neighbours at the last sort.
                     float radius = rig.State.Settings.SupportRadius;
                     float reach = source % 3 == 0 ? -16f * radius * radius

@@ -55,6 +55,7 @@ namespace SphFluid.Tests
                     Double3 moved = (Double3)end[i].Position - start[i].Position - TimeStep * (Double3)end[i].VelT0;
                     Assert.That(Image(moved, settings).Length, Is.LessThan(2e-7), $"position of {i}");
                     Assert.That(end[i].Id, Is.EqualTo(start[i].Id), $"id of {i}");
+                    Assert.That(places[i].w, Is.EqualTo((float)density[i]), $"density of {i}, for the next step");
                     fastest = Math.Max(fastest, end[i].VelT0.magnitude);
                 }
 

@@ -211,6 +211,35 @@ namespace SphFluid.Tests
             }
         }
 
+        // What the density was a step before: unknown, within what it may grow by, further down, and above.
+        [Test]
+        public void PressureIsThatOfADensityAheadWhereItGrowsFast([Values] bool listed)
+        {
+            const int count = 257;
+            FluidSolverSettings settings = StandardStateRig.Water(Domain, Spacing, FluidAxes.None);
+            using (var rig = new StandardStateRig(settings, count))
+            {
+                FluidParticle[] particles = rig.FillSorted(ParticleSets.Random(count, Domain, 1f, 3));
+                float[] densities = Record(rig).Select(t => t.x).ToArray();
+                float Before(int i) => i % 4 == 0 ? 0f : densities[i] * (i % 4 == 1 ? 0.99f : i % 4 == 2 ? 0.9f : 1.1f);
+                Vector4[] places = particles.Select((p, i) => StandardStateRig.WithW(p.Position, Before(i))).ToArray();
+                float free = 0.02f * settings.RestDensity;
+                rig.State.Impact = new Vector2(0.5f, free);
+                StandardStateRig.Fill(listed ? rig.State.Buffers.NewPositions : rig.State.Buffers.PositionTerms, places);
+                var pass = new StandardDensityPass(rig.Shaders);
+                GpuTest.Run(cmd => { if (listed) pass.RecordListed(cmd, rig.State); else pass.Record(cmd, rig.State); });
+                Vector2[] terms = rig.Terms();
+                double c2 = settings.SoundSpeed * (double)settings.SoundSpeed;
+                for (int i = 0; i < count; i++)
+                {
+                    double growth = Before(i) > 0f ? Math.Max(densities[i] - Before(i) - free, 0.0) : 0.0;
+                    double pressure = c2 * Math.Max(densities[i] + 0.5 * growth - settings.RestDensity, 0.0);
+                    Assert.That((double)terms[i].y * terms[i].x * terms[i].x,
+                        Is.EqualTo(pressure).Within(1e-4 * c2 * Math.Max(settings.RestDensity, densities[i])), $"pressure of {i}");
+                }
+            }
+        }
+
         static Vector2[] Record(StandardStateRig rig)
         {
             int count = rig.State.ParticleCount;
