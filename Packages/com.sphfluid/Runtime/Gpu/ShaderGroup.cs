@@ -45,7 +45,7 @@ namespace SphFluid
 
         /// <summary>The sums of what the liquid gives to its walls.</summary>
         public static readonly ShaderGroup WallForces = new ShaderGroup("the force on walls", "Shaders/Solver/WallForces",
-            groupThreads: 64, buffers: 17, writableBuffers: 7, groupMemory: 11520, vertexBuffers: 0,
+            groupThreads: 64, buffers: 18, writableBuffers: 7, groupMemory: 11520, vertexBuffers: 0,
             "PlaceWallPatches")
         { Keyword = "FLUID_WALL_FORCES" };
 

@@ -7,7 +7,7 @@ namespace SphFluid
     internal sealed class StandardMethod : FluidMethod
     {
         static readonly ShaderGroup Group = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
-            groupThreads: 64, buffers: 15, writableBuffers: 6, groupMemory: 6144, vertexBuffers: 0,
+            groupThreads: 64, buffers: 16, writableBuffers: 6, groupMemory: 6144, vertexBuffers: 0,
             "StandardDensity", "MoveParticles", "KickParticles", "DiffuseVelocities", "DriftParticles", "SurfaceNormals", "SurfaceTension").With(CellShaders.Group);
 
         static readonly string[] Fields = { "soundSpeedMode", "timeStepFraction", "surfaceTension", "tensionAtAnySpacing", "contactAngle" };

@@ -48,7 +48,7 @@ namespace SphFluid.Tests
                 }
                 rig.Start(start);
                 double least = double.PositiveInfinity, gained = 0.0;
-                for (int part = 0; part < 16; part++)
+                for (int part = 0; part < 24; part++)
                 {
                     rig.Frame((int)(0.5 * Math.Sqrt(depth / gravity) / settings.TimeStep));
                     double energy = rig.Particles().Average(p => 0.5 * p.VelT0.sqrMagnitude + gravity * (p.Position.y + 0.5 * size.y));
