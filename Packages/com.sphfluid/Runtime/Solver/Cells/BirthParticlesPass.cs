@@ -19,6 +19,7 @@ namespace SphFluid
         static readonly int SlotCount = Id("_SlotCount");
         static readonly int FreeSquared = Id("_FreeSquared");
         static readonly int PumpFreeSquared = Id("_PumpFreeSquared");
+        static readonly int SupportSquared = Id("_SupportSquared");
 
         readonly ComputeKernel kernel;
 
@@ -45,6 +46,7 @@ namespace SphFluid
                 kernel.SetInt(cmd, SlotCount, births.Slots);
                 kernel.SetFloat(cmd, FreeSquared, free * free);
                 kernel.SetFloat(cmd, PumpFreeSquared, pumpFree * pumpFree);
+                kernel.SetFloat(cmd, SupportSquared, state.Settings.SupportRadius * state.Settings.SupportRadius);
                 kernel.SetOut(cmd, state.Buffers.NewPositions);
                 kernel.SetOut(cmd, state.Buffers.NewVelocities);
                 kernel.SetOut(cmd, state.Buffers.Rank);

@@ -7,7 +7,7 @@ namespace SphFluid
     internal sealed class RobustMethod : FluidMethod
     {
         static readonly ShaderGroup Group = new ShaderGroup("the Robust method", "Shaders/Solver/Robust",
-            groupThreads: 64, buffers: 16, writableBuffers: 6, groupMemory: 6144, vertexBuffers: 0,
+            groupThreads: 64, buffers: 15, writableBuffers: 6, groupMemory: 6144, vertexBuffers: 0,
             "PredictParticles", "ConstrainDensity", "MoveByConstraints", "FinishParticles").With(CellShaders.Group);
 
         static readonly string[] Fields = { "substeps" };
