@@ -65,7 +65,7 @@ namespace SphFluid.Tests
             Assert.That(support.Surface && !support.WallForces);
             FluidMessage message = support.Messages.Single();
             Assert.That(message.Severity, Is.EqualTo(FluidSeverity.Info));
-            Assert.That(message.ToString(), Does.Contain("the force on walls needs 17").And.Contain("Liquid Pressure"));
+            Assert.That(message.ToString(), Does.Contain("the force on walls needs 18").And.Contain("Liquid Pressure"));
         }
 
         [TestCase(128, 64, "groups of 128 threads")]
