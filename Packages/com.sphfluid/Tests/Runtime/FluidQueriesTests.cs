@@ -216,9 +216,9 @@ namespace SphFluid.Tests
             Quaternion down = Quaternion.LookRotation(Vector3.down, Vector3.forward);
             FluidQuery near = queries.AddNearest(new Vector3(2f, 1.3f, 0f), 0.25f), far = queries.AddNearest(new Vector3(2f, 1.3f, 0f), 0.1f);
             // The block of 64 particles falls through the first and not beside it.
-            FluidQuery below = queries.AddPatch(new Vector3(2f, 0.87f, 0f), new Vector2(0.4f, 0.4f), down);
-            FluidQuery turned = queries.AddPatch(new Vector3(2f, 0.87f, 0f), new Vector2(0.4f, 0.4f), Quaternion.Inverse(down));
-            FluidQuery beside = queries.AddPatch(new Vector3(2.3f, 0.87f, 0f), new Vector2(0.15f, 0.4f), down);
+            FluidQuery below = queries.AddPatch(new Vector3(2f, 0.89f, 0f), new Vector2(0.4f, 0.4f), down);
+            FluidQuery turned = queries.AddPatch(new Vector3(2f, 0.89f, 0f), new Vector2(0.4f, 0.4f), Quaternion.Inverse(down));
+            FluidQuery beside = queries.AddPatch(new Vector3(2.3f, 0.89f, 0f), new Vector2(0.15f, 0.4f), down);
             for (int i = 0; i < 3; i++) yield return null;
             queries.Complete();
             Assert.That(queries.TryGetNearest(near, out FluidNearestResult found) && found.IsFound);
