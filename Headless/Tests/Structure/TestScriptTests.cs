@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using Headless.Checks;
 using NUnit.Framework;
 
 namespace Headless.Tests.Structure;
@@ -14,6 +15,14 @@ public sealed partial class TestScriptTests
         string[] named = [.. Assignments().Matches(File.ReadAllText(Path.Combine(root, "test"))).SelectMany(a => Class().Matches(a.Value)).Select(m => m.Value)];
         Assert.That(named, Has.Length.GreaterThan(20));
         Assert.That(named.Where(n => !classes.Contains(n)), Is.Empty);
+    }
+
+    [Test]
+    public void EveryCheckIsMade()
+    {
+        string script = File.ReadAllText(Path.Combine(Conformance.ReleaseBuildTests.FindUp("Headless/Play.slnx"), "test"));
+        string[] made = Regex.Match(script, "^shared='(.*?)'", RegexOptions.Multiline).Groups[1].Value.Split(' ');
+        Assert.That(made, Is.EquivalentTo(CheckOptions.Flags.Single(f => f.Name == "--only").Choices!.Append("direct3d")));
     }
 
     [GeneratedRegex(@"^direct3d_tests\+?='.*'$", RegexOptions.Multiline)]
