@@ -14,7 +14,7 @@ uint _Drains;     // 1: DrainParticles has gone before
 
 #define DRAINED 0xffffffffu
 
-// place: the new one; w: what the method takes along, not below zero.
+// place: the new one; w: what the method takes along.
 void CountInCell(uint id, float4 place)
 {
     bool leaves = false;
@@ -31,7 +31,7 @@ void CountInCell(uint id, float4 place)
             CountEvent(COUNTER_REMOVED);
         }
     }
-    _NewPositionsOut[id] = float4(place.xyz, leaves ? -1.0 : place.w);
+    _NewPositionsOut[id] = float4(place.xyz, leaves ? -1.0 : place.w > 0.0 ? place.w : 0.0); // what is not a number is not known
 }
 
 #endif

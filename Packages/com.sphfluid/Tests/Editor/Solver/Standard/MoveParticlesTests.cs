@@ -162,6 +162,23 @@ namespace SphFluid.Tests
             Assert.That(counters[NonFinite], Is.EqualTo(1u));
         }
 
+        // Below zero it would have left.
+        [TestCase(float.NaN)]
+        [TestCase(-1f)]
+        public void ADensityThatCannotBeIsForgottenAndTheParticleStays(float bad)
+        {
+            FluidSolverSettings settings = Settings(FluidAxes.None);
+            settings.Gravity = Vector3.zero;
+            using (var rig = new StandardStateRig(settings, 1))
+            {
+                rig.FillSorted(new[] { new FluidParticle(new Vector3(0.1f, 0.05f, -0.1f), Vector3.zero, 5u) });
+                rig.SetTerms(new[] { new Vector2(bad, 0f) });
+                rig.State.List.Counts.SetData(new uint[1]);
+                Move(rig, new FluidStep(TimeStep, TimeStep, false), out Vector4[] places);
+                Assert.That(places[0].w, Is.Zero);
+            }
+        }
+
         // Every third stands behind a face that is open, every seventh left before.
         [TestCase(1)]
         [TestCase(64)]
