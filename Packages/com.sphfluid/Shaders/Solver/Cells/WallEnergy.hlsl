@@ -119,31 +119,69 @@ Shadow Scaled(Shadow shadow, float factor)
     return shadow;
 }
 
-// What is behind one or the other: 1 - (1 - a)(1 - b).
-Shadow Union(Shadow a, Shadow b)
+// What is left free of something behind walls, 1 - share, by its logarithm: what several leave is the sum.
+Shadow Free(Shadow shadow)
 {
-    Shadow both;
-    both.Value = a.Value + b.Value - a.Value * b.Value;
-    both.Gradient = (1.0 - b.Value) * a.Gradient + (1.0 - a.Value) * b.Gradient;
-    both.Diagonal = (1.0 - b.Value) * a.Diagonal + (1.0 - a.Value) * b.Diagonal - 2.0 * a.Gradient * b.Gradient;
-    both.Shear = (1.0 - b.Value) * a.Shear + (1.0 - a.Value) * b.Shear - a.Gradient.yzx * b.Gradient.zxy - a.Gradient.zxy * b.Gradient.yzx;
-    return both;
+    const float left = 1.0 / (1.0 - shadow.Value);
+    Shadow free;
+    free.Value = log(1.0 - shadow.Value);
+    free.Gradient = -left * shadow.Gradient;
+    free.Diagonal = -left * shadow.Diagonal - free.Gradient * free.Gradient;
+    free.Shear = -left * shadow.Shear - free.Gradient.yzx * free.Gradient.zxy;
+    return free;
 }
 
-// The distance of a plane that adds as much.
-float DistanceOf(float value)
+Shadow Behind(Shadow free)
 {
-    float low = 0.0;
-    float high = SHADOW_REACH;
-    [loop]
-    for (uint turn = 0u; turn < 18u; turn++)
-    {
-        const float middle = 0.5 * (low + high);
-        const bool isNearer = ProfileAt(middle).Value > value;
-        low = isNearer ? middle : low;
-        high = isNearer ? high : middle;
-    }
-    return max(0.5 * (low + high), 1e-3);
+    const float left = exp(free.Value);
+    Shadow shadow;
+    shadow.Value = 1.0 - left;
+    shadow.Gradient = -left * free.Gradient;
+    shadow.Diagonal = -left * (free.Diagonal + free.Gradient * free.Gradient);
+    shadow.Shear = -left * (free.Shear + free.Gradient.yzx * free.Gradient.zxy);
+    return shadow;
+}
+
+void AddProduct(inout Shadow sum, float factor, float3 a, float3 b)
+{
+    sum.Diagonal += factor * a * b;
+    sum.Shear += 0.5 * factor * (a.yzx * b.zxy + a.zxy * b.yzx);
+}
+
+// What is behind triangles or a face of the domain: of walls square to each other all but the product, of walls that look the same way the
+// larger, between them (a + b)/2 + sqrt((a - b)^2/4 + sin^4 ab(1 - a)(1 - b)), which in the edge of a wedge of any angle is right within 0.027.
+// turning: the gradient of cosine. ofMesh: how much of the triangles' gradient is in that of both.
+Shadow Joined(Shadow mesh, Shadow face, float cosine, float3 turning, out float ofMesh, out bool holds)
+{
+    const float c = saturate(cosine);
+    const float sine2 = 1.0 - c * c;
+    const float k = sine2 * sine2;
+    const float3 kGradient = cosine > 0.0 ? -4.0 * c * sine2 * turning : float3(0.0, 0.0, 0.0);
+    const float a = mesh.Value;
+    const float b = face.Value;
+    const float pa = a * (1.0 - a);
+    const float pb = b * (1.0 - b);
+    const float root = max(sqrt(0.25 * (a - b) * (a - b) + k * pa * pb), 1e-4);
+    // Of what is under the root, D: halves of first derivatives over the root.
+    const float da = 0.5 * (0.5 * (a - b) + k * pb * (1.0 - 2.0 * a)) / root;
+    const float db = 0.5 * (0.5 * (b - a) + k * pa * (1.0 - 2.0 * b)) / root;
+    const float dk = 0.5 * pa * pb / root;
+    Shadow both = (Shadow)0;
+    both.Value = 0.5 * (a + b) + root;
+    ofMesh = 0.5 + da;
+    both.Gradient = ofMesh * mesh.Gradient + (0.5 + db) * face.Gradient + dk * kGradient;
+    both.Diagonal = ofMesh * mesh.Diagonal + (0.5 + db) * face.Diagonal;
+    both.Shear = ofMesh * mesh.Shear + (0.5 + db) * face.Shear;
+    const float half = 0.5 / root;
+    AddProduct(both, (0.5 - 2.0 * k * pb) * half - da * da / root, mesh.Gradient, mesh.Gradient);
+    AddProduct(both, (0.5 - 2.0 * k * pa) * half - db * db / root, face.Gradient, face.Gradient);
+    AddProduct(both, -dk * dk / root, kGradient, kGradient);
+    AddProduct(both, 2.0 * ((-0.5 + k * (1.0 - 2.0 * a) * (1.0 - 2.0 * b)) * half - da * db / root), mesh.Gradient, face.Gradient);
+    AddProduct(both, 2.0 * (pb * (1.0 - 2.0 * a) * half - da * dk / root), mesh.Gradient, kGradient);
+    AddProduct(both, 2.0 * (pa * (1.0 - 2.0 * b) * half - db * dk / root), face.Gradient, kGradient);
+    const float3 apart = mesh.Gradient - face.Gradient;
+    holds = dot(apart, apart) * GONE_WALLED * GONE_WALLED < 4.0 * root * root && dk * length(kGradient) < 0.05 * length(both.Gradient);
+    return both;
 }
 
 // The triangles of all bodies: a surface is seen from the side that the particle is on, its other side is behind something.
@@ -210,8 +248,7 @@ Shadow TriangleShadow(float3 position, float3 planes[WALL_PLANES], uint owners[W
     return sum;
 }
 
-// With the faces of the domain. The nearer of a face and the triangles' like plane hides the other, as far as they look the same way; those square to
-// each other do not. faces: what they have of the gradient. holds: the Hessian is that of the whole.
+// With the faces of the domain. faces: what they have of the gradient. holds: the Hessian is that of the whole.
 Shadow WithFaces(Shadow mesh, float3 position, inout WallShares shares, out float3 faces, out bool holds)
 {
     holds = true;
@@ -219,14 +256,13 @@ Shadow WithFaces(Shadow mesh, float3 position, inout WallShares shares, out floa
     const float3 normal = -mesh.Gradient / steep; // towards the liquid: the share falls along it
     const float3 low = (position - _WallsLow) * _InverseSupport;
     const float3 high = (_WallsHigh - position) * _InverseSupport;
-    Shadow inSight = mesh;
-    Shadow behind = (Shadow)0;
+    mesh.Value = min(mesh.Value, 0.95);
+    const Shadow meshFree = Free(mesh);
+    Shadow free = meshFree;
+    float left = 1.0;
     [branch]
     if (any(min(low, high) < SHADOW_REACH))
     {
-        const bool has = mesh.Value > 1e-7;
-        const float like = has ? DistanceOf(mesh.Value) : SHADOW_REACH;
-        const float3 liked = mesh.Gradient / min(ProfileAt(like).Slope, -1e-6);
         [loop]
         for (uint face = 0u; face < 6u; face++)
         {
@@ -244,32 +280,19 @@ Shadow WithFaces(Shadow mesh, float3 position, inout WallShares shares, out floa
                 own.Gradient = profile.Slope * n;
                 own.Diagonal = profile.Bend * along;
                 const float cosine = dot(normal, n);
-                const bool isFirst = d < like;
-                const float ratio = isFirst ? like / d : d / like;
-                const float hidden = has && cosine > 0.0 ? cosine * ratio : 0.0;
-                const float3 turning = -HessianTimes(mesh, n - cosine * normal) / steep;
-                const float3 leaving = isFirst ? (liked - ratio * n) / d : (n - ratio * liked) / like;
-                const float3 change = hidden > 0.0 && hidden < 1.0 ? ratio * turning + cosine * leaving : float3(0.0, 0.0, 0.0);
-                const float open = 1.0 - saturate(hidden);
-                holds = holds && (hidden < 1e-3 || hidden >= 1.0);
-                if (isFirst)
-                {
-                    const float3 gradient = inSight.Gradient * open - inSight.Value * change;
-                    inSight = Scaled(inSight, open);
-                    inSight.Gradient = gradient;
-                }
-                else
-                {
-                    const float3 gradient = own.Gradient * open - own.Value * change;
-                    own = Scaled(own, open);
-                    own.Gradient = gradient;
-                }
-                behind = Union(behind, own);
+                float ofMesh;
+                bool bothHold;
+                const Shadow both = Joined(mesh, own, cosine, -HessianTimes(mesh, n - cosine * normal) / steep, ofMesh, bothHold);
+                const Shadow bothFree = Free(both);
+                Add(free, bothFree);
+                Add(free, Scaled(meshFree, -1.0));
+                left += ofMesh * (1.0 - mesh.Value) / (1.0 - both.Value) - 1.0;
+                holds = holds && bothHold;
             }
         }
     }
-    const Shadow whole = Union(inSight, behind);
-    const float left = (mesh.Value > 1e-7 ? inSight.Value / mesh.Value : 0.0) * (1.0 - behind.Value);
+    const Shadow whole = Behind(free);
+    left *= (1.0 - whole.Value) / (1.0 - mesh.Value);
     faces = whole.Gradient;
     [unroll]
     for (uint k = 0u; k < uint(WALL_PLANES); k++)

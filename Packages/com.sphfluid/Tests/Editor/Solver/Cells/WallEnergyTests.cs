@@ -52,7 +52,7 @@ namespace SphFluid.Tests
             return corners;
         }
 
-        static StoredWall[] Gather(List<Vector3> corners, Vector3[] points)
+        internal static StoredWall[] Gather(List<Vector3> corners, Vector3[] points)
         {
             using (StandardStateRig rig = WalledStateRig.Create(Settings, corners.ToArray(), points.Length, out CollisionBodies bodies))
             using (bodies)

@@ -47,6 +47,12 @@ namespace SphFluid.Tests
         public uint Friction => (packed.VelocityZ >> 6) & 1023u;
         public double Value => packed.Share + Double3.Dot(Push + 0.5 * Turned, Gone);
 
+        /// <summary>Whether it serves for a short way only.</summary>
+        public bool IsBrief => (Flags & 8u) != 0u;
+
+        /// <summary>The same, seen from a place to which the particle has gone since.</summary>
+        public StoredWall From(Vector3 place) => new StoredWall(packed, place, settings);
+
         public double Gradient(int axis) => (Push + Turned)[axis];
 
         public Double3 Push => (Double3)packed.Push0 + (Double3)packed.Push1 + (Double3)packed.Push2;
