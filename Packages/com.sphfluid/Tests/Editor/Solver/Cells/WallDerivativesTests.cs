@@ -46,7 +46,7 @@ namespace SphFluid.Tests
                 default:
                     Vector3 bed = new Vector3(0f, 0.1f, 0f);
                     return (Quad(bed, 0.5f * new Vector3(1f, 0.6f, 0.1f), 0.6f * Vector3.forward).Concat(Quad(bed, 0.5f * new Vector3(-1f, 0.9f, 0.1f), 0.6f * Vector3.forward)).ToArray(),
-                        bed + new Vector3(0f, 1.2f * Spacing, 0.3f), Vector3.up);
+                        bed + new Vector3(0f, 0.8f * Spacing, 0.3f), Vector3.up);
             }
         }
 
@@ -100,7 +100,7 @@ namespace SphFluid.Tests
                 Assert.That((Most(pushes, 0.5), Most(pushes, 0.8)), Is.LessThan((2e-3, 0.03)), "of the steepest push");
                 if (place == Place.Shelf) return; // within reach of a free edge, of which the Hessian has a part only
                 Assert.That(turns, Has.Count.GreaterThan(30));
-                Assert.That(Most(turns, 0.5), Is.LessThan(4e-3 * Math.Max(turning, 0.01 * steepest)), "of what the Hessian changes");
+                Assert.That(Most(turns, place == Place.Gutter ? 0.8 : 0.5), Is.LessThan(4e-3 * Math.Max(turning, 0.01 * steepest)), "of what the Hessian changes");
             }
         }
     }
