@@ -100,11 +100,11 @@ internal sealed class Campaign
         return old is null || options.Again;
     }
 
-    // Rows of lines that are no more.
+    // Rows of lines and files that are no more.
     private void Forget(IEnumerable<IReadOnlyList<Mutant>> found)
     {
         HashSet<string> keys = [.. found.SelectMany(f => f).Select(m => m.Key)], files = [.. found.SelectMany(f => f).Select(m => m.File)];
-        foreach (string key in rows.Values.Select(r => r.Mutant).Where(m => files.Contains(m.File) && !keys.Contains(m.Key)).Select(m => m.Key).ToList())
+        foreach (string key in rows.Values.Select(r => r.Mutant).Where(m => files.Contains(m.File) ? !keys.Contains(m.Key) : !overlay.Has(m.File)).Select(m => m.Key).ToList())
             rows.Remove(key);
     }
 

@@ -33,7 +33,7 @@ internal sealed class PackageCompilation
     public static CSharpParseOptions ParseOptions { get; } = new(LanguageVersion.CSharp9, preprocessorSymbols:
     [
         "UNITY_5_3_OR_NEWER", "UNITY_2022_3_OR_NEWER", "UNITY_INCLUDE_TESTS", "UNITY_ASSERTIONS", "ENABLE_MONO", "UNITY_STANDALONE", "UNITY_STANDALONE_LINUX",
-        "TRACE", "RELEASE", "NET", "NET10_0", "NETCOREAPP",
+        "SPHFLUID_TERRAIN", "SPHFLUID_VEHICLES", "TRACE", "RELEASE", "NET", "NET10_0", "NETCOREAPP",
     ]);
 
     public IEnumerable<string> Files => trees.Keys;

@@ -35,6 +35,8 @@ internal sealed class ProjectOverlay
     public string Assemblies { get; }
     public string Package => Path.Combine(Project, PackagePath);
 
+    public bool Has(string file) => File.Exists(Path.Combine(source, PackagePath, file));
+
     public string Original(string file) => File.ReadAllText(Path.Combine(source, PackagePath, file));
 
     public void WriteShader(string file, string text) => File.WriteAllText(Path.Combine(Package, file), text);

@@ -62,6 +62,11 @@ namespace SphFluid.Tests
             Assert.That(Of(corners).Count, Is.EqualTo(surfaces));
         }
 
+        // Nearness is to the first of a place, and is not handed on.
+        [Test]
+        public void ARowOfCornersIsNotDrawnTogether() =>
+            Assert.That(new VertexWeld(new[] { 0f, 0.8f, 1.6f, 2.2f }.Select(x => x * Vector3.right).ToArray(), 1f).Numbers, Is.EqualTo(new[] { 0, 0, 2, 2 }));
+
         [Test]
         public void AtAnEdgeOfThreeSurfacesNoneGoesOn()
         {

@@ -273,6 +273,7 @@ namespace SphFluid.Tests
                 double open = (1.0 - StandardReference.Mirror(0.0, settings.SupportRadius, Spacing)) *
                     (1.0 - ShadowReference.Plane(height, settings.SupportRadius, Spacing));
                 Assert.That(1.0 - wall.Value, Is.EqualTo(open).Within(2).Percent);
+                Assert.That((wall.Normal + side * Turn(Vector3.right, axis)).magnitude, Is.LessThan(1e-6f), "the face is the first plane");
             }
         }
 

@@ -65,6 +65,20 @@ namespace SphFluid.Tests
             }
         }
 
+        // By less than 1e-4 rad a step.
+        [Test]
+        public void ASlowTurnIsATurn()
+        {
+            using (var rig = new FloatingRig(Settings(false), FarParticle))
+            {
+                FloatingBody body = rig.AddBox(0.2f * Vector3.one, 500f, Vector3.zero);
+                body.AngularVelocity = new Vector3(0f, 0.02f, 0f);
+                rig.Frame(200);
+                float turn = 200f * rig.Solver.Settings.TimeStep * 0.02f;
+                Assert.That(FloatingPose.Turn(rig.Read(body).Rotation).y, Is.EqualTo(turn).Within(1).Percent);
+            }
+        }
+
         [Test]
         public void FrozenAxesStayAndFreeOnesTurn()
         {

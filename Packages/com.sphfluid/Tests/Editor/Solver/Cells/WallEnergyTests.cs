@@ -138,6 +138,23 @@ namespace SphFluid.Tests
             Assert.That(mean, Is.LessThan(most));
         }
 
+        // A plate, and between it and the particle a sheet of its own that runs the other way round: each is seen from its own side.
+        [Test]
+        public void ASurfaceThatIsNearerTurnsNoOther([Values] bool sheetFirst)
+        {
+            Vector3 At(float x, float y, float z) => Spacing * new Vector3(x, y, z);
+            TriangleMesh box = TriangleMesh.Box(Matrix4x4.TRS(At(0f, 0.25f, 0f), Quaternion.identity, At(8f, 0.3f, 8f)));
+            Vector3[] plate = box.Indices.Select(i => box.Vertices[i]).ToArray();
+            Vector3[] sheet = { At(-3f, 0.7f, -3f), At(3f, 0.7f, -3f), At(0f, 0.7f, 5f) };
+            var point = At(0.1f, 1f, 0.2f);
+            double Share(IEnumerable<Vector3> corners) => ShadowReference.Share(point, corners.Select(c => (Double3)c).ToArray(), Settings.SupportRadius, Spacing);
+            double expected = Share(plate) + Share(sheet.Reverse());
+            Assert.That(Share(sheet), Is.Zero, "it looks down");
+            Assert.That(Share(plate), Is.GreaterThan(0.02));
+            StoredWall wall = Gather((sheetFirst ? sheet.Concat(plate) : plate.Concat(sheet)).ToList(), new[] { point })[0];
+            Assert.That(wall.Value, Is.EqualTo(expected).Within(1e-3));
+        }
+
         // As any modelling program writes a glass. It spun by 9 to 20 rad/s.
         [Test]
         public void StillWaterInAGlassStaysStill([Values(Cut.OneWay, Cut.TheOther)] Cut cut)

@@ -17,6 +17,8 @@ namespace SphFluid.Tests
         }
 
         public FluidSolver Solver => liquid.Solver;
+        public FluidShaderSet Shaders => liquid.Shaders;
+        public StandardState State => liquid.State;
         public FluidObstacles Obstacles => obstacles;
         public FloatingBodies Floating => obstacles.Bodies.Floating;
 
@@ -32,9 +34,15 @@ namespace SphFluid.Tests
 
         public void Frame(int steps)
         {
+            Begin();
+            liquid.Steps(steps);
+        }
+
+        /// <summary>Gives the solver what the bodies' owners say, as at a frame's start.</summary>
+        public void Begin()
+        {
             obstacles.Update(Matrix4x4.identity);
             Solver.SetObstacles(obstacles);
-            liquid.Steps(steps);
         }
 
         public FloatingState Read(FloatingBody body) => Floating.ReadNow(body);

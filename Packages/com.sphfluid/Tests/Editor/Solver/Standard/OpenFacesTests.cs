@@ -53,6 +53,20 @@ namespace SphFluid.Tests
             }
         }
 
+        // What stands on the face is not beyond it.
+        [TestCase(FluidFaces.LowX, -1f)]
+        [TestCase(FluidFaces.HighX, 1f)]
+        public void OnTheFaceItselfAParticleStays(FluidFaces open, float side)
+        {
+            FluidSolverSettings settings = Settings(open);
+            settings.Gravity = Vector3.zero;
+            using (var rig = new StandardRig(settings, new[] { new FluidParticle(new Vector3(side * 0.5f * Domain.x, 0f, 0f), Vector3.zero, 0u) }))
+            {
+                rig.Steps(2);
+                Assert.That(rig.Particles()[0].IsRemoved, Is.False);
+            }
+        }
+
         [Test]
         public void MeasurementsAreOfTheLiquidAlone()
         {
