@@ -179,8 +179,8 @@ Shadow Joined(Shadow mesh, Shadow face, float cosine, float3 turning, out float 
     AddProduct(both, 2.0 * ((-0.5 + k * (1.0 - 2.0 * a) * (1.0 - 2.0 * b)) * half - da * db / root), mesh.Gradient, face.Gradient);
     AddProduct(both, 2.0 * (pb * (1.0 - 2.0 * a) * half - da * dk / root), mesh.Gradient, kGradient);
     AddProduct(both, 2.0 * (pa * (1.0 - 2.0 * b) * half - db * dk / root), face.Gradient, kGradient);
-    const float3 apart = mesh.Gradient - face.Gradient;
-    holds = dot(apart, apart) * GONE_WALLED * GONE_WALLED < 4.0 * root * root && dk * length(kGradient) < 0.05 * length(both.Gradient);
+    const float3 bent = (1.0 - k) * GONE_WALLED * (mesh.Gradient - face.Gradient); // how far it goes along the way, against how wide the bend is
+    holds = dot(bent, bent) < 4.0 * root * root && dk * length(kGradient) < 0.01 * length(both.Gradient);
     return both;
 }
 
