@@ -29,8 +29,15 @@ namespace SphFluid.Tests
             water.transform.localPosition = new Vector3(0f, -5f * Spacing, 0f);
         }
 
-        // Where it floats with what it will bear.
-        void AddRaft(float mass, float load) => raft = Add("Raft", Deck, mass, new Vector3(0f, -2f * Spacing + 0.5f * Deck.y - 1e-3f * (mass + load) / (Deck.x * Deck.z), 0f));
+        // Where it floats with what it will bear, on the second of its colliders.
+        void AddRaft(float mass, float load)
+        {
+            Vector3 half = new Vector3(Deck.x, 0.5f * Deck.y, Deck.z), up = 0.25f * Deck.y * Vector3.up;
+            raft = Add("Raft", half, mass, new Vector3(0f, -2f * Spacing + 0.5f * Deck.y - 1e-3f * (mass + load) / (Deck.x * Deck.z), 0f));
+            raft.GetComponent<BoxCollider>().center = -up;
+            BoxCollider deck = raft.gameObject.AddComponent<BoxCollider>();
+            (deck.size, deck.center) = (half, up);
+        }
 
         [TearDown]
         public void Empty() => rig.Dispose();

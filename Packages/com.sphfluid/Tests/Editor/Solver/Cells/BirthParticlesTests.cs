@@ -105,24 +105,26 @@ namespace SphFluid.Tests
 
         // Of the step before: unknown, of a thin gas, or of water; and -1 of those that left, who stay gone.
         [Test]
-        public void WhoseDensityABirthChangesForgetsTheOneBefore([Values(1, 3, 65)] int births)
+        public void WhoseDensityABirthChangesForgetsTheOneBefore([Values(1, 3, 65)] int births, [Values(0, 30)] int blocked)
         {
             const int count = 257;
             FluidSolverSettings settings = StandardStateRig.Water(Domain, Spacing);
             float Before(int i) => i % 5 == 0 ? -1f : i % 5 == 1 ? 0f : i % 5 == 2 ? 0.3f : 1000f;
-            using (var rig = new StandardStateRig(settings, count + births))
-            using (GraphicsBuffer born = GpuBuffers.Create("Births", births, ParticleBirth.Stride), counts = GpuBuffers.Create("Counts", 3, sizeof(uint)))
+            int slots = count + births + blocked;
+            using (var rig = new StandardStateRig(settings, slots))
+            using (GraphicsBuffer born = GpuBuffers.Create("Births", births + blocked, ParticleBirth.Stride), counts = GpuBuffers.Create("Counts", 3, sizeof(uint)))
             {
-                FluidParticle[] all = ParticleSets.Random(count + births, 0.9f * Domain, 0f, 3);
+                FluidParticle[] all = ParticleSets.Random(slots, 0.9f * Domain, 0f, 3);
                 for (int i = count; i < all.Length; i++) all[i].Removed = 1f;
                 Vector3[] at = rig.FillSorted(all).Take(count).Select(p => p.Position).ToArray();
                 StandardStateRig.Fill(rig.State.Buffers.NewPositions, at.Select((p, i) => StandardStateRig.WithW(p, Before(i))).ToArray());
                 Vector3[] places = ParticleSets.Random(2000, 0.9f * Domain, 0f, 4).Select(p => p.Position)
                     .Where(p => at.Min(other => Apart(p, other, settings)) / Spacing is float nearest && nearest > 1f && nearest < 1.5f).Take(births).ToArray();
-                born.SetData(places.Select((p, i) => new ParticleBirth { Position = p, Id = (uint)(count + i) }).ToArray());
+                IEnumerable<Vector3> inLiquid = Enumerable.Range(0, count).Where(i => Before(i) >= 0f).Select(i => at[i] + 0.2f * Spacing * Vector3.up).Take(blocked);
+                born.SetData(places.Concat(inLiquid).Select((p, i) => new ParticleBirth { Position = p, Id = (uint)(count + i) }).ToArray());
                 counts.SetData(new uint[3]);
-                GpuTest.Run(cmd => new BirthParticlesPass(rig.Shaders).Record(cmd, rig.State, new BirthBatch(born, counts, births, count + births, false)));
-                Assert.That(GpuTest.Read<uint>(counts, 3), Is.EqualTo(new[] { (uint)births, 0u, 0u }));
+                GpuTest.Run(cmd => new BirthParticlesPass(rig.Shaders).Record(cmd, rig.State, new BirthBatch(born, counts, births + blocked, slots, false)));
+                Assert.That(GpuTest.Read<uint>(counts, 3), Is.EqualTo(new[] { (uint)births, (uint)blocked, 0u }));
                 Vector4[] after = GpuTest.Read<Vector4>(rig.State.Buffers.NewPositions, count);
                 int forgot = 0;
                 for (int i = 0; i < count; i++)
