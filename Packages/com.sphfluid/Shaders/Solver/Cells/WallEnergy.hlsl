@@ -110,15 +110,6 @@ float3 HessianTimes(Shadow shadow, float3 v)
     return shadow.Diagonal * v + shadow.Shear.zxy * v.yzx + shadow.Shear.yzx * v.zxy;
 }
 
-Shadow Scaled(Shadow shadow, float factor)
-{
-    shadow.Value *= factor;
-    shadow.Gradient *= factor;
-    shadow.Diagonal *= factor;
-    shadow.Shear *= factor;
-    return shadow;
-}
-
 // What is left free of something behind walls, 1 - share, by its logarithm: what several leave is the sum.
 Shadow Free(Shadow shadow)
 {
@@ -156,7 +147,7 @@ Shadow Joined(Shadow mesh, Shadow face, float cosine, float3 turning, out float 
     const float c = saturate(cosine);
     const float sine2 = 1.0 - c * c;
     const float k = sine2 * sine2;
-    const float3 kGradient = cosine > 0.0 ? -4.0 * c * sine2 * turning : float3(0.0, 0.0, 0.0);
+    const float3 kGradient = -4.0 * c * sine2 * turning;
     const float a = mesh.Value;
     const float b = face.Value;
     const float pa = a * (1.0 - a);
@@ -284,8 +275,10 @@ Shadow WithFaces(Shadow mesh, float3 position, inout WallShares shares, out floa
                 bool bothHold;
                 const Shadow both = Joined(mesh, own, cosine, -HessianTimes(mesh, n - cosine * normal) / steep, ofMesh, bothHold);
                 const Shadow bothFree = Free(both);
-                Add(free, bothFree);
-                Add(free, Scaled(meshFree, -1.0));
+                free.Value += bothFree.Value - meshFree.Value;
+                free.Gradient += bothFree.Gradient - meshFree.Gradient;
+                free.Diagonal += bothFree.Diagonal - meshFree.Diagonal;
+                free.Shear += bothFree.Shear - meshFree.Shear;
                 left += ofMesh * (1.0 - mesh.Value) / (1.0 - both.Value) - 1.0;
                 holds = holds && bothHold;
             }
