@@ -91,7 +91,7 @@ namespace SphFluid.Tests
                     double length = steps[i].magnitude;
                     pushes.Add(Math.Abs((there[i].Value - back[i].Value) / 2.0 - Double3.Dot(here[i].Push, steps[i])) / (steepest * length));
                     Double3 turned = 0.5 * (there[i].Push - back[i].Push), known = new Double3(kept[i].Gradient(0), kept[i].Gradient(1), kept[i].Gradient(2)) - here[i].Push;
-                    if ((here[i].Flags & 8u) != 0u) continue;
+                    if (here[i].IsBrief) continue;
                     turning = Math.Max(turning, turned.Length);
                     turns.Add((turned - known).Length);
                 }
