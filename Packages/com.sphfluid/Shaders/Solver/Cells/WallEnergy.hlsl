@@ -247,13 +247,14 @@ Shadow WithFaces(Shadow mesh, float3 position, inout WallShares shares, out floa
     const float3 normal = -mesh.Gradient / steep; // towards the liquid: the share falls along it
     const float3 low = (position - _WallsLow) * _InverseSupport;
     const float3 high = (_WallsHigh - position) * _InverseSupport;
-    mesh.Value = min(mesh.Value, 0.95);
-    const Shadow meshFree = Free(mesh);
-    Shadow free = meshFree;
+    Shadow whole = mesh;
     float left = 1.0;
     [branch]
     if (any(min(low, high) < SHADOW_REACH))
     {
+        mesh.Value = min(mesh.Value, 0.95); // triangles that lie behind each other add up to more than all
+        const Shadow meshFree = Free(mesh);
+        Shadow free = meshFree;
         [loop]
         for (uint face = 0u; face < 6u; face++)
         {
@@ -283,9 +284,9 @@ Shadow WithFaces(Shadow mesh, float3 position, inout WallShares shares, out floa
                 holds = holds && bothHold;
             }
         }
+        whole = Behind(free);
+        left *= (1.0 - whole.Value) / (1.0 - mesh.Value);
     }
-    const Shadow whole = Behind(free);
-    left *= (1.0 - whole.Value) / (1.0 - mesh.Value);
     faces = whole.Gradient;
     [unroll]
     for (uint k = 0u; k < uint(WALL_PLANES); k++)
