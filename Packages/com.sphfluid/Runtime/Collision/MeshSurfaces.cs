@@ -16,6 +16,9 @@ namespace SphFluid
         /// <summary>Bit of <see cref="Edges"/>: the corners run the other way than those of the surface's first triangle.</summary>
         public const uint Turned = 8u;
 
+        /// <summary>Bits beside those of <see cref="Edges"/>: the solid is deep on the side from which the normal looks, and on that to which it looks.</summary>
+        public const uint DeepBehind = 16u, DeepAhead = 32u, Deep = DeepBehind | DeepAhead;
+
         /// <summary>Bits of <see cref="Edges"/> below the number of the surface.</summary>
         public const int NumberShift = 8;
 

@@ -39,6 +39,16 @@ namespace SphFluid
             return ab;
         }
 
+        /// <summary>Whether a line through a point crosses a triangle, edges included, and where.</summary>
+        /// <param name="along">Of the crossing, from the point, over the direction's length.</param>
+        public static bool LineCrosses(Vector3 p, Vector3 direction, Vector3 a, Vector3 b, Vector3 c, out float along)
+        {
+            Vector3 u = b - a, v = c - a, h = Vector3.Cross(direction, v), s = p - a, q = Vector3.Cross(s, u);
+            float determinant = Vector3.Dot(u, h), x = Vector3.Dot(s, h), y = Vector3.Dot(direction, q);
+            along = Vector3.Dot(v, q) / determinant;
+            return determinant > 0f ? x >= 0f && y >= 0f && x + y <= determinant : determinant < 0f && x <= 0f && y <= 0f && x + y >= determinant;
+        }
+
         /// <summary>As <see cref="LineCrossing"/>, of the ray along +x from the point: +1 where it leaves what the face encloses.</summary>
         public static int RayCrossing(Vector3 p, Vector3 a, Vector3 b, Vector3 c)
         {

@@ -18,6 +18,14 @@ namespace SphFluid
 
         public int Count => CountX * CountY * CountZ;
 
+        /// <summary>Number of the cell at a place; -1 where none is.</summary>
+        public int At(Vector3 place)
+        {
+            Vector3 cell = (place - Origin) / Side;
+            int x = Mathf.FloorToInt(cell.x), y = Mathf.FloorToInt(cell.y), z = Mathf.FloorToInt(cell.z);
+            return x >= 0 && x < CountX && y >= 0 && y < CountY && z >= 0 && z < CountZ ? (z * CountY + y) * CountX + x : -1;
+        }
+
         /// <summary>Cells of a side over a box, larger ones where these would be more than <paramref name="most"/>.</summary>
         public static BodyCells Over(Vector3 low, Vector3 high, float reach, float side, long most)
         {

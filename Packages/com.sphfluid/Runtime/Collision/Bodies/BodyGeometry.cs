@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Unity.Collections;
+using Unity.Jobs;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -18,6 +19,7 @@ namespace SphFluid
         readonly List<BodyTriangle> triangles = new List<BodyTriangle>();
         readonly List<uint> edges = new List<uint>(); // of the triangles, as MeshSurfaces has them
         readonly List<BodyTriangle> ends = new List<BodyTriangle>(); // of the body that is being added, where it deforms
+        readonly List<int> solids = new List<int>(); // of the body that is being added: number of each triangle's solid, 0 for none
         readonly List<BodyGrid> grids = new List<BodyGrid>();
         int first; // triangle of the body that is being added
         uint surfaces; // of that body
@@ -45,6 +47,7 @@ namespace SphFluid
         {
             triangles.Clear();
             edges.Clear();
+            solids.Clear();
             DisposeGrids();
             first = LeftOut = 0;
             cellCount = referenceCount = 0u;
@@ -80,7 +83,7 @@ namespace SphFluid
                     LeftOut++;
                     continue;
                 }
-                AddTriangle(a, b, c, found.Edges[t]);
+                AddTriangle(a, b, c, found.Edges[t], 0);
                 ends.Add(new BodyTriangle { A = d, B = e, C = f }); // kernels take the normal between the two
             }
         }
@@ -92,19 +95,21 @@ namespace SphFluid
         {
             Vector3 half = within.HasValue ? within.Value.extents + reach * Vector3.one : Vector3.positiveInfinity;
             MeshSurfaces found = mesh.Surfaces;
+            int solid = mesh.IsClosed ? triangles.Count + 1 : 0;
             foreach (int t in found.Order)
             {
                 mesh.GetTriangle(t, out Vector3 a, out Vector3 b, out Vector3 c);
                 if (!AffineMath.IsFinite(a) || !AffineMath.IsFinite(b) || !AffineMath.IsFinite(c)) LeftOut++;
-                else if (!within.HasValue || TriangleMath.MayOverlap(within.Value.center, half, a, b, c)) AddTriangle(a, b, c, found.Edges[t]);
+                else if (!within.HasValue || TriangleMath.MayOverlap(within.Value.center, half, a, b, c)) AddTriangle(a, b, c, found.Edges[t], solid);
             }
             surfaces += (uint)found.Count;
         }
 
-        void AddTriangle(Vector3 a, Vector3 b, Vector3 c, uint own)
+        void AddTriangle(Vector3 a, Vector3 b, Vector3 c, uint own, int solid)
         {
             triangles.Add(BodyTriangle.Of(a, b, c));
-            edges.Add(own + (surfaces << MeshSurfaces.NumberShift));
+            edges.Add(own + (surfaces << MeshSurfaces.NumberShift) + (solid > 0 ? MeshSurfaces.Deep : 0u));
+            solids.Add(solid);
         }
 
         /// <summary>Makes the lists of the triangles added since the last body.</summary>
@@ -121,6 +126,8 @@ namespace SphFluid
             bool deforms = ends.Count > 0;
             var grid = new BodyGrid(triangles.GetRange(first, count).ToArray(), deforms ? ends.ToArray() : null, looks, within, (uint)first, referenceCount);
             grids.Add(grid);
+            FindDepths(grid, looks);
+            solids.Clear();
             body = new CollisionBody
             {
                 Rotation0 = Quaternion.identity,
@@ -144,6 +151,24 @@ namespace SphFluid
             cellCount += (uint)grid.Starts.Length;
             referenceCount += (uint)grid.References.Length;
             return true;
+        }
+
+        // Of the last body, whose cells look so far.
+        void FindDepths(BodyGrid grid, float looks)
+        {
+            if (!solids.Exists(s => s > 0)) return;
+            int count = triangles.Count - first;
+            using (var given = new NativeArray<BodyTriangle>(triangles.GetRange(first, count).ToArray(), Allocator.TempJob))
+            using (var numbers = new NativeArray<int>(solids.ToArray(), Allocator.TempJob))
+            using (var found = new NativeArray<uint>(edges.GetRange(first, count).ToArray(), Allocator.TempJob))
+            {
+                new BodyDepthJob
+                {
+                    Cells = grid.Cells, FirstReference = referenceCount, FirstTriangle = (uint)first, Depth = looks, Triangles = given, Solids = numbers,
+                    Starts = grid.Starts, References = grid.References, Edges = found,
+                }.Run();
+                for (int i = 0; i < count; i++) edges[first + i] = found[i];
+            }
         }
 
         /// <summary>Bytes that the buffers take once all is copied.</summary>

@@ -7,9 +7,11 @@
 #include "EdgeShadow.hlsl"
 #include "NearWall.hlsl"
 
-StructuredBuffer<uint> _TriangleEdges; // of each triangle: three bits for edges inside of a plane, EDGES_TURNED, and above them the number of its surface
+StructuredBuffer<uint> _TriangleEdges; // of each triangle: three bits for edges inside of a plane, the others here, and above them the number of its surface
 
 #define EDGES_TURNED 8u // its corners run the other way than those of its surface
+#define EDGES_DEEP_BEHIND 16u // the solid is deep on the side from which its normal looks, and on that to which it looks
+#define EDGES_DEEP_AHEAD 32u
 #define EDGES_SURFACE 8u
 
 // Of what the triangles of a plane's wall add; for bodies and for rectangles that measure.
@@ -175,7 +177,17 @@ Shadow Joined(Shadow mesh, Shadow face, float cosine, float3 turning, out float 
     return both;
 }
 
-// The triangles of all bodies: a surface is seen from the side that the particle is on, its other side is behind something.
+Shadow Scaled(Shadow shadow, float factor)
+{
+    shadow.Value *= factor;
+    shadow.Gradient *= factor;
+    shadow.Diagonal *= factor;
+    shadow.Shear *= factor;
+    return shadow;
+}
+
+// The triangles of all bodies: a surface is seen from the side that the particle is on. Of its other side what belongs to a deep solid ends the solid
+// and takes away what is behind it, so that round an edge nothing comes or goes at once; the back of a thin plate is left out.
 // planes: unit normals towards the particle; owners: their bodies. shares: of the gradient, to the plane of the body that looks most along it.
 Shadow TriangleShadow(float3 position, float3 planes[WALL_PLANES], uint owners[WALL_PLANES], inout WallShares shares)
 {
@@ -211,13 +223,16 @@ Shadow TriangleShadow(float3 position, float3 planes[WALL_PLANES], uint owners[W
                 const uint edges = _TriangleEdges[index];
                 const SeenTriangle seen = Seen(pose, moves, index, position);
                 const float own = (edges & EDGES_TURNED) == 0u ? side : -side; // of its corners as they run
+                const float facing = seen.Height > 0.0 ? 1.0 : -1.0;
+                const bool endsSolid = (edges & (own > 0.0 ? EDGES_DEEP_BEHIND : EDGES_DEEP_AHEAD)) != 0u;
                 [branch]
-                if (seen.Height * own > 0.0)
+                if (seen.Height != 0.0 && (facing == own || endsSolid))
                 {
-                    const float3 n = own * seen.Normal;
-                    const bool turns = own < 0.0;
+                    const float3 n = facing * seen.Normal;
+                    const bool turns = facing < 0.0;
                     const uint inPlane = turns ? ((edges & 1u) << 2u) | (edges & 2u) | ((edges >> 2u) & 1u) : edges & 7u;
-                    const Shadow part = ShadowOf(seen.A, turns ? seen.C : seen.B, turns ? seen.B : seen.C, n, max(abs(seen.Height), 1e-4 * _MirrorSpacing), inPlane);
+                    const Shadow part = Scaled(ShadowOf(seen.A, turns ? seen.C : seen.B, turns ? seen.B : seen.C, n,
+                        max(abs(seen.Height), 1e-4 * _MirrorSpacing), inPlane), facing * own);
                     Add(sum, part);
                     float3 along;
                     [unroll]
