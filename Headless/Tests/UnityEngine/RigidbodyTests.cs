@@ -43,8 +43,10 @@ public class RigidbodyTests : EngineFixture
         body.useGravity = false;
         body.AddForce(new Vector3(6f, 0f, 0f), mode);
         Assert.That(body.velocity, Is.EqualTo(Vector3.zero));
+        Assert.That(body.GetAccumulatedForce(Step).x, Is.EqualTo(expected * body.mass / Step).Within(1e-3f));
         Simulate(2);
         Assert.That(body.velocity.x, Is.EqualTo(expected).Within(1e-5f));
+        Assert.That(body.GetAccumulatedForce(Step), Is.EqualTo(Vector3.zero));
     }
 
     [Test]

@@ -48,4 +48,13 @@ public partial class Rigidbody
         AddForce(force, mode);
         AddTorque(Vector3.Cross(position - worldCenterOfMass, force), mode);
     }
+
+    public Vector3 GetAccumulatedForce() => GetAccumulatedForce(Time.fixedDeltaTime);
+
+    /// <summary>What the next physics step will be given as a force, of all modes.</summary>
+    public Vector3 GetAccumulatedForce(float step) => AddedForce + AddedVelocity * (mass / step);
+
+    public Vector3 GetAccumulatedTorque() => GetAccumulatedTorque(Time.fixedDeltaTime);
+
+    public Vector3 GetAccumulatedTorque(float step) => AddedTorque + RigidbodyMotion.TimesInertia(this, AddedAngularVelocity / step);
 }

@@ -132,6 +132,30 @@ namespace SphFluid.Tests
             Assert.That(gap, Is.LessThan(0.006f));
         }
 
+        // As an engine pushes a boat; above the liquid nothing else acts. Physics steps five times in six frames, whichever it begins with.
+        [UnityTest]
+        public IEnumerator AForceOfAScriptIsObeyed([Values(0, 1, 2)] int frames)
+        {
+            crate.transform.position = new Vector3(-0.1f, 0.3f, 0f);
+            crate.useGravity = false;
+            for (int i = 0; i < frames; i++) yield return null;
+            crate.useGravity = true;
+            Vector3 push = new Vector3(0.6f, 0.2f, 0f), spin = new Vector3(0f, 1f, 0f);
+            Fixed(() =>
+            {
+                crate.AddForce(push - Physics.gravity, ForceMode.Acceleration);
+                crate.AddTorque(spin, ForceMode.Acceleration);
+            });
+            yield return Play(0.1f);
+            Vector3 velocity = crate.GetPointVelocity(crate.worldCenterOfMass), turning = crate.angularVelocity;
+            yield return Play(0.4f);
+            velocity = crate.GetPointVelocity(crate.worldCenterOfMass) - velocity;
+            turning = crate.angularVelocity - turning;
+            string figures = $"{velocity} m/s, {turning} rad/s";
+            Assert.That((velocity - 0.4f * push).magnitude, Is.LessThan(0.05f), figures);
+            Assert.That((turning - 0.4f * spin).magnitude, Is.LessThan(0.02f), figures);
+        }
+
         [UnityTest]
         public IEnumerator APositionThatIsSetOnceIsTakenUp()
         {

@@ -100,21 +100,32 @@ namespace SphFluid.Tests
             Assert.That(off, Is.LessThan(0.8f * Spacing), figures);
         }
 
+        // Physics steps five times in six frames: whichever of them the hoist begins in, the load goes up with 2 m/s².
+        sealed class Hoist : MonoBehaviour
+        {
+            Rigidbody load;
+
+            void Awake() => load = GetComponent<Rigidbody>();
+
+            void FixedUpdate() => load.AddForce(load.mass * (-Physics.gravity + new Vector3(0f, 2f, 0f)));
+        }
+
         [UnityTest]
-        public IEnumerator ALoadThatIsLiftedLeavesItsRaft()
+        public IEnumerator ALoadThatIsLiftedLeavesItsRaft([Values(0, 3)] int frames)
         {
             AddRaft(4f, 8f);
             Rigidbody load = AddLoad(8f);
             yield return Play(0.3f);
+            for (int i = 0; i < frames; i++) yield return null;
+            load.gameObject.AddComponent<Hoist>();
             float fastest = 0f;
             yield return Play(0.9f, () =>
             {
-                load.AddForce(load.mass * (-Physics.gravity + new Vector3(0f, 2f, 0f))); // as a hoist does, also in frames without a step of physics
                 fastest = Mathf.Max(fastest, raft.GetPointVelocity(raft.worldCenterOfMass).magnitude);
             });
             string figures = $"raft at {raft.position.y} of {HeightWith(4f)}, fastest {fastest} m/s, load at {load.position.y}";
             TestContext.Out.WriteLine(figures);
-            Assert.That(load.position.y - raft.position.y, Is.GreaterThan(0.4f), figures);
+            Assert.That(load.position.y - raft.position.y, Is.GreaterThan(0.3f), figures); // 0.19 m where it lies
             Assert.That(fastest, Is.LessThan(2.3f), figures); // twice what the freed raft rises with, √(ρ g A/m) of its way up
             Assert.That(raft.position.y, Is.EqualTo(HeightWith(4f)).Within(0.6f * Spacing), figures);
         }

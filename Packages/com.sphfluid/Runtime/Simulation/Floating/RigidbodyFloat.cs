@@ -41,6 +41,7 @@ namespace SphFluid
             public FloatChange Refused, Correction, Given; // Given: with the next steps of physics
             public FloatChange Pull, Share, Spread; // accelerations by the liquid, evened out; of a stack Share is what contacts leave of it, and Spread what they take
             public Vector3 ExpectedVelocity, ExpectedAngularVelocity; // of the frame, without what others do
+            public Vector3 Asked, AskedTurn; // changes of its velocities by the forces of scripts, with the next step of physics
             public FloatShift Shift, Turn;
             public FloatRest Rest;
             public float StepLength, Unseen, Acted; // Unseen: what a fall in several steps may differ from one in one; Acted: time since a correction was given
@@ -128,6 +129,8 @@ namespace SphFluid
         public void Give(in FloatSpace space, float time)
         {
             if (rigidbody.IsSleeping()) return;
+            state.Asked = time * state.Mass.Free(state.Mass.InverseMass * (space.ToSimulation * rigidbody.GetAccumulatedForce(time)));
+            state.AskedTurn = time * TurningBy(space.ToSimulation * rigidbody.GetAccumulatedTorque(time));
             FloatChange change = default, spread = default;
             if (Body.KnownFrame >= 0)
             {
@@ -234,12 +237,14 @@ namespace SphFluid
         FloatChange PullOf(in FloatingState known)
         {
             float part = known.Time > 0f ? 1f / known.Time : 0f;
+            return new FloatChange { Velocity = state.Mass.Free(state.Mass.InverseMass * part * known.Impulse), AngularVelocity = TurningBy(part * known.AngularImpulse) };
+        }
+
+        // The angular acceleration by a torque.
+        Vector3 TurningBy(Vector3 torque)
+        {
             Quaternion axes = state.Last.Pose.Rotation;
-            return new FloatChange
-            {
-                Velocity = state.Mass.Free(state.Mass.InverseMass * part * known.Impulse),
-                AngularVelocity = axes * Vector3.Scale(state.Mass.InverseInertia, Quaternion.Inverse(axes) * (part * known.AngularImpulse)),
-            };
+            return axes * Vector3.Scale(state.Mass.InverseInertia, Quaternion.Inverse(axes) * torque);
         }
 
         // PhysX bounds how fast a body turns.
@@ -302,7 +307,12 @@ namespace SphFluid
             }
 
             if (!state.IsKnown) (state.ExpectedVelocity, state.ExpectedAngularVelocity) = (now.Velocity, now.AngularVelocity);
-            if (step > 0f || rigidbody.IsSleeping()) (state.StepLength, state.Given, state.Shift, state.Turn) = (0f, default, default, default);
+            if (step > 0f || rigidbody.IsSleeping())
+            {
+                (state.StepLength, state.Given, state.Shift, state.Turn) = (0f, default, default, default);
+                state.Asked = state.AskedTurn = Vector3.zero;
+            }
+
             state.Last = now;
             state.IsKnown = true;
         }
@@ -316,10 +326,11 @@ namespace SphFluid
             follower.Give(state.Given);
             state.ExpectedVelocity = kept * (state.ExpectedVelocity + velocity);
             state.ExpectedAngularVelocity = keptTurn * (state.ExpectedAngularVelocity + angularVelocity);
-            Vector3 refused = state.Shift.End(now.Velocity, kept * (state.Last.Velocity + velocity), kept, out Vector3 left);
+            Vector3 refused = state.Shift.End(now.Velocity, kept * (state.Last.Velocity + velocity + state.Asked), kept, out Vector3 left);
             state.IsHeld = refused != Vector3.zero;
             state.Refused.Displacement -= step * refused;
-            state.Refused.Rotation -= step * state.Turn.End(now.AngularVelocity, keptTurn * (state.Last.AngularVelocity + angularVelocity), keptTurn, out Vector3 leftTurn);
+            state.Refused.Rotation -= step * state.Turn.End(
+                now.AngularVelocity, keptTurn * (state.Last.AngularVelocity + angularVelocity + state.AskedTurn), keptTurn, out Vector3 leftTurn);
             now.Velocity -= left;
             now.AngularVelocity -= leftTurn;
             if (leftTurn != Vector3.zero) rigidbody.angularVelocity -= space.ToWorld * leftTurn;
