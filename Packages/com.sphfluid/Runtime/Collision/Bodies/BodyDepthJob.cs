@@ -19,7 +19,7 @@ namespace SphFluid
         public uint FirstReference;
         public uint FirstTriangle;
 
-        /// <summary>A solid is deep from here on [m]; no farther than cells look.</summary>
+        /// <summary>A solid is deep from here on [m]: as far as a wall is felt.</summary>
         public float Depth;
 
         [ReadOnly] public NativeArray<BodyTriangle> Triangles;

@@ -153,7 +153,7 @@ namespace SphFluid
             return true;
         }
 
-        // Of the last body, whose cells look so far.
+        // Of the last body, whose cells look so far: twice as far as a wall is felt.
         void FindDepths(BodyGrid grid, float looks)
         {
             if (!solids.Exists(s => s > 0)) return;
@@ -164,7 +164,7 @@ namespace SphFluid
             {
                 new BodyDepthJob
                 {
-                    Cells = grid.Cells, FirstReference = referenceCount, FirstTriangle = (uint)first, Depth = looks, Triangles = given, Solids = numbers,
+                    Cells = grid.Cells, FirstReference = referenceCount, FirstTriangle = (uint)first, Depth = 0.5f * looks, Triangles = given, Solids = numbers,
                     Starts = grid.Starts, References = grid.References, Edges = found,
                 }.Run();
                 for (int i = 0; i < count; i++) edges[first + i] = found[i];

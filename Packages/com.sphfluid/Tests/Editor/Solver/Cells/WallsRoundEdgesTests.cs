@@ -29,6 +29,7 @@ namespace SphFluid.Tests
         }
 
         [TestCase(6f, true)]
+        [TestCase(2.4f, true)] // beyond 2.25 dx nothing is felt
         [TestCase(0.8f, false)] // a plate: of its rim only the side counts that liquid sees
         public void BesideAnEdgeThePushHasNoJump(float width, bool isDeep)
         {
@@ -42,7 +43,7 @@ namespace SphFluid.Tests
 
         // As far as the solid is felt: what is behind a plane, less what is beside it.
         [Test]
-        public void AWideBoxIsAWallAndAPlateToo([Values(6f, 0.8f, 0.01f)] float width)
+        public void AWideBoxIsAWallAndAPlateToo([Values(6f, 2.4f, 0.8f, 0.01f)] float width)
         {
             Vector3 size = Spacing * new Vector3(12f, width, 12f);
             Vector3[] over = Enumerable.Range(0, 20).Select(i => new Vector3(0.01f, 0.5f * size.y + (0.3f + 0.04f * i) * Spacing, 0.02f)).ToArray();
