@@ -40,6 +40,11 @@ namespace SphFluid
         }
 
         /// <summary>Whether a line through a point crosses a triangle, edges included, and where.</summary>
+        /// <param name="p">The point.</param>
+        /// <param name="direction">Of the line, of any length.</param>
+        /// <param name="a">A corner.</param>
+        /// <param name="b">A corner.</param>
+        /// <param name="c">A corner.</param>
         /// <param name="along">Of the crossing, from the point, over the direction's length.</param>
         public static bool LineCrosses(Vector3 p, Vector3 direction, Vector3 a, Vector3 b, Vector3 c, out float along)
         {
