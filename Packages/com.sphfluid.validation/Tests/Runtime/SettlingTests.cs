@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     public sealed class SettlingTests
     {
         const float FrameTime = 1f / 30f;
-        const float Seconds = 1.4f;
+        const float Seconds = 1.8f; // at 1.4 s it still splashes
 
         SimulationRig rig;
 
@@ -42,8 +42,7 @@ namespace SphFluid.Tests
             Assert.That(statistics.EscapedCount, Is.Zero, "particles outside the domain");
             Assert.That(ColliderPenetration.Of(simulation, snapshot).Deep, Is.Zero, "particles deeper in a collider than one spacing");
             LiquidVolume liquid = LiquidVolume.Of(simulation, snapshot);
-            // Walls push but carry no density, so each wall costs a part of a layer: the shallower the liquid, the more.
-            Assert.That(liquid.Measured, Is.EqualTo(liquid.Expected).Within(15).Percent, "volume");
+            Assert.That(liquid.Measured, Is.EqualTo(liquid.Expected).Within(8).Percent, "volume");
             Assert.That(statistics.DensityErrorMean, Is.LessThan(0.04), "mean compression");
             // A tenth of the speed of the fall.
             Assert.That(statistics.RmsSpeed, Is.LessThan(0.1 * Mathf.Sqrt(2f * 9.81f * 0.7f)), "speed at rest [m/s]");
