@@ -38,10 +38,9 @@ namespace SphFluid
         {
             public FloatingMass Mass;
             public FloatMotion Last;
-            public FloatChange Refused, Correction, Given; // Given: with the next steps of physics
+            public FloatChange Refused, Correction, Given, Asked; // Given: with the next steps of physics; Asked: with the next one, by the forces of scripts
             public FloatChange Pull, Share, Spread; // accelerations by the liquid, evened out; of a stack Share is what contacts leave of it, and Spread what they take
             public Vector3 ExpectedVelocity, ExpectedAngularVelocity; // of the frame, without what others do
-            public Vector3 Asked, AskedTurn; // changes of its velocities by the forces of scripts, with the next step of physics
             public FloatShift Shift, Turn;
             public FloatRest Rest;
             public float StepLength, Unseen, Acted; // Unseen: what a fall in several steps may differ from one in one; Acted: time since a correction was given
@@ -129,8 +128,8 @@ namespace SphFluid
         public void Give(in FloatSpace space, float time)
         {
             if (rigidbody.IsSleeping()) return;
-            state.Asked = time * state.Mass.Free(state.Mass.InverseMass * (space.ToSimulation * rigidbody.GetAccumulatedForce(time)));
-            state.AskedTurn = time * TurningBy(space.ToSimulation * rigidbody.GetAccumulatedTorque(time));
+            state.Asked.Velocity = time * state.Mass.Free(state.Mass.InverseMass * (space.ToSimulation * rigidbody.GetAccumulatedForce(time)));
+            state.Asked.AngularVelocity = time * TurningBy(space.ToSimulation * rigidbody.GetAccumulatedTorque(time));
             FloatChange change = default, spread = default;
             if (Body.KnownFrame >= 0)
             {
@@ -307,12 +306,7 @@ namespace SphFluid
             }
 
             if (!state.IsKnown) (state.ExpectedVelocity, state.ExpectedAngularVelocity) = (now.Velocity, now.AngularVelocity);
-            if (step > 0f || rigidbody.IsSleeping())
-            {
-                (state.StepLength, state.Given, state.Shift, state.Turn) = (0f, default, default, default);
-                state.Asked = state.AskedTurn = Vector3.zero;
-            }
-
+            if (step > 0f || rigidbody.IsSleeping()) (state.StepLength, state.Given, state.Asked, state.Shift, state.Turn) = (0f, default, default, default, default);
             state.Last = now;
             state.IsKnown = true;
         }
@@ -326,11 +320,11 @@ namespace SphFluid
             follower.Give(state.Given);
             state.ExpectedVelocity = kept * (state.ExpectedVelocity + velocity);
             state.ExpectedAngularVelocity = keptTurn * (state.ExpectedAngularVelocity + angularVelocity);
-            Vector3 refused = state.Shift.End(now.Velocity, kept * (state.Last.Velocity + velocity + state.Asked), kept, out Vector3 left);
+            Vector3 refused = state.Shift.End(now.Velocity, kept * (state.Last.Velocity + velocity + state.Asked.Velocity), kept, out Vector3 left);
             state.IsHeld = refused != Vector3.zero;
             state.Refused.Displacement -= step * refused;
             state.Refused.Rotation -= step * state.Turn.End(
-                now.AngularVelocity, keptTurn * (state.Last.AngularVelocity + angularVelocity + state.AskedTurn), keptTurn, out Vector3 leftTurn);
+                now.AngularVelocity, keptTurn * (state.Last.AngularVelocity + angularVelocity + state.Asked.AngularVelocity), keptTurn, out Vector3 leftTurn);
             now.Velocity -= left;
             now.AngularVelocity -= leftTurn;
             if (leftTurn != Vector3.zero) rigidbody.angularVelocity -= space.ToWorld * leftTurn;
