@@ -64,6 +64,14 @@ float AngleOf(float across, float from, float to)
     return atan2(across * (to - from), across * across + from * to);
 }
 
+// Of it times d / s: what is left of the angle when the particle is in the plane.
+float SolidAngleOf(float d, float across, float from, float to)
+{
+    const float first = sqrt(d * d + across * across + from * from);
+    const float last = sqrt(d * d + across * across + to * to);
+    return atan2(across * d * (to * first - from * last), across * across * first * last + d * d * from * to);
+}
+
 float ArSinh(float x)
 {
     const float a = abs(x);
@@ -106,8 +114,9 @@ Shadow ShadowOf(float3 a, float3 b, float3 c, float3 n, float d, uint inPlane)
         const float low = max(begin, -half);
         const float high = min(end, half);
         const bool inReach = low < high;
-        const float outer = AngleOf(across, begin, end) - (inReach ? AngleOf(across, low, high) : 0.0);
-        value += plane.Value * outer;
+        const float angleOfAll = AngleOf(across, begin, end);
+        const float outer = angleOfAll - (inReach ? AngleOf(across, low, high) : 0.0);
+        value += plane.Value * (angleOfAll - (inReach ? SolidAngleOf(d, across, low, high) : 0.0));
         slope += plane.Slope * outer;
         bend += plane.Bend * outer;
         const uint points = size < 0.35 * _MirrorSpacing ? 1u : size < 0.6 * _MirrorSpacing ? 2u : size < 1.01 * _MirrorSpacing ? 3u : 4u;
@@ -127,7 +136,7 @@ Shadow ShadowOf(float3 a, float3 b, float3 c, float3 n, float d, uint inPlane)
             const float weight = 0.5 * (last - first) * rule.y * s;
             const float angle = weight * across / max(across * across + tau * tau, 1e-2 * least * least);
             const Profile there = ProfileAt(s);
-            value += angle * (plane.Value - d / s * there.Value);
+            value += angle * d / s * (plane.Value - there.Value);
             slope += angle * (plane.Slope - there.Slope);
             bend += angle * (plane.Bend - d / s * there.Bend);
             rim += weight * (there.Value - s * there.Slope) / (s2 * s);
