@@ -91,6 +91,7 @@ namespace SphFluid.Tests
                 if (type == typeof(FluidCollider)) holder.AddComponent<BoxCollider>().size = 0.1f * Vector3.one;
                 Component part = holder.AddComponent(type);
                 if (part is FluidView view) view.Simulation = simulation;
+                if (part is FluidGeometrySurfaceRenderer grid) grid.GridSize = SurfaceGridSize.Cells32; // the smallest
             }
             return simulation;
         }
