@@ -141,9 +141,9 @@ namespace SphFluid.Tests
         public void OfWaterAtRestTheFillLevelIsThatOfItsSurface()
         {
             const float spacing = 0.03f;
-            var counts = new Vector3Int(12, 12, 12);
-            Vector3 domain = spacing * new Vector3(12, 24, 12);
-            FluidSolverSettings settings = BodyRig.Water(domain, spacing, 12 * spacing);
+            var counts = new Vector3Int(12, 9, 12);
+            Vector3 domain = spacing * new Vector3(12, 18, 12);
+            FluidSolverSettings settings = BodyRig.Water(domain, spacing, counts.y * spacing);
             FluidParticle[] particles;
             using (var rig = new FloatingRig(settings, FloatingRig.Block(counts, spacing, -0.5f * domain)))
             {
@@ -151,7 +151,7 @@ namespace SphFluid.Tests
                 particles = rig.Particles();
             }
             float level = Level(settings, particles);
-            Box[] boxes = new[] { -0.24f, -0.05f, 0f, 0.03f }.Select(height => new Box { Centre = new Vector3(0f, level + height, 0f), Size = new Vector3(0.28f, 0.2f, 0.28f), Rotation = Quaternion.identity }).ToArray();
+            Box[] boxes = new[] { -0.14f, -0.05f, 0f, 0.03f }.Select(height => new Box { Centre = new Vector3(0f, level + height, 0f), Size = new Vector3(0.28f, 0.2f, 0.28f), Rotation = Quaternion.identity }).ToArray();
             FluidBoxResult[] found = Ask(settings, particles, boxes);
             TestContext.WriteLine($"level {level:f4} m: fill {string.Join(", ", found.Select(f => f.Fill.ToString("f4")))}, by volume {string.Join(", ", found.Select(f => (f.Volume / 0.01568f).ToString("f4")))}");
             float[] expected = { 1f, 0.75f, 0.5f, 0.35f };

@@ -134,7 +134,7 @@ namespace SphFluid.Tests
             FluidParticle[] block = ParticleSets.Lattice(new Vector3Int(8, 8, 8), 0.04f, 1e-4f, 2);
             using (var solver = new FluidSolver(settings, shaders, block))
             {
-                int steps = (int)(0.9f / settings.TimeStep);
+                int steps = (int)(0.7f / settings.TimeStep);
                 for (int done = 0; done < steps; done += 100)
                 {
                     GpuTest.Run(cmd => solver.RecordSteps(cmd, 100));

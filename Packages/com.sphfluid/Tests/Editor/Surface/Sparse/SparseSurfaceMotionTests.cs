@@ -12,8 +12,8 @@ namespace SphFluid.Tests
         const int StepsAFrame = 30;
         const float Spacing = 0.03f;
 
-        static readonly Vector3 Domain = new Vector3(0.9f, 0.6f, 0.18f);
-        static readonly Vector3Int Column = new Vector3Int(12, 16, 6);
+        static readonly Vector3 Domain = new Vector3(0.9f, 0.6f, 0.12f);
+        static readonly Vector3Int Column = new Vector3Int(12, 16, 4);
 
         [Test]
         public void SurfaceOfADamBreakIsClosedInEveryFrame()
