@@ -102,7 +102,7 @@ internal sealed partial class TestProcess(string player, ProjectOverlay overlay,
         string[] words =
         [
             "-n", "10", player, "test", "--project", overlay.Project, "--assemblies", overlay.Assemblies, "--tests", list, "--stop-on-fail", "--again",
-            "--poison", "--check-bounds", // as ./test runs them
+            "--poison", "--check-bounds", // as ./test runs edit mode
         ];
         var start = new ProcessStartInfo("nice", words) { RedirectStandardInput = true, RedirectStandardOutput = true, RedirectStandardError = true };
         // Shaders of changes have no place in the user's cache.
