@@ -144,13 +144,13 @@ namespace SphFluid.Tests
         {
             float speed = shape == FluidEmitterShape.Disc ? 2f : 1f;
             FluidSimulation simulation = Tank(true);
-            simulation.DomainSize = new Vector3(0.28f, 0.44f, 0.36f);
+            simulation.DomainSize = new Vector3(0.28f, 0.36f, 0.36f);
             simulation.ExpectedSpeed = 3f;
             simulation.Gravity = 9.81f * Vector3.down;
             FluidVolume water = rig.AddVolume(simulation);
-            water.Size = new Vector3(0.28f, 0.32f, 0.36f);
-            water.transform.localPosition = new Vector3(0f, -0.06f, 0f);
-            FluidEmitter emitter = Nozzle(simulation, new Vector3(0f, -0.08f, -0.08f), Vector3.forward, 0.08f, speed);
+            water.Size = new Vector3(0.28f, 0.26f, 0.36f);
+            water.transform.localPosition = new Vector3(0f, -0.05f, 0f);
+            FluidEmitter emitter = Nozzle(simulation, new Vector3(0f, -0.06f, -0.08f), Vector3.forward, 0.08f, speed);
             emitter.Shape = shape;
             emitter.UnderWater = true;
             emitter.Stop();

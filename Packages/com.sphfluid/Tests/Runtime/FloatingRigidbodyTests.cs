@@ -27,14 +27,14 @@ namespace SphFluid.Tests
             simulation = rig.Create(liquid: false);
             simulation.Spacing = Spacing;
             water = rig.AddVolume(simulation);
-            water.transform.localPosition = new Vector3(0f, -5f * Spacing, 0f);
+            water.transform.localPosition = new Vector3(0f, -4f * Spacing, 0f);
             Fill(13f);
         }
 
         void Fill(float across)
         {
-            simulation.DomainSize = new Vector3(across, 20f, across) * Spacing;
-            water.Size = new Vector3(across, 10f, across) * Spacing;
+            simulation.DomainSize = new Vector3(across, 16f, across) * Spacing;
+            water.Size = new Vector3(across, 8f, across) * Spacing;
         }
 
         [TearDown]
@@ -129,7 +129,7 @@ namespace SphFluid.Tests
             floor.transform.position = new Vector3(0f, -0.5f * simulation.DomainSize.y - 0.06f, 0f); // its top 4 cm above the domain's
             Fill(16f); // what it displaces gets away
             Rigidbody crate = AddCrate(2f, 0f, 0f);
-            yield return Play(1.1f);
+            yield return Play(0.9f);
             float top = floor.transform.position.y + 0.1f;
             var gaps = new List<float>();
             for (int frame = 0; frame < 20; frame++)

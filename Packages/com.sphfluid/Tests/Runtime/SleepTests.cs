@@ -49,10 +49,10 @@ namespace SphFluid.Tests
         public IEnumerator APoolThatStartsInItsBalanceSleepsWithinFiveSeconds()
         {
             FluidSimulation simulation = Pool();
-            simulation.DomainSize = new Vector3(0.36f, 0.3f, 0.24f);
-            simulation.Spacing = 0.03f; // 12 x 6 x 8 particles: some hundred of them find a better place
+            simulation.DomainSize = new Vector3(0.3f, 0.3f, 0.18f);
+            simulation.Spacing = 0.03f; // 10 x 6 x 6 particles: some of them find a better place
             FluidVolume volume = simulation.GetComponentInChildren<FluidVolume>();
-            volume.Size = new Vector3(0.36f, 0.18f, 0.24f);
+            volume.Size = new Vector3(0.3f, 0.18f, 0.18f);
             volume.transform.localPosition = new Vector3(0f, -0.06f, 0f);
             yield return UntilAsleep(simulation);
             Assert.That(simulation.SimulatedTime, Is.LessThan(5.0));
