@@ -17,22 +17,22 @@ public sealed class SamplePlayTests
     public void Clean() => Directory.Delete(folder, recursive: true);
 
     // Large liquids are played with fewer particles; the others as they are, twice in one process.
-    [TestCase("Fountain", 0.1, 1100, 1500)]
-    [TestCase("PourAndFill", 0.2, 150)]
-    [TestCase("FloatingCrates", 0.1, 1100, 1500)]
-    [TestCase("WaterWheel", 0.2, 100)]
-    [TestCase("HeatedWater", 0.1, 1100, 1500)]
-    [TestCase("GettingStarted", 0.1, 1100, 1500)]
-    [TestCase("WaveTank", 0.1, 1100, 1500)]
-    [TestCase("WeatherProof", 0.3, 250)]
-    [TestCase("Liquids", 0.2, 500)]
+    [TestCase("Fountain", 0.1, 500, 700)]
+    [TestCase("PourAndFill", 0.1, 80)]
+    [TestCase("FloatingCrates", 0.1, 500, 700)]
+    [TestCase("WaterWheel", 0.1, 100)]
+    [TestCase("HeatedWater", 0.1, 500, 700)]
+    [TestCase("GettingStarted", 0.1, 500, 700)]
+    [TestCase("WaveTank", 0.1, 500, 700)]
+    [TestCase("WeatherProof", 0.17, 250)]
+    [TestCase("Liquids", 0.1, 270)]
     public void TheSamplePlaysWithoutAnErrorAndGetsLiquid(string sample, double seconds, int leastParticles, int given = 0)
     {
         string output = Path.Combine(folder, sample);
         string[] twice = given == 0 ? ["--twice"] : [], few = given == 0 ? [] : ["--", "--particles", $"{given}"];
         PlayerProcess run = PlayerProcess.Run([
             "play", "--project", FuzzProject.Repository, "--assemblies", Path.Combine(FuzzProject.Repository, "Build/ScriptAssemblies"),
-            "--executeMethod", "SphFluid.Validation.CommandLine.Play", "--scene", $"Packages/com.sphfluid/Samples~/{sample}/{sample}.unity", "--size", "160x90", "--fps", "30",
+            "--executeMethod", "SphFluid.Validation.CommandLine.Play", "--scene", $"Packages/com.sphfluid/Samples~/{sample}/{sample}.unity", "--size", "64x36", "--fps", "30",
             "--seconds", seconds.ToString(System.Globalization.CultureInfo.InvariantCulture), "--out", output, .. twice, .. few]);
         if (run.ExitCode != 0) Assert.Fail(run.Output + run.Errors);
         Assert.That(run.Output + run.Errors, Does.Not.Contain("GarbageCollector disposing"), "a buffer that nobody released");
