@@ -60,17 +60,16 @@ namespace SphFluid.Tests
         [Test]
         public void TheViscosityOfTheRuleGoesWithTheSpacing()
         {
-            double[] byRule = new double[3], ofLiquid = new double[3];
-            int[] cells = { 6, 8, 12 };
+            double[] byRule = new double[2], ofLiquid = new double[2];
+            int[] cells = { 6, 12 };
             for (int i = 0; i < cells.Length; i++)
             {
                 FailureExperiment experiment = StepFailures.NumericalViscosity(cells[i]);
                 byRule[i] = StepFailures.DecayViscosity(experiment.Run(false, shaders));
                 ofLiquid[i] = StepFailures.DecayViscosity(experiment.Run(true, shaders));
             }
-            Assert.That(byRule[0] / byRule[2], Is.EqualTo(2.0).Within(0.4), "twice the spacing, twice the viscosity");
-            Assert.That(byRule[1] / byRule[2], Is.EqualTo(1.5).Within(0.2));
-            Assert.That(ofLiquid[0] / ofLiquid[2], Is.EqualTo(1.0).Within(0.2), "a liquid's own stays");
+            Assert.That(byRule[0] / byRule[1], Is.EqualTo(2.0).Within(0.4), "twice the spacing, twice the viscosity");
+            Assert.That(ofLiquid[0] / ofLiquid[1], Is.EqualTo(1.0).Within(0.2), "a liquid's own stays");
         }
 
         [Test]
