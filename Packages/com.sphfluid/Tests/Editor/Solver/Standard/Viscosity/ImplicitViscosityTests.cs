@@ -67,7 +67,7 @@ namespace SphFluid.Tests
             {
                 double border = 0.072 * settings.SupportRadius * settings.SupportRadius / kinematic;
                 Assert.That(settings.TimeStep, Is.GreaterThan(20.0 * border), "the step is far beyond the explicit border");
-                int steps = (int)Math.Ceiling(0.5 * gap * gap / kinematic / settings.TimeStep) + 40; // of the slowest mode e^-5
+                int steps = (int)Math.Ceiling(0.5 * gap * gap / kinematic / settings.TimeStep) + 20; // of the slowest mode e^-5
                 rig.Steps(steps);
                 double square = 0.0, of = 0.0;
                 foreach (FluidParticle p in rig.Particles())
