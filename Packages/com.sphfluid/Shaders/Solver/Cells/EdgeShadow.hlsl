@@ -5,7 +5,8 @@
 // adds Q(s) = (L(s) - s L'(s)) / 2 pi, L the profile of a plane (FaceWalls.hlsl), so that a whole plane adds L(d). For a triangle at d with the
 // unit normal n towards the particle, an edge from a to b, t along it, tau from the foot of the particle on its line, which is at h:
 //   s^2 = h^2 + tau^2,  w = n . (a x t),  dphi = w dtau / (w^2 + tau^2),  m = t x n
-//   L      = 1/2pi sum int [L(d) - (d/s) L(s)] dphi
+//   L      = 1/2pi sum int [L(d) - (d/s) L(s)] dphi = 1/2pi sum { L(d) int (1 - d/s) dphi, which is exact, + int (d/s) [L(d) - L(s)] dphi },
+//            where both end as d goes to 0: nothing comes or goes at once when the particle crosses the plane beside the triangle
 //   grad L = 1/2pi sum { n int [L'(d) - L'(s)] dphi + (t x h) int (L(s) - s L'(s)) / s^3 dtau }
 //   Hess L = 1/2pi sum n (x) { n int [L''(d) - (d/s) L''(s)] dphi + m int L''(s)/s dtau },  its part that neighbours' edges do not cancel
 // Beyond R/2 the profile is 0 and the rest is an angle. Nothing depends on how a surface is cut: what edges inside of a plane add cancels.
@@ -64,7 +65,7 @@ float AngleOf(float across, float from, float to)
     return atan2(across * (to - from), across * across + from * to);
 }
 
-// Of it times d / s: what is left of the angle when the particle is in the plane.
+// The same of d/s times it: the solid angle between edge, foot and particle is the one less the other.
 float SolidAngleOf(float d, float across, float from, float to)
 {
     const float first = sqrt(d * d + across * across + from * from);
