@@ -59,10 +59,12 @@ Profile ProfileAt(float d)
     return profile;
 }
 
+#define NOWHERE 1e-30 // atan2(0, 0) is not a number on Direct3D: of a foot in a corner
+
 // Over which an edge's part is seen from the foot of the particle in the plane.
 float AngleOf(float across, float from, float to)
 {
-    return atan2(across * (to - from), across * across + from * to);
+    return atan2(across * (to - from), across * across + from * to + NOWHERE);
 }
 
 // The same of d/s times it: the solid angle between edge, foot and particle is the one less the other.
@@ -70,7 +72,7 @@ float SolidAngleOf(float d, float across, float from, float to)
 {
     const float first = sqrt(d * d + across * across + from * from);
     const float last = sqrt(d * d + across * across + to * to);
-    return atan2(across * d * (to * first - from * last), across * across * first * last + d * d * from * to);
+    return atan2(across * d * (to * first - from * last), across * across * first * last + d * d * from * to + NOWHERE);
 }
 
 float ArSinh(float x)

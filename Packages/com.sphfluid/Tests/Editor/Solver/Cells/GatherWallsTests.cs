@@ -182,6 +182,27 @@ namespace SphFluid.Tests
         }
 
         // Beyond an edge less of a wall is seen.
+        // Where the foot of the particle in a triangle's plane is a corner or on an edge, to the last bit, an angle has no direction.
+        [Test]
+        public void StraightOverCornersAndEdgesAPlaneIsAPlane()
+        {
+            const float spacing = 0.0625f, cell = 0.125f;
+            var corners = new List<Vector3>();
+            Sheet(corners, p => new Vector3(8f * cell * (p.x - 0.5f), 0f, 8f * cell * (p.y - 0.5f)), 8, false);
+            Vector3[] points = Enumerable.Range(0, 81).Select(i => new Vector3(0.5f * cell * (i % 9 - 4), (1 + i % 3) * 0.015625f, 0.5f * cell * (i / 9 - 4))).ToArray();
+            using (var rig = new BodyRig(BodyRig.Water(new Vector3(2f, 1f, 2f), spacing, 0.3f)))
+            {
+                rig.Add(corners);
+                StoredWall[] walls = Gather(rig, points);
+                for (int i = 0; i < points.Length; i++)
+                {
+                    double expected = ShadowReference.Plane(points[i].y, rig.Settings.SupportRadius, spacing);
+                    Assert.That(walls[i].Value, Is.EqualTo(expected).Within(3e-4), $"at {points[i].ToString("f4")}");
+                    Assert.That(walls[i].Push.X, Is.EqualTo(0.0).Within(1e-3 / spacing), $"at {points[i].ToString("f4")}");
+                }
+            }
+        }
+
         [TestCase(0.4f, 20f)]
         [TestCase(0.3f, 45f)]
         [TestCase(0.2f, 70f)]
