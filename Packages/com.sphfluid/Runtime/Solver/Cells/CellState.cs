@@ -27,7 +27,7 @@ namespace SphFluid
         /// Below so many spacings from a mesh what a plane adds goes on with the slope that it has there: a film of one layer on a curved wall is else at the
         /// border of what the time step bears.
         /// </summary>
-        public virtual float SteepestWall => 0.55f;
+        public virtual float SteepestWall => 0.51f;
 
         /// <summary>Whether only the buffers' sizes are asked for.</summary>
         protected bool IsPlanned { get; }

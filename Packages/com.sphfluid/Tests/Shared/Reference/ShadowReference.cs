@@ -10,7 +10,7 @@ namespace SphFluid.Tests
     public static class ShadowReference
     {
         /// <summary>Below this many spacings the profile goes on with the slope that it has there.</summary>
-        public const double SteepestAt = 0.55;
+        public const double SteepestAt = 0.51;
 
         /// <summary>Λ: what a whole plane adds.</summary>
         /// <param name="d">Distance [m].</param>
