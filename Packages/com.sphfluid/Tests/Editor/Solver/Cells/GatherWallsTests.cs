@@ -181,7 +181,6 @@ namespace SphFluid.Tests
             }
         }
 
-        // Beyond an edge less of a wall is seen.
         // Where the foot of the particle in a triangle's plane is a corner or on an edge, to the last bit, an angle has no direction.
         [Test]
         public void StraightOverCornersAndEdgesAPlaneIsAPlane()
@@ -203,6 +202,7 @@ namespace SphFluid.Tests
             }
         }
 
+        // Beyond an edge less of a wall is seen.
         [TestCase(0.4f, 20f)]
         [TestCase(0.3f, 45f)]
         [TestCase(0.2f, 70f)]
