@@ -31,11 +31,13 @@ internal sealed partial class PackageManifestCheck(string packageRoot)
         return report;
     }
 
+    /// <summary>The newest entry is that of the version, with its day or the word unreleased.</summary>
     private void CheckChangelog(string version, CheckReport report)
     {
         var file = Path.Combine(packageRoot, "CHANGELOG.md");
-        if (File.Exists(file) && !File.ReadAllText(file).Contains($"## [{version}]", StringComparison.Ordinal))
-            report.Findings.Add($"CHANGELOG.md has no entry '## [{version}]'");
+        if (!File.Exists(file)) return;
+        var newest = ChangelogEntry().Match(File.ReadAllText(file));
+        if (newest.Groups[1].Value != version) report.Findings.Add($"CHANGELOG.md begins with no entry '## [{version}] - ' and a day or 'unreleased'");
     }
 
     private int CheckSamples(JsonElement root, CheckReport report)
@@ -65,5 +67,6 @@ internal sealed partial class PackageManifestCheck(string packageRoot)
     private static string Text(JsonElement element, string key) =>
         element.TryGetProperty(key, out var value) && value.ValueKind == JsonValueKind.String ? value.GetString()! : "";
 
+    [GeneratedRegex(@"^## \[([^\]]*)\] - (?:\d{4}-\d\d-\d\d|unreleased)$", RegexOptions.Multiline)] private static partial Regex ChangelogEntry();
     [GeneratedRegex(@"^\d+\.\d+\.\d+(-[0-9A-Za-z.-]+)?$")] private static partial Regex SemanticVersion();
 }

@@ -47,7 +47,8 @@ internal sealed partial class ProjectSettingsCheck(ProjectPackages packages)
         foreach (var name in others)
             if (!File.Exists(Path.Combine(folder, name))) report.Findings.Add($"ProjectSettings/{name} is missing: Unity would add it");
         CheckLock(report);
-        report.Figures = $"{assets.Count + others.Length} files, and locked packages that the manifests ask for";
+        CheckVersions(report);
+        report.Figures = $"{assets.Count + others.Length} files, locked packages that the manifests ask for, one version of all packages";
         return report;
     }
 
@@ -67,6 +68,14 @@ internal sealed partial class ProjectSettingsCheck(ProjectPackages packages)
             if (!JsonNode.DeepEquals(locked[name]?["dependencies"] ?? new JsonObject(), Read(manifest)["dependencies"] ?? new JsonObject()))
                 report.Findings.Add($"packages-lock.json has other dependencies of {name} than its package.json");
         }
+    }
+
+    private void CheckVersions(CheckReport report)
+    {
+        var versions = packages.All.Select(p => Path.Combine(p, "package.json")).Where(File.Exists)
+            .Select(f => (Name: Path.GetFileName(Path.GetDirectoryName(f)!), Version: (string?)Read(f)["version"])).ToList();
+        foreach (var (name, version) in versions)
+            if (version != versions[0].Version) report.Findings.Add($"{name} has version {version}, {versions[0].Name} {versions[0].Version}");
     }
 
     private static void CheckDependencies(string asking, JsonNode manifest, JsonObject locked, IReadOnlyDictionary<string, string> embedded, CheckReport report)

@@ -72,6 +72,25 @@ public sealed class FormCheckTests
         Assert.That(findings, Has.Some.Contains("README.md is missing"));
     }
 
+    [TestCase("## [1.2.0] - 2026-11-27\n## [1.1.0] - 2026-01-01\n", true)]
+    [TestCase("## [1.2.0] - unreleased\n", true)]
+    [TestCase("## [1.2.0]\n", false)]
+    [TestCase("## [1.3.0] - unreleased\n## [1.2.0] - 2026-11-27\n", false)]
+    public void TheChangelogBeginsWithTheVersion(string text, bool begins)
+    {
+        package.Write("package.json", """{ "version": "1.2.0" }""").Write("CHANGELOG.md", text);
+
+        Assert.That(new PackageManifestCheck(package.Root).Run().Findings, begins ? Has.None.Contains("CHANGELOG.md begins") : Has.One.Contains("CHANGELOG.md begins"));
+    }
+
+    [Test]
+    public void PackagesHaveOneVersion()
+    {
+        package.Write("package.json", """{ "version": "1.2.0" }""").Write("../b/package.json", """{ "version": "1.1.0" }""");
+
+        Assert.That(new ProjectSettingsCheck(package.Packages).Run().Findings, Has.One.EqualTo("b has version 1.1.0, com.sphfluid 1.2.0"));
+    }
+
     [Test]
     public void AFieldWithoutATooltipIsFound()
     {

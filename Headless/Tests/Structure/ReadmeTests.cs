@@ -18,7 +18,20 @@ public sealed partial class ReadmeTests
         Assert.That(tested.Skip(first).Take(printed.Length), Is.EqualTo(printed));
     }
 
+    [Test]
+    public void TheAddressStandsOnce()
+    {
+        string root = Conformance.ReleaseBuildTests.FindUp("Headless/Play.slnx");
+        IEnumerable<string> documents = Directory.GetFiles(root, "*.md").Concat(Directory.GetFiles(Path.Combine(root, "Packages"), "*.md", SearchOption.AllDirectories))
+            .Where(f => Path.GetFileName(f) != "CONTRIBUTING.md");
+        // A placeholder, or what the owner of a copy wrote in its place.
+        string[] found = [.. documents.SelectMany(f => Address().Matches(File.ReadAllText(f)).Select(m => Path.GetRelativePath(root, f) + ": " + m.Value))];
+        Assert.That(found, Has.Length.EqualTo(1));
+        Assert.That(found[0], Does.StartWith("README.md: "));
+    }
+
     private static string[] Lines(string text) => [.. text.Split('\n').Select(l => l.Trim()).Where(l => l.Length > 0)];
 
+    [GeneratedRegex(@"https?://\S+\.git\b|\bOWNER/REPOSITORY\b")] private static partial Regex Address();
     [GeneratedRegex("^```csharp\n([\\s\\S]*?)^```", RegexOptions.Multiline)] private static partial Regex Code();
 }

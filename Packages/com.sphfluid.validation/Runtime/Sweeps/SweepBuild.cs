@@ -12,7 +12,7 @@ namespace SphFluid.Validation
         public const string CommitVariable = "SPHFLUID_COMMIT";
 
         /// <summary>The version of the package, as in package.json.</summary>
-        public const string Version = "0.1.0";
+        public const string Version = "0.2.0";
 
         /// <summary>The commit, with a hash of what differs from it; empty where there is none, as in a project that installed the package.</summary>
         public static string Commit => (Environment.GetEnvironmentVariable(CommitVariable) ?? "").Trim();

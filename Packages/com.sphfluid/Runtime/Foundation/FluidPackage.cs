@@ -4,6 +4,6 @@ namespace SphFluid
     internal static class FluidPackage
     {
         /// <summary>As package.json has it.</summary>
-        public const string Version = "0.1.0";
+        public const string Version = "0.2.0";
     }
 }
