@@ -9,6 +9,7 @@ internal static class DocumentChecks
         new MenuPathCheck(packages).Run(),
         new CommandCheck(packages).Run(),
         new FileNameCheck(packages).Run(),
+        new BenchmarkTableCheck(packages).Run(),
         new FieldNameCheck(packages).Run(),
         new SnippetCheck(packages).Run(),
         new SupportedUnityCheck(packages).Run(),

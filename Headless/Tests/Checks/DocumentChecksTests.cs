@@ -134,6 +134,28 @@ public sealed class DocumentChecksTests
         Assert.That(new LinkCheck(package.Packages).Run().Findings, Has.One.Contains("the link to 'images/gone.webp' leads nowhere"));
     }
 
+    [Test]
+    public void ATableThatNoDocumentNamesIsFound()
+    {
+        package.Write("../../benchmarks/README.md", "`leaks/box-2026-01-02`, `model/` with `waves.csv`, `solver-box.csv`\n")
+            .Write("../../benchmarks/leaks/box-2026-01-02/leaks.csv", "a\n").Write("../../benchmarks/leaks/box-2026-01-01/leaks.csv", "a\n")
+            .Write("../../benchmarks/model/waves.csv", "a\n").Write("../../benchmarks/model/steps.csv", "a\n")
+            .Write("../../benchmarks/solver-box.csv", "a\n").Write("../../benchmarks/solver-tin.csv", "a\n")
+            .Write("../../benchmarks/leaks/box-2026-01-01/curves/one.csv", "a\n").Write("../../benchmarks/leaks/box-2026-01-01/leaks.png", "a");
+
+        Assert.That(new BenchmarkTableCheck(package.Packages).Run().Findings.Select(f => f.Split(':')[0]),
+            Is.EquivalentTo(new[] { "benchmarks/leaks/box-2026-01-01/leaks.csv", "benchmarks/model/steps.csv", "benchmarks/solver-tin.csv" }));
+    }
+
+    [TestCase(BenchmarkTableCheck.Most - 20, 0)]
+    [TestCase(BenchmarkTableCheck.Most, 1)]
+    public void TablesAreSmallAltogether(long bytes, int findings)
+    {
+        package.Write("../../benchmarks/README.md", "`a.csv`").Write("../../benchmarks/a.csv", new string('1', (int)bytes));
+
+        Assert.That(new BenchmarkTableCheck(package.Packages).Run().Findings, Has.Count.EqualTo(findings));
+    }
+
     private void WriteComponent() => package.Write("Runtime/V.cs", """
         [AddComponentMenu("SPH Fluid/Fluid Volume")] class V : MonoBehaviour { [SerializeField] float restDensity; [SerializeField] Color m_FastColor; void Draw() => Label("Label By Hand"); }
         """);
