@@ -7,7 +7,7 @@ set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 purpose=${1:-run}
-cache=${XDG_CACHE_HOME:-${HOME:-$root/Build}/.cache}/sphfluid
+cache=${XDG_CACHE_HOME:-${HOME:-$root/Build}/.cache}/sphplayer
 dotnet_major=10
 
 run_packages=(libvulkan1 mesa-vulkan-drivers glslang-tools ffmpeg gnuplot-nox)
@@ -109,6 +109,9 @@ fetch_compiler() {
 }
 
 mkdir -p "$root/Build"
+# Its name until 0.1.0.
+old_cache=${cache%/*}/sphfluid
+[[ -e $cache || ! -d $old_cache ]] || mv "$old_cache" "$cache" || say "'$old_cache' stays; what it holds is fetched again."
 if ! mkdir -p "$cache" 2> /dev/null; then
     [[ $purpose != test ]] || fail "the folder '$cache' cannot be made, and the compilers of ./run check go there: set XDG_CACHE_HOME to one that can be written."
     cache=$root/Build

@@ -1,3 +1,5 @@
+using Headless.Files;
+
 namespace Headless.Checks;
 
 /// <summary>Flags of <c>sphchecks</c>; the first word is the project's folder.</summary>
@@ -9,7 +11,7 @@ internal sealed record CheckOptions
         Flag.Switch("--update",
             "with --only gpu: writes the tables of what Mesa's GPU compilers make of the shaders anew (Headless/Checks/Gpu/Data), to be committed with the reason for every line that got worse"),
         new("--stand-in", "DIR", "folder of the stand-in's assemblies") { Hidden = true },
-        new("--cache", "DIR", "folder of Microsoft's compilers", "sphfluid in the user's cache") { Hidden = true },
+        new("--cache", "DIR", "folder of Microsoft's compilers", "the player's") { Hidden = true },
         new("--shader-cache", "DIR", "folder of compiled shaders", "shaders in --cache") { Hidden = true },
         // The child process of the GPU check.
         new("--compile-for", "NAME", "compiles every shader for a family of GPUs") { Hidden = true },
@@ -29,7 +31,7 @@ internal sealed record CheckOptions
         string project = words.Count > 0 ? Path.GetFullPath(words[0]) : "";
         if (!Directory.Exists(Path.Combine(project, "Packages"))) throw new UsageException($"no Unity project at '{project}'.");
         var arguments = new Arguments("check", [.. words.Skip(1)], Flags);
-        string cache = arguments.Text("--cache", Path.Combine(UserCache, "sphfluid"));
+        string cache = arguments.Text("--cache", UserCache.Folder);
         string? only = arguments.Text("--only");
         if (arguments.Has("--update") && only != "gpu") throw new UsageException("--update writes the GPU tables: --only gpu --update.");
         return new CheckOptions
@@ -43,8 +45,4 @@ internal sealed record CheckOptions
             Update = arguments.Has("--update"),
         };
     }
-
-    private static string UserCache => Environment.GetEnvironmentVariable("XDG_CACHE_HOME") is { Length: > 0 } cache
-        ? cache
-        : Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.UserProfile), ".cache");
 }

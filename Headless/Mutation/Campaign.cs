@@ -1,9 +1,10 @@
-using Headless.Mutation.CSharp;
-using Headless.Mutation.Hlsl;
-using Headless.Mutation.Running;
 using System.Diagnostics;
 using System.Globalization;
 using System.Text.RegularExpressions;
+using Headless.Files;
+using Headless.Mutation.CSharp;
+using Headless.Mutation.Hlsl;
+using Headless.Mutation.Running;
 
 namespace Headless.Mutation;
 
@@ -41,7 +42,7 @@ internal sealed class Campaign
     private string RecordedFile => Path.Combine(options.Folder, "recorded.txt");
     private string MapFile => Path.Combine(options.Folder, "coverage.txt");
     private string Cache => Path.Combine(options.Folder, "cache");
-    private string ShaderCache => Path.Combine(Cache, "sphfluid", "shaders");
+    private string ShaderCache => Path.Combine(UserCache.Below(Cache), "shaders");
 
     public int Run()
     {

@@ -3,7 +3,7 @@ using Headless.Files;
 
 namespace Headless.Player;
 
-/// <summary>Where setup.sh and the player keep what can be made again.</summary>
+/// <summary>Whether <see cref="UserCache.Folder"/> can be used.</summary>
 internal static partial class CacheFolder
 {
     /// <summary>Mesa maps an index of 1.3 MB beside our folder into memory: on a full disk the process would end by SIGBUS.</summary>
@@ -11,23 +11,19 @@ internal static partial class CacheFolder
 
     private static readonly string[] mesaDoesWithout = ["MESA_SHADER_CACHE_DISABLE", "MESA_GLSL_CACHE_DISABLE"];
 
-    public static string Path { get; } = System.IO.Path.Combine(
-        Environment.GetEnvironmentVariable("XDG_CACHE_HOME") is { Length: > 0 } cache ? cache
-            : System.IO.Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.UserProfile), ".cache"), "sphfluid");
-
     /// <summary>Says in a line that the folder cannot be written; then the driver does without a cache, and shaders that the folder lacks are compiled in each run.</summary>
     public static void Check()
     {
         try
         {
-            Directory.CreateDirectory(Path);
-            using (new FileStream(System.IO.Path.Combine(Path, "writable-" + Environment.ProcessId), FileMode.Create, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose)) { }
-            long free = new DriveInfo(Path).AvailableFreeSpace;
+            Directory.CreateDirectory(UserCache.Folder);
+            using (new FileStream(Path.Combine(UserCache.Folder, "writable-" + Environment.ProcessId), FileMode.Create, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose)) { }
+            long free = new DriveInfo(UserCache.Folder).AvailableFreeSpace;
             if (free < LeastFreeBytes) throw new IOException($"{free >> 10} KB are free, of {LeastFreeBytes >> 10} that it needs.");
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            Console.Error.WriteLine(Message.Of(OneLine.Message($"the cache folder '{Path}' cannot be written, so shaders are compiled in each run: {e.Message}")));
+            Console.Error.WriteLine(Message.Of(OneLine.Message($"the cache folder '{UserCache.Folder}' cannot be written, so shaders are compiled in each run: {e.Message}")));
             // The driver reads the process's own environment, of which .NET has a copy.
             if (OperatingSystem.IsWindows()) return;
             foreach (string name in mesaDoesWithout) SetEnvironment(name, "true", 1);

@@ -1,5 +1,6 @@
 using System.Reflection;
 using Headless.Engine;
+using Headless.Files;
 using Headless.Importers;
 using Headless.Player.Scripts;
 using Headless.Shaders;
@@ -32,7 +33,7 @@ internal sealed class EngineSession : IDisposable
         Assembly[] loaded = [.. scripts.LoadAll()];
         EngineState.ScriptAssemblies = loaded;
         var includes = new IncludeResolver(project);
-        var compiler = new ShaderCompiler(Path.Combine(CacheFolder.Path, "shaders"), includes) { Direct3D = direct3D };
+        var compiler = new ShaderCompiler(Path.Combine(UserCache.Folder, "shaders"), includes) { Direct3D = direct3D };
         checks ??= MemoryChecks.FromEnvironment();
         GraphicsDevice.Initialize(
             new GpuDeviceOptions { Adapter = device, Validate = validate, Poison = checks.Poison, CheckBounds = checks.Bounds }, compiler);

@@ -12,6 +12,9 @@ public static class Program
     private const int Failed = 1;
     private const int WrongUsage = 2;
 
+    // For scripts that refuse a word: sphplayer nearest WORD KNOWN...
+    private const string Nearest = "nearest";
+
     private static readonly (string Name, string Summary, IReadOnlyList<Flag> Flags)[] commands =
     [
         ("play", "plays a scene; --project and --scene are needed; words behind a lone -- are the project's", PlayOptions.Flags),
@@ -32,7 +35,7 @@ public static class Program
         {
             if (words.Length == 0) throw new UsageException("a command is missing: play, test, exec or devices.");
             string[] rest = words[1..];
-            if (words[0] is not ("help" or "--help" or "-h")) CacheFolder.Check();
+            if (words[0] is not ("help" or "--help" or "-h" or Nearest)) CacheFolder.Check();
             switch (words[0])
             {
                 case "play": return PlayCommand.Run(PlayOptions.Parse(rest));
@@ -41,6 +44,9 @@ public static class Program
                 case "devices": return DevicesCommand.Run(rest);
                 case "help" or "--help" or "-h":
                     Console.Write(Usage());
+                    return 0;
+                case Nearest when words.Length > 1:
+                    Console.Write(Suggestion.Question(words[1], words[2..]));
                     return 0;
                 default:
                     string[] names = [.. commands.Select(c => c.Name)];

@@ -1,5 +1,6 @@
 using System.Reflection;
 using Headless.Engine;
+using Headless.Files;
 using Headless.Importers.Project;
 using Headless.Player.Output;
 using Headless.Shaders;
@@ -18,7 +19,7 @@ internal static class TestCommand
 
     public static int Run(TestOptions options)
     {
-        using Direct3DFrontEnd? direct3D = options.Direct3D ? new Direct3DFrontEnd(CacheFolder.Path) : null;
+        using Direct3DFrontEnd? direct3D = options.Direct3D ? new Direct3DFrontEnd(UserCache.Folder) : null;
         if (direct3D?.Missing is { } missing)
         {
             Console.WriteLine($"skipped: kernels cannot be compiled as for Direct3D, {missing}");

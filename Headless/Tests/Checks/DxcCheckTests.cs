@@ -6,8 +6,7 @@ namespace Headless.Tests.Checks;
 
 public sealed class DxcCheckTests
 {
-    private static readonly string cache = Path.Combine(
-        Environment.GetEnvironmentVariable("XDG_CACHE_HOME") is { Length: > 0 } home ? home : Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.UserProfile), ".cache"), "sphfluid");
+    private static readonly string cache = Headless.Files.UserCache.Folder;
 
     [Test]
     public void AGoodKernelPasses()

@@ -8,6 +8,8 @@ namespace Headless.Tests.Help;
 /// <summary>./run --help: made from the flags that the parsers read, committed, and what the shell refuses by them.</summary>
 public sealed class HelpTests
 {
+    private static string Program => Path.Combine(AppContext.BaseDirectory, "sphplayer");
+
     private static IEnumerable<Verb> All() => Verbs.All;
 
     private static IEnumerable<TestCaseData> Examples() =>
@@ -59,16 +61,16 @@ public sealed class HelpTests
             Assert.That(File.Exists(Path.Combine(FuzzProject.Repository, word)), Is.True, word);
     }
 
-    [TestCase("play: --sped is not a flag. Did you mean --seed? ./run play --help tells what it takes.", "--sped", "3")]
-    [TestCase("play: --szie is not a flag. Did you mean --size? ./run play --help tells what it takes.", "play", "--szie=1x1")]
-    [TestCase("leaks: --scen is not a flag. Did you mean --scene? ./run leaks --help tells what it takes.", "leaks", "--scen", "cup")]
+    [TestCase("play: --sped is not a flag; did you mean --seed? ./run play --help tells what it takes.", "--sped", "3")]
+    [TestCase("play: --szie is not a flag; did you mean --size? ./run play --help tells what it takes.", "play", "--szie=1x1")]
+    [TestCase("leaks: --scen is not a flag; did you mean --scene? ./run leaks --help tells what it takes.", "leaks", "--scen", "cup")]
     [TestCase("devices: --all is not a flag. ./run devices --help tells what it takes.", "devices", "--all")]
-    [TestCase("run: 'paly' is not a verb. Did you mean play? ./run --help lists them.", "paly", "--seconds", "1")]
+    [TestCase("run: 'paly' is not a verb; did you mean play? ./run --help lists them.", "paly", "--seconds", "1")]
     [TestCase("run: 'x' is not a verb. ./run --help lists them.", "help", "x")]
     [TestCase("build: 'foo' is not a solution. Headless.slnx is all, Play.slnx the part that plays and measures.", "build", "foo")]
-    [TestCase("build: 'play.slnx' is not a solution. Did you mean Play.slnx? Headless.slnx is all, Play.slnx the part that plays and measures.", "build", "play.slnx")]
+    [TestCase("build: 'play.slnx' is not a solution; did you mean Play.slnx? Headless.slnx is all, Play.slnx the part that plays and measures.", "build", "play.slnx")]
     [TestCase("play: 'a/Fountain.unity' is not a flag. A scene is named by --scene: ./run play --scene 'a/Fountain.unity'", "play", "a/Fountain.unity", "--seconds", "1")]
-    [TestCase("play: --scene: 'fountan' is neither a .unity file nor a sample. Did you mean fountain? The samples are DamBreak Fountain.", "--scene", "fountan")]
+    [TestCase("play: --scene: 'fountan' is neither a .unity file nor a sample; did you mean fountain? The samples are DamBreak Fountain.", "--scene", "fountan")]
     [TestCase("export: --scene: 'x' is neither a .unity file nor a sample. The samples are DamBreak Fountain.", "export", "--scene=x")]
     [Platform(Exclude = "Win")]
     public void TheShellRefusesInOneLineBeforeAnythingIsBuilt(string message, params string[] words)
@@ -76,6 +78,11 @@ public sealed class HelpTests
         (int code, string output, string errors) = Shell(words);
         Assert.That((code, output, errors), Is.EqualTo((2, "", message + "\n")));
     }
+
+    [Test]
+    [Platform(Exclude = "Win")]
+    public void NoQuestionIsAskedWithoutAPlayer() =>
+        Assert.That(Shell(["paly"], built: false).Errors, Is.EqualTo("run: 'paly' is not a verb. ./run --help lists them.\n"));
 
     [TestCase("run.txt", "--help")]
     [TestCase("run.txt", "help")]
@@ -127,10 +134,10 @@ public sealed class HelpTests
     }
 
     /// <summary>
-    /// run and the texts, in a folder of their own with two samples, a set-up that says what it is asked for, and in place of .NET what "builds" a player that
-    /// says what it is to play.
+    /// run and the texts, in a folder of their own with two samples, a set-up that says what it is asked for, the player, and in place of .NET what
+    /// "builds" one that says what it is to play.
     /// </summary>
-    private static (int Code, string Output, string Errors) Shell(string[] words, string script = "bash \"$0\" \"$@\"")
+    private static (int Code, string Output, string Errors) Shell(string[] words, string script = "bash \"$0\" \"$@\"", bool built = true)
     {
         DirectoryInfo folder = Directory.CreateTempSubdirectory("run-");
         try
@@ -143,6 +150,7 @@ public sealed class HelpTests
             foreach (string sample in new[] { "Fountain", "DamBreak" }) Add(folder, $"Packages/com.sphfluid/Samples~/{sample}/{sample}.unity", "");
             Add(folder, "Packages/com.sphfluid/package.json", "{ \"name\": \"com.sphfluid\", \"version\": \"1.2.3-test\" }");
             Add(folder, "setup.sh", "#!/bin/sh\necho \"setup $1\"\nmkdir -p \"$(dirname \"$0\")/Build\"\n");
+            if (built) Add(folder, "Build/dotnet/bin/Headless.Player/release/sphplayer", $"#!/bin/sh\nexec '{Program}' \"$@\"\n");
             Add(folder, "programs/dotnet", """
                 #!/bin/sh
                 build=$(dirname "$0")/../Build

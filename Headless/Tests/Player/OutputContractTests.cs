@@ -85,8 +85,8 @@ public sealed class OutputContractTests
         Assert.That(run.Errors.Count(c => c == '\n'), Is.LessThanOrEqualTo(1));
     }
 
-    [TestCase("XDG_CACHE_HOME=/dev/null", "sphplayer: the cache folder '/dev/null/sphfluid' cannot be written, so shaders are compiled in each run: ")]
-    [TestCase("XDG_CACHE_HOME=/proc", "sphplayer: the cache folder '/proc/sphfluid' cannot be written")]
+    [TestCase("XDG_CACHE_HOME=/dev/null", "sphplayer: the cache folder '/dev/null/sphplayer' cannot be written, so shaders are compiled in each run: ")]
+    [TestCase("XDG_CACHE_HOME=/proc", "sphplayer: the cache folder '/proc/sphplayer' cannot be written")]
     public void ACacheThatCannotBeWrittenIsDoneWithout(string setting, string line)
     {
         PlayerProcess run = Shell($"{setting} exec dotnet {Program} devices");

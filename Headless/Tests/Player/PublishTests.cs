@@ -16,7 +16,7 @@ public sealed class PublishTests
         string folder = Directory.CreateTempSubdirectory("publish").FullName;
         root = Path.Combine(folder, "project");
         outside = Path.Combine(folder, "out side");
-        Write("Headless/Player/publish.sh", File.ReadAllText(Path.Combine(Path.GetDirectoryName(PlayerProcess.ProjectsFolder)!, "../Player/publish.sh")));
+        Write("Headless/Publish/publish.sh", File.ReadAllText(Path.Combine(Path.GetDirectoryName(PlayerProcess.ProjectsFolder)!, "../Publish/publish.sh")));
         Write("run", "#!/bin/sh\necho \"$@\" >> \"$(dirname \"$0\")/builds\"\n");
         Write("bin/dotnet", """
             #!/bin/sh
@@ -164,7 +164,7 @@ public sealed class PublishTests
 
     private (int Code, string Errors) Publish(params string[] words)
     {
-        var info = new ProcessStartInfo("bash", [Path.Combine(root, "Headless/Player/publish.sh"), .. words])
+        var info = new ProcessStartInfo("bash", [Path.Combine(root, "Headless/Publish/publish.sh"), .. words])
         {
             WorkingDirectory = root, RedirectStandardOutput = true, RedirectStandardError = true,
         };

@@ -51,6 +51,17 @@ public sealed class SetupScriptTests
         Assert.That(errors, Does.Contain("\nE: Unable to locate package\nsetup: the packages could not be installed (all of it: "));
     }
 
+    [Test]
+    public void ACacheUnderItsOldNameIsTakenAlong()
+    {
+        string old = Path.Combine(folder, "cache", "sphfluid"), now = Path.Combine(folder, "cache", Path.GetFileName(Headless.Files.UserCache.Folder));
+        Directory.CreateDirectory(old);
+        File.WriteAllText(Path.Combine(old, "kept"), "");
+        Run();
+        Assert.That(Path.Combine(now, "kept"), Does.Exist);
+        Assert.That(old, Does.Not.Exist);
+    }
+
     private (int Code, string Errors) Run()
     {
         var start = new ProcessStartInfo("bash", ["setup.sh"]) { WorkingDirectory = folder, RedirectStandardOutput = true, RedirectStandardError = true };

@@ -24,6 +24,6 @@ public sealed record GpuDeviceOptions
     /// </summary>
     public bool CheckBounds { get; init; }
 
-    /// <summary>Folder of the persistent pipeline cache; null is the user's cache folder + "sphfluid".</summary>
+    /// <summary>Folder of the persistent pipeline cache; null is <see cref="Files.UserCache.Folder"/>.</summary>
     public string? CacheDirectory { get; init; }
 }

@@ -1,3 +1,4 @@
+using Headless.Files;
 using Headless.Vulkan.Native;
 
 namespace Headless.Vulkan;
@@ -12,7 +13,7 @@ internal sealed unsafe class PipelineCacheFile : IDisposable
     public PipelineCacheFile(DeviceContext context, string? directory)
     {
         this.context = context;
-        path = Path.Combine(directory ?? DefaultDirectory(), $"pipelines-{context.Physical.CacheKey}.bin");
+        path = Path.Combine(directory ?? UserCache.Folder, $"pipelines-{context.Physical.CacheKey}.bin");
         byte[] data = Load(path);
         loadedSize = data.Length;
         fixed (byte* first = data)
@@ -30,13 +31,6 @@ internal sealed unsafe class PipelineCacheFile : IDisposable
     {
         Save();
         Vk.vkDestroyPipelineCache(context.Handle, Handle, null);
-    }
-
-    private static string DefaultDirectory()
-    {
-        string? root = Environment.GetEnvironmentVariable("XDG_CACHE_HOME");
-        root = string.IsNullOrEmpty(root) ? Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.UserProfile), ".cache") : root;
-        return Path.Combine(root, "sphfluid");
     }
 
     private static byte[] Load(string path)

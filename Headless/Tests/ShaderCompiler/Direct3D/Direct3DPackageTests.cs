@@ -1,3 +1,4 @@
+using Headless.Files;
 using Headless.Player;
 using Headless.Shaders;
 using NUnit.Framework;
@@ -15,7 +16,7 @@ public sealed class Direct3DPackageTests
         Direct3DFrontEnd direct3D = Direct3DTools.Require();
         IncludeResolver includes = new(PackageShaderTests.Root);
         // The player's cache: what a test compiles here, the package's tests do not compile again.
-        ShaderCompiler compiler = new(Path.Combine(CacheFolder.Path, "shaders"), includes) { Direct3D = direct3D };
+        ShaderCompiler compiler = new(Path.Combine(UserCache.Folder, "shaders"), includes) { Direct3D = direct3D };
         ComputeSource source = ComputeSource.Parse(Path.Combine(PackageShaderTests.Root, file), includes);
         foreach (KernelDeclaration kernel in source.Kernels)
         {

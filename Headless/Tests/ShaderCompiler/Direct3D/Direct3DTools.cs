@@ -1,3 +1,4 @@
+using Headless.Files;
 using Headless.Player;
 using Headless.Shaders;
 using NUnit.Framework;
@@ -10,7 +11,7 @@ internal static class Direct3DTools
     /// <summary>Started once for all tests.</summary>
     private static readonly Lazy<Direct3DFrontEnd> shared = new(() =>
     {
-        Direct3DFrontEnd compiler = new(CacheFolder.Path);
+        Direct3DFrontEnd compiler = new(UserCache.Folder);
         AppDomain.CurrentDomain.ProcessExit += (_, _) => compiler.Dispose();
         return compiler;
     });
