@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 
 namespace SphFluid
 {
@@ -15,7 +16,7 @@ namespace SphFluid
                 "PredictParticles", "MoveByConstraints", "FinishParticles", "CalculateForce", "CalculateAcceleration", "CalculateNewPosition"),
             new FluidStage("colliders", "GatherWalls", "FindContacts", "ResolveContacts", "MoveBodies"),
             new FluidStage("in and out", "LoadParticles", "BirthParticles", "DrainParticles", "GrowParticles", "PublishParticles", "DampVelocities"),
-            new FluidStage("measuring", "MeasureSpeeds", "MeasureStatistics", "PlaceWallPatches", "AnswerPoints", "AnswerRays", "AnswerBoxes", "AnswerNearest", "AnswerPatches"),
+            new FluidStage("measuring", "MeasureSpeeds", "MeasureStatistics", "PlaceWallPatches").With(QueryKind.Shaders.Shaders),
             new FluidStage("surface", "ClearSurfaceBlocks", "PrepareSurfaceParticles", "ListSpray", "ListSurfaceBlocks", "SampleBlocks", "CountBlocks",
                 "SurfaceDrawArguments", "EmitBlocks", "WriteSurfaceMesh",
                 "ResetMCGrid", "SetMCGridDensityFactors", "CountSurfaceVertices", "EmitSurfaceVertices"),
@@ -33,5 +34,7 @@ namespace SphFluid
 
         /// <summary>Names of the passes, which are those of their markers in the Profiler.</summary>
         public IReadOnlyList<string> Passes { get; }
+
+        FluidStage With(IEnumerable<string> passes) => new FluidStage(Name, Passes.Concat(passes).ToArray());
     }
 }

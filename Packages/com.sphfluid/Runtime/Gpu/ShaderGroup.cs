@@ -38,11 +38,6 @@ namespace SphFluid
             groupThreads: 256, buffers: 5, writableBuffers: 1, groupMemory: 4096, vertexBuffers: 0,
             "MeasureStatistics");
 
-        /// <summary>Queries of scripts.</summary>
-        public static readonly ShaderGroup Queries = new ShaderGroup("the queries", "Shaders/Queries",
-            groupThreads: 256, buffers: 8, writableBuffers: 4, groupMemory: 3072, vertexBuffers: 0,
-            "AnswerPoints", "AnswerRays", "AnswerBoxes", "AnswerNearest", "AnswerPatches");
-
         /// <summary>The sums of what the liquid gives to its walls.</summary>
         public static readonly ShaderGroup WallForces = new ShaderGroup("the force on walls", "Shaders/Solver/WallForces",
             groupThreads: 64, buffers: 18, writableBuffers: 7, groupMemory: 11520, vertexBuffers: 0,

@@ -4,8 +4,9 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>Answers how much liquid boxes in the world hold.</summary>
-    internal sealed class AnswerBoxesPass : ComputePass
+    internal sealed class AnswerBoxesPass : QueryPass
     {
+        public const string ShaderName = "AnswerBoxes";
         public const int Words = 4;
 
         /// <summary>Numbers of the sums a box.</summary>
@@ -20,13 +21,27 @@ namespace SphFluid
         static readonly int RestShare = Id("_RestShare");
 
         readonly ComputeKernel sum, answer;
+        GraphicsBuffer kept;
 
         public AnswerBoxesPass(FluidShaderSet shaders)
-            : base(shaders, "AnswerBoxes")
+            : base(shaders, ShaderName)
         {
             sum = Kernel("SumBoxes");
             answer = Kernel();
         }
+
+        /// <inheritdoc/>
+        public override long GpuBytes => GpuBuffers.Size(kept);
+
+        /// <inheritdoc/>
+        public override void Record(CommandBuffer cmd, in QueryTarget target, in QueryBatch asked)
+        {
+            Reserve(Sums * asked.Capacity, target.Solver.State.Retired);
+            Record(cmd, target, asked.Words, kept, asked.Count, asked.First);
+        }
+
+        /// <inheritdoc/>
+        public override void Dispose() => GpuBuffers.Dispose(ref kept);
 
         /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
         /// <param name="target">The liquid and the answers.</param>
@@ -52,6 +67,14 @@ namespace SphFluid
                 answer.SetFloat(cmd, RestShare, (float)(settings.ParticleMass / (settings.RestDensity * System.Math.Pow(settings.Spacing, 3.0))));
                 answer.DispatchThreads(cmd, count);
             }
+        }
+
+        void Reserve(int sums, RetiredBuffers retired)
+        {
+            if (kept != null && kept.count >= sums) return;
+            if (kept != null) retired.Add(kept);
+            kept = GpuBuffers.Create("Fluid Box Sums", sums, sizeof(uint));
+            kept.SetData(new uint[sums]);
         }
 
         static void Set(CommandBuffer cmd, ComputeKernel kernel, in QueryTarget target, GraphicsBuffer queries, GraphicsBuffer sums, int count, float side)

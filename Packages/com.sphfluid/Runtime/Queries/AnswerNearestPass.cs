@@ -4,8 +4,9 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>Answers which particle is nearest to places in the world.</summary>
-    internal sealed class AnswerNearestPass : ComputePass
+    internal sealed class AnswerNearestPass : QueryPass
     {
+        public const string ShaderName = "AnswerNearest";
         public const int Words = 2;
 
         const int GroupThreads = 256;
@@ -15,10 +16,13 @@ namespace SphFluid
         readonly ComputeKernel kernel;
 
         public AnswerNearestPass(FluidShaderSet shaders)
-            : base(shaders, "AnswerNearest")
+            : base(shaders, ShaderName)
         {
             kernel = Kernel();
         }
+
+        /// <inheritdoc/>
+        public override void Record(CommandBuffer cmd, in QueryTarget target, in QueryBatch asked) => Record(cmd, target, asked.Words, asked.Count, asked.First);
 
         /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
         /// <param name="target">The liquid and the answers.</param>

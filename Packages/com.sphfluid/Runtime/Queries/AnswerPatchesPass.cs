@@ -4,8 +4,9 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>Answers how much liquid went through rectangles in the world.</summary>
-    internal sealed class AnswerPatchesPass : ComputePass
+    internal sealed class AnswerPatchesPass : QueryPass
     {
+        public const string ShaderName = "AnswerPatches";
         public const int Words = 3;
 
         static readonly int PatchesBefore = Id("_PatchesBefore");
@@ -20,14 +21,28 @@ namespace SphFluid
         static readonly int ParticleVolume = Id("_ParticleVolume");
 
         readonly ComputeKernel clear, flows, answer;
+        readonly PatchSums kept = new PatchSums();
 
         public AnswerPatchesPass(FluidShaderSet shaders)
-            : base(shaders, "AnswerPatches")
+            : base(shaders, ShaderName)
         {
             clear = Kernel("ClearPlaces");
             flows = Kernel("CountFlows");
             answer = Kernel();
         }
+
+        /// <inheritdoc/>
+        public override long GpuBytes => kept.GpuBytes;
+
+        /// <inheritdoc/>
+        public override void Record(CommandBuffer cmd, in QueryTarget target, in QueryBatch asked)
+        {
+            kept.Reserve(asked.Capacity, target.Solver.ParticleCount, target.Solver.State.Retired);
+            Record(cmd, target, asked.Words, kept, asked.Count, asked.First);
+        }
+
+        /// <inheritdoc/>
+        public override void Dispose() => kept.Dispose();
 
         /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
         /// <param name="target">The liquid and the answers.</param>

@@ -4,17 +4,22 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>Answers what the liquid is at points in the world.</summary>
-    internal sealed class AnswerPointsPass : ComputePass
+    internal sealed class AnswerPointsPass : QueryPass
     {
+        public const string ShaderName = "AnswerPoints";
+
         static readonly int Pressure = Id("_Pressure");
 
         readonly ComputeKernel kernel;
 
         public AnswerPointsPass(FluidShaderSet shaders)
-            : base(shaders, "AnswerPoints")
+            : base(shaders, ShaderName)
         {
             kernel = Kernel();
         }
+
+        /// <inheritdoc/>
+        public override void Record(CommandBuffer cmd, in QueryTarget target, in QueryBatch asked) => Record(cmd, target, asked.Words, asked.Count, asked.First);
 
         /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
         /// <param name="target">The liquid and the answers.</param>

@@ -4,8 +4,9 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>Answers where rays in the world meet the liquid's surface.</summary>
-    internal sealed class AnswerRaysPass : ComputePass
+    internal sealed class AnswerRaysPass : QueryPass
     {
+        public const string ShaderName = "AnswerRays";
         public const int Words = 2;
 
         static readonly int StepLength = Id("_StepLength");
@@ -13,10 +14,13 @@ namespace SphFluid
         readonly ComputeKernel kernel;
 
         public AnswerRaysPass(FluidShaderSet shaders)
-            : base(shaders, "AnswerRays")
+            : base(shaders, ShaderName)
         {
             kernel = Kernel();
         }
+
+        /// <inheritdoc/>
+        public override void Record(CommandBuffer cmd, in QueryTarget target, in QueryBatch asked) => Record(cmd, target, asked.Words, asked.Count, asked.First);
 
         /// <param name="cmd">Command buffer to record into, after the neighbour setup.</param>
         /// <param name="target">The liquid and the answers.</param>

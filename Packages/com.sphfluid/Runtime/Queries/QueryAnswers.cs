@@ -11,7 +11,7 @@ namespace SphFluid
 
         readonly QuerySet asked;
         readonly Action received;
-        readonly int[] ranges = new int[QuerySet.Kinds + 1];
+        readonly int[] ranges = new int[QueryKind.All.Count + 1];
         readonly QueryReadback[] readbacks = new QueryReadback[Readbacks];
         FluidSolver solver;
         QueryPasses passes;

@@ -21,7 +21,7 @@ namespace SphFluid
         readonly Action<AsyncGPUReadbackRequest> received;
         AsyncGPUReadbackRequest request;
         NativeArray<Answer> values;
-        readonly int[] firsts = new int[QuerySet.Kinds + 1];
+        readonly int[] firsts = new int[QueryKind.All.Count + 1];
         int late;
 
         public QueryReadback(Action<QueryReadback> arrived)
@@ -95,7 +95,7 @@ namespace SphFluid
             if (!failed) arrived(this);
         }
 
-        (int first, int count) Range(QueryKind kind) => (firsts[(int)kind], firsts[(int)kind + 1] - firsts[(int)kind]);
+        (int first, int count) Range(QueryKind kind) => (firsts[kind.Index], firsts[kind.Index + 1] - firsts[kind.Index]);
 
         void Free()
         {

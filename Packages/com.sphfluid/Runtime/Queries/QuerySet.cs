@@ -6,27 +6,16 @@ namespace SphFluid
     /// <summary>The requests of all kinds; their answers lie in one buffer, kind after kind.</summary>
     internal sealed class QuerySet
     {
-        const int FirstPoints = 1024, FirstOthers = 16;
-
-        static readonly string[] Names = { "point", "ray", "box", "nearest particle", "rectangle" };
-
-        /// <summary>Number of kinds.</summary>
-        public static readonly int Kinds = Names.Length;
-
-        readonly QuerySlots[] kinds = new QuerySlots[Kinds];
+        readonly QuerySlots[] kinds = new QuerySlots[QueryKind.All.Count];
         uint lastGeneration;
 
         public QuerySet()
         {
-            Make(QueryKind.Point, 1, FirstPoints);
-            Make(QueryKind.Ray, AnswerRaysPass.Words, FirstOthers);
-            Make(QueryKind.Box, AnswerBoxesPass.Words, FirstOthers);
-            Make(QueryKind.Nearest, AnswerNearestPass.Words, FirstOthers);
-            Make(QueryKind.Patch, AnswerPatchesPass.Words, FirstOthers);
+            foreach (QueryKind kind in QueryKind.All) kinds[kind.Index] = new QuerySlots(kind);
         }
 
         /// <summary>The requests of a kind.</summary>
-        public QuerySlots this[QueryKind kind] => kinds[(int)kind];
+        public QuerySlots this[QueryKind kind] => kinds[kind.Index];
 
         /// <summary>Number of requests.</summary>
         public int Count
@@ -68,7 +57,7 @@ namespace SphFluid
         public void Require(FluidQuery query, QueryKind kind)
         {
             if (!this[kind].Has(query))
-                throw new ArgumentException($"The query was removed, or is no {Names[(int)kind]}'s. Add it first.", nameof(query));
+                throw new ArgumentException($"The query was removed, or is no {kind.Name}'s. Add it first.", nameof(query));
         }
 
         /// <summary>Where the answers of each kind begin, and, last, how many there are.</summary>
@@ -91,7 +80,5 @@ namespace SphFluid
         {
             foreach (QuerySlots slots in kinds) slots.Free();
         }
-
-        void Make(QueryKind kind, int words, int first) => kinds[(int)kind] = new QuerySlots(kind, words, first);
     }
 }

@@ -8,20 +8,16 @@ namespace SphFluid
     internal sealed class QuerySlots
     {
         readonly QueryKind kind;
-        readonly int words, first;
+        readonly int words;
         readonly Stack<int> free = new Stack<int>();
         QueryWord[] items = Array.Empty<QueryWord>();
         GraphicsBuffer buffer;
         bool changed;
 
-        /// <param name="kind">The kind.</param>
-        /// <param name="words">Words of a request.</param>
-        /// <param name="first">Places to begin with.</param>
-        public QuerySlots(QueryKind kind, int words, int first)
+        public QuerySlots(QueryKind kind)
         {
             this.kind = kind;
-            this.words = words;
-            this.first = first;
+            words = kind.Words;
         }
 
         /// <summary>Places in use, those of removed requests between them included.</summary>
@@ -43,7 +39,7 @@ namespace SphFluid
         /// <param name="generation">Its generation, 1 or more.</param>
         public FluidQuery Add(uint generation)
         {
-            if (free.Count == 0 && Used == Capacity) Array.Resize(ref items, words * Math.Max(first, 2 * Used));
+            if (free.Count == 0 && Used == Capacity) Array.Resize(ref items, words * Math.Max(kind.Places, 2 * Used));
             int index = free.Count > 0 ? free.Pop() : Used++;
             items[words * index].Number = generation;
             changed = true;
@@ -86,7 +82,7 @@ namespace SphFluid
             if (buffer == null || buffer.count < items.Length)
             {
                 if (buffer != null) retired.Add(buffer);
-                buffer = GpuBuffers.Create($"Fluid {kind} Queries", items.Length, QueryWord.Stride);
+                buffer = GpuBuffers.Create($"Fluid Queries ({kind.Name})", items.Length, QueryWord.Stride);
                 changed = true;
             }
             if (changed) buffer.SetData(items, 0, 0, words * Used);
