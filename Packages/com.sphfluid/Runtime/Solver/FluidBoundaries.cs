@@ -11,8 +11,8 @@ namespace SphFluid
         [Tooltip("Axes along which liquid that leaves one face comes in at the other. A change starts the liquid again.")]
         public FluidAxes Periodic;
 
-        /// <summary>Faces through which liquid leaves: particles beyond one are removed and counted. No wall is there. Standard method only.</summary>
-        [Tooltip("Faces through which liquid leaves the domain: particles beyond one are removed and counted. Standard method only.")]
+        /// <summary>Faces through which liquid leaves: particles beyond one are removed and counted. No wall is there. Methods Standard and Robust.</summary>
+        [Tooltip("Faces through which liquid leaves the domain: particles beyond one are removed and counted. Methods Standard and Robust.")]
         public FluidFaces Open;
 
         /// <summary>
