@@ -4,7 +4,7 @@
  *   id <TAB> source file <TAB> entry point <TAB> target profile [<TAB> file for the compiled shader]
  * Its result:
  *   id <TAB> ok|failed <TAB> uavs <TAB> groupshared bytes <TAB> threads <TAB> instruction slots <TAB> messages <TAB>
- *   buffers (read or written) <TAB> ms of CPU time that the compilation took
+ *   buffers (read or written) <TAB> KB that the compilation asked for <TAB> ms of CPU time that it took
  */
 #include <windows.h>
 #include <d3dcompiler.h>
@@ -67,6 +67,45 @@ static int write_file(const char *path, ID3DBlob *blob)
     return !fclose(file) && written == size;
 }
 
+/* Bytes that the compiler asked the system for: what its passes did, the same on every machine, unlike its time. */
+static unsigned long long asked_bytes;
+static void *(WINAPI *heap_alloc)(HANDLE, DWORD, SIZE_T);
+static void *(WINAPI *virtual_alloc)(void *, SIZE_T, DWORD, DWORD);
+
+static void *WINAPI counted_heap_alloc(HANDLE heap, DWORD flags, SIZE_T size)
+{
+    asked_bytes += size;
+    return heap_alloc(heap, flags, size);
+}
+
+static void *WINAPI counted_virtual_alloc(void *address, SIZE_T size, DWORD type, DWORD access)
+{
+    asked_bytes += size;
+    return virtual_alloc(address, size, type, access);
+}
+
+/* Puts a function in the place of one that a module imports; returns the one before, or null where it imports none of that name. */
+static void *replace_import(HMODULE module, const char *name, void *function)
+{
+    BYTE *base = (BYTE *)module;
+    const IMAGE_NT_HEADERS *headers = (const IMAGE_NT_HEADERS *)(base + ((const IMAGE_DOS_HEADER *)base)->e_lfanew);
+    const DWORD at = headers->OptionalHeader.DataDirectory[IMAGE_DIRECTORY_ENTRY_IMPORT].VirtualAddress;
+    for (const IMAGE_IMPORT_DESCRIPTOR *library = (const void *)(base + at); library->Name; library++) {
+        const IMAGE_THUNK_DATA *names = (const void *)(base + library->OriginalFirstThunk);
+        IMAGE_THUNK_DATA *functions = (void *)(base + library->FirstThunk);
+        for (; names->u1.AddressOfData; names++, functions++) {
+            if (IMAGE_SNAP_BY_ORDINAL(names->u1.Ordinal) || strcmp(((const IMAGE_IMPORT_BY_NAME *)(base + names->u1.AddressOfData))->Name, name)) continue;
+            void *before = (void *)functions->u1.Function;
+            DWORD access;
+            if (!VirtualProtect(functions, sizeof *functions, PAGE_READWRITE, &access)) return NULL;
+            functions->u1.Function = (ULONG_PTR)function;
+            VirtualProtect(functions, sizeof *functions, access, &access);
+            return before;
+        }
+    }
+    return NULL;
+}
+
 static compile_fn compile;
 static disassemble_fn disassemble;
 
@@ -81,8 +120,9 @@ static int run_job(char *line)
     ID3DBlob *code = NULL, *messages = NULL, *listing = NULL;
     const UINT optimise = 1 << 15, ieee_strictness = 0;
     const int start = cpu_ms();
+    asked_bytes = 0;
     const HRESULT hr = compile(source, size, path, NULL, NULL, entry, target, optimise | ieee_strictness, 0, &code, &messages);
-    const int ms = cpu_ms() - start;
+    const int ms = cpu_ms() - start, asked_kb = (int)(asked_bytes >> 10);
     int failed = FAILED(hr) || !code;
     if (!failed && output && !write_file(output, code)) {
         printf("%s\tfailed\t0\t0\t0\t0\tcannot write %s\n", id, output);
@@ -94,7 +134,7 @@ static int run_job(char *line)
         f = read_listing(listing->lpVtbl->GetBufferPointer(listing));
     printf("%s\t%s\t%d\t%d\t%d\t%d\t", id, failed ? "failed" : "ok", f.uavs, f.shared_bytes, f.threads, f.slots);
     if (messages) print_one_line(messages->lpVtbl->GetBufferPointer(messages));
-    printf("\t%d\t%d\n", f.buffers, ms);
+    printf("\t%d\t%d\t%d\n", f.buffers, asked_kb, ms);
     if (code) code->lpVtbl->Release(code);
     if (messages) messages->lpVtbl->Release(messages);
     if (listing) listing->lpVtbl->Release(listing);
@@ -110,5 +150,8 @@ int main(int argc, char **argv)
     compile = (compile_fn)(void *)GetProcAddress(library, "D3DCompile");
     disassemble = (disassemble_fn)(void *)GetProcAddress(library, "D3DDisassemble");
     if (!compile || !disassemble) { fprintf(stderr, "d3dcompiler_47.dll has no D3DCompile or no D3DDisassemble\n"); return NO_ENTRY_POINT; }
+    heap_alloc = replace_import(library, "HeapAlloc", counted_heap_alloc);
+    virtual_alloc = replace_import(library, "VirtualAlloc", counted_virtual_alloc);
+    if (!heap_alloc || !virtual_alloc) { fprintf(stderr, "d3dcompiler_47.dll does not import HeapAlloc and VirtualAlloc\n"); return NO_ENTRY_POINT; }
     return run_jobs(argv[1], run_job);
 }
