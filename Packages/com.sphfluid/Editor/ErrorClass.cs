@@ -72,10 +72,11 @@ namespace SphFluid.Editor
             {
                 if (row.Method != method || System.Math.Abs(row.SupportRatio - supportRatio) > 0.01) continue;
                 if (particles < 0.95 * row.Coarsest) return $"none: {deep}, and waves were measured with {row.Coarsest} or more";
+                string finer = particles > 1.05 * row.Finest ? $", finer than the {row.Finest} that were measured" : "";
                 for (int i = 0; i < Limits.Count; i++)
                 {
                     if (row.Depths[i] > 0 && particles >= row.Depths[i] - 0.5)
-                        return Invariant($"{(char)('A' + i)}, waves within {100.0 * Limits[i]:0} %: {deep}{(particles > 1.05 * row.Finest ? $", finer than the {row.Finest} that were measured" : "")}");
+                        return Invariant($"{(char)('A' + i)}, waves within {100.0 * Limits[i]:0} %: {deep}{finer}");
                 }
                 return Invariant($"D, waves wrong by more than {100.0 * Limits[Limits.Count - 1]:0} %: {deep}");
             }

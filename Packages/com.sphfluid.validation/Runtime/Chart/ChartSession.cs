@@ -56,8 +56,9 @@ namespace SphFluid.Validation
         {
             foreach (var same in plan.Unbuildable.GroupBy(c => (c.Case.Name, Method: c.Method.Name, c.Problem)))
                 Progress.Say($"Not part of the chart: {same.Count()} {(same.Count() == 1 ? "point" : "points")} of {same.Key.Name} with {same.Key.Method}: {same.Key.Problem}");
+            string reason = arguments.Quick ? "they do not fit into the short plan's time" : "they take too long on this device, or do not fit into the chart's time";
             if (plan.LeftOut.Count > 0)
-                Progress.Say($"{plan.LeftOut.Count} runs are left out, {(arguments.Quick ? "they do not fit into the short plan's time" : "they take too long on this device, or do not fit into the chart's time")}: {plan.DescribeLeftOut()}.");
+                Progress.Say($"{plan.LeftOut.Count} runs are left out, {reason}: {plan.DescribeLeftOut()}.");
             // A run each of every case and method comes first.
             int first = Math.Min(plan.Runs.Count, arguments.Cases.Count * arguments.Methods.Count);
             return plan.Runs.Take(first).Select(Job).Concat(plan.StepCosts.Select(Job)).Concat(plan.Runs.Skip(first).Select(Job));

@@ -13,8 +13,9 @@ namespace SphFluid.Tests
     {
         const string Runtime = "Packages/com.sphfluid/Runtime";
 
-        static readonly Regex Word = new Regex(@"\b(?<m>Standard|Robust|thesis) method|\bmethods? (?<m>Standard|Robust|Thesis)(?: and (?<m>Standard|Robust|Thesis))?|\bFluidMethodKind\.(?<m>Standard|Robust|Thesis)\b",
-            RegexOptions.IgnoreCase);
+        const string Methods = "(?<m>Standard|Robust|Thesis)";
+
+        static readonly Regex Word = new Regex($@"\b{Methods} method|\bmethods? {Methods}(?: and {Methods})?|\bFluidMethodKind\.{Methods}\b", RegexOptions.IgnoreCase);
 
         static IEnumerable<string> ProfileFields() =>
             typeof(FluidProfile).GetFields(BindingFlags.Instance | BindingFlags.NonPublic).Where(f => f.GetCustomAttribute<TooltipAttribute>() != null).Select(f => f.Name);
