@@ -102,7 +102,8 @@ uint2 FluidCellRange(FluidCellBox box, uint k)
 // function need two names j.
 #define FOR_EACH_FLUID_PARTICLE_NEAR(position, radius, j) \
     for (uint j##Cell = 0u; j##Cell < FluidCellsAround(position, radius).Count; j##Cell++) \
-        for (uint2 j##Range = FluidCellRange(FluidCellsAround(position, radius), j##Cell); j##Range.x < j##Range.y; j##Range.x = j##Range.y) \
+        for (uint2 j##Range = FluidCellRange(FluidCellsAround(position, radius), j##Cell); j##Range.x < j##Range.y; \
+            j##Range.x = j##Range.y) \
             for (uint j = j##Range.x; j < j##Range.y; j++)
 
 #endif
