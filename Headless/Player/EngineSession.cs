@@ -38,6 +38,7 @@ internal sealed class EngineSession : IDisposable
         GraphicsDevice.Initialize(
             new GpuDeviceOptions { Adapter = device, Validate = validate, Poison = checks.Poison, CheckBounds = checks.Bounds }, compiler);
         UnityProject opened = UnityProject.Open(project, scripts.Find, includes, line => console(LogType.Warning, "[Import] " + line));
+        StaticMethods.Call<UnityEditor.InitializeOnLoadMethodAttribute>(_ => true);
         return new EngineSession(opened, scripts) { Assemblies = loaded };
     }
 

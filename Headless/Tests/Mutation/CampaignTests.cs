@@ -12,7 +12,7 @@ public class CampaignTests
     {
         string project = Path.GetFullPath(Path.Combine(PlayerProcess.ProjectsFolder, "../../.."));
         string folder = Directory.CreateTempSubdirectory("mutation").FullName;
-        const string kernel = "Packages/com.sphfluid/Shaders/Solver/Thesis/CalculateDensity.compute";
+        const string kernel = "Packages/com.sphfluid/Thesis/Shaders/Solver/CalculateDensity.compute";
         string before = File.ReadAllText(Path.Combine(project, kernel));
         try
         {

@@ -15,9 +15,10 @@ namespace SphFluid.Editor
         {
             FluidSupport support = FluidSupport.Query();
             var text = new StringBuilder();
-            text.AppendLine($"{FluidMessage.Prefix} {SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}): Standard method " +
-                $"{YesNo(support.Supports(FluidMethodKind.Standard))}, thesis method {YesNo(support.Supports(FluidMethodKind.Thesis))}, " +
-                $"surface {YesNo(support.Surface)}, geometry-shader surface {YesNo(support.GeometrySurface)}, asynchronous readback {YesNo(support.AsyncReadback)}.");
+            text.Append($"{FluidMessage.Prefix} {SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}): ");
+            foreach (ShaderGroup method in FluidMethods.ShaderGroups) text.Append($"{method.Part} {YesNo(support.Runs(method))}, ");
+            foreach (ShaderGroup surface in FluidMethods.SurfaceGroups) text.Append($"{surface.Part} {YesNo(support.Runs(surface))}, ");
+            text.AppendLine($"surface {YesNo(support.Surface)}, asynchronous readback {YesNo(support.AsyncReadback)}.");
             foreach (FluidMessage message in support.Messages) text.AppendLine($"{message.Text} {message.Cure}");
             Debug.Log(text.ToString());
         }

@@ -12,7 +12,7 @@ namespace SphFluid.Validation
             switch (Maker(simulation))
             {
                 case FluidGeometrySurfaceRenderer thesis when !thesis.UsesFallback:
-                    return FluidSurfaceMesher.Extract(solver, shaders, thesis.GridSize, thesis.IsoValue, thesis.WallCompletion);
+                    return ThesisSurfaceMesher.Extract(solver, shaders, thesis.GridSize, thesis.IsoValue, thesis.WallCompletion);
                 case FluidSurfaceRenderer renderer:
                     return FluidSurfaceMesher.Extract(solver, shaders, renderer.Surface);
                 case FluidSurfaceMesh mesh:

@@ -52,7 +52,7 @@ namespace SphFluid
         public bool Has(FluidMethodFeatures feature) => FluidMethods.Has(settings.Method, feature);
 
         /// <summary>What makes the steps shorter, the beginning of a cure.</summary>
-        public string ShorterSteps => TimeStepChecks.ShorterSteps(settings.Method);
+        public string ShorterSteps => FluidMethods.Of(settings.Method).ShorterSteps;
 
         /// <summary>What makes the liquid stiffer, a cure without its end; how stiff one whose steps follow the frame is hangs on these.</summary>
         public string StifferLiquid => Has(FluidMethodFeatures.StepsByFrame) ? "raise the profile's Substeps" : "raise Expected Speed, or the profile's Sound Speed Ratio";

@@ -53,6 +53,11 @@ namespace SphFluid
         /// <param name="half">Half the edges of the box.</param>
         public static Vector3 Extents(in Matrix4x4 m, Vector3 half) => new Vector3(Extent(m, 0, half), Extent(m, 1, half), Extent(m, 2, half));
 
+        /// <summary>The axis-aligned box round the image of one that is centred on the origin.</summary>
+        /// <param name="m">The transform.</param>
+        /// <param name="size">Edges of the box.</param>
+        public static Bounds BoundsOf(in Matrix4x4 m, Vector3 size) => new Bounds(m.MultiplyPoint3x4(Vector3.zero), Extents(m, size));
+
         /// <summary>Whether no component is infinite or not a number.</summary>
         public static bool IsFinite(Vector3 v) => IsFinite(v.x) && IsFinite(v.y) && IsFinite(v.z);
 

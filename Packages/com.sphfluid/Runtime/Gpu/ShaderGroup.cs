@@ -15,12 +15,6 @@ namespace SphFluid
             "ClearSurfaceBlocks", "PrepareSurfaceParticles", "ListSpray", "ListSurfaceBlocks", "SampleBlocks", "CountBlocks", "SurfaceDrawArguments",
             "EmitBlocks", "WriteSurfaceMesh");
 
-        /// <summary>The thesis's surface on a dense grid, by a geometry shader or its compute twin.</summary>
-        public static readonly ShaderGroup GeometrySurface = new ShaderGroup("the thesis's surface", "Shaders/Surface/Thesis",
-            groupThreads: 256, buffers: 4, writableBuffers: 2, groupMemory: 0, vertexBuffers: 0,
-            "ResetMCGrid", "SetMCGridDensityFactors", "CountSurfaceVertices", "EmitSurfaceVertices",
-            "SPH Fluid/Surface (Geometry Shader)");
-
         /// <summary>What draws particles and the sparse surface.</summary>
         public static readonly ShaderGroup Drawing = new ShaderGroup("the drawing", "Shaders/Rendering",
             groupThreads: 0, buffers: 0, writableBuffers: 0, groupMemory: 0, vertexBuffers: 1,
@@ -79,6 +73,9 @@ namespace SphFluid
         /// <summary>Optional physics of other groups' kernels: variants with this keyword count here, not there. Null for none.</summary>
         public string Keyword { get; private set; }
 
+        /// <summary>Whether it draws by a geometry shader.</summary>
+        public bool NeedsGeometryShaders { get; set; }
+
         /// <summary>Names: of compute shaders their files', of shaders what they declare.</summary>
         public IReadOnlyList<string> Shaders { get; }
 
@@ -118,6 +115,8 @@ namespace SphFluid
                 yield return $"{device.Name} binds {device.ComputeBuffers} buffers to a compute shader; {Part} needs {buffers}.";
             if (device.VertexBuffers < VertexBuffers)
                 yield return $"{device.Name} binds {device.VertexBuffers} buffers to a vertex shader; {Part} needs {VertexBuffers}.";
+            if (NeedsGeometryShaders && !device.GeometryShaders)
+                yield return $"{device.Name} has no geometry shaders, which {Part} is made with.";
         }
     }
 }

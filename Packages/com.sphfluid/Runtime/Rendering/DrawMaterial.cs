@@ -1,9 +1,8 @@
 using UnityEngine;
-using Object = UnityEngine.Object;
 
 namespace SphFluid
 {
-    /// <summary>A material that code made from a shader of the shader set, and its end.</summary>
+    /// <summary>A material that code made from a shader of the shader set.</summary>
     static class DrawMaterial
     {
         /// <param name="shaders">The shader set.</param>
@@ -31,18 +30,6 @@ namespace SphFluid
                 made.EnableKeyword(keyword);
             else
                 made.DisableKeyword(keyword);
-        }
-
-        public static void Destroy<T>(ref T made) where T : Object
-        {
-            if (made != null)
-            {
-                if (Application.isPlaying)
-                    Object.Destroy(made);
-                else
-                    Object.DestroyImmediate(made);
-            }
-            made = null;
         }
     }
 }

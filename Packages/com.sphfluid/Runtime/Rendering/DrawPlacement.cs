@@ -18,7 +18,7 @@ namespace SphFluid
             float waterShadow = 0f)
         {
             LocalToWorld = localToWorld;
-            WorldBounds = BoundsOf(localToWorld, domainSize + Vector3.one * (2f * margin));
+            WorldBounds = AffineMath.BoundsOf(localToWorld, domainSize + Vector3.one * (2f * margin));
             Layer = layer;
             Pipeline = DrawPipeline.Active;
             CastShadows = castShadows && DrawPipeline.HasShadows(Pipeline);
@@ -65,16 +65,5 @@ namespace SphFluid
                 worldBounds = WorldBounds,
             };
         }
-
-        // The upright box around a turned one: each axis gathers the reach of all three edges.
-        internal static Bounds BoundsOf(Matrix4x4 localToWorld, Vector3 size)
-        {
-            Vector3 x = localToWorld.MultiplyVector(new Vector3(size.x, 0f, 0f));
-            Vector3 y = localToWorld.MultiplyVector(new Vector3(0f, size.y, 0f));
-            Vector3 z = localToWorld.MultiplyVector(new Vector3(0f, 0f, size.z));
-            return new Bounds(localToWorld.MultiplyPoint3x4(Vector3.zero), Absolute(x) + Absolute(y) + Absolute(z));
-        }
-
-        static Vector3 Absolute(Vector3 v) => new Vector3(Mathf.Abs(v.x), Mathf.Abs(v.y), Mathf.Abs(v.z));
     }
 }

@@ -50,7 +50,7 @@ namespace SphFluid
             Leave();
             keep.Dispose();
             copy.Dispose();
-            DrawMaterial.Destroy(ref material);
+            OwnedObject.Destroy(ref material);
         }
 
         void Attach(Light light)
@@ -79,7 +79,7 @@ namespace SphFluid
             Light = null;
             if (constants != null)
                 constants.Release();
-            DrawMaterial.Destroy(ref constants);
+            OwnedObject.Destroy(ref constants);
         }
 
         void Record()

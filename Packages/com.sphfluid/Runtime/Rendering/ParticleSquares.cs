@@ -53,8 +53,8 @@ namespace SphFluid
 
         public void Dispose()
         {
-            DrawMaterial.Destroy(ref material);
-            DrawMaterial.Destroy(ref roundSprite);
+            OwnedObject.Destroy(ref material);
+            OwnedObject.Destroy(ref roundSprite);
         }
     }
 }

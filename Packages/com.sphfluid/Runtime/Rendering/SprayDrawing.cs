@@ -78,8 +78,8 @@ namespace SphFluid
 
         public void Dispose()
         {
-            DrawMaterial.Destroy(ref front);
-            DrawMaterial.Destroy(ref behind);
+            OwnedObject.Destroy(ref front);
+            OwnedObject.Destroy(ref behind);
         }
     }
 }

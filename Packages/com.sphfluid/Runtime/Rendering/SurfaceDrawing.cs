@@ -43,7 +43,7 @@ namespace SphFluid
             Render(placement.Parameters(ownMaterial != null ? ownMaterial : material, Block), surface);
         }
 
-        public virtual void Dispose() => DrawMaterial.Destroy(ref material);
+        public virtual void Dispose() => OwnedObject.Destroy(ref material);
 
         protected static void Render(in RenderParams parameters, in SurfaceBuffers surface) =>
             Graphics.RenderPrimitivesIndexedIndirect(parameters, MeshTopology.Triangles, surface.Indices, surface.Arguments);

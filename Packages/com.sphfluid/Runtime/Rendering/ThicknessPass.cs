@@ -111,7 +111,7 @@ namespace SphFluid
 
         public void Dispose()
         {
-            DrawMaterial.Destroy(ref material);
+            OwnedObject.Destroy(ref material);
             Release();
         }
 
@@ -137,7 +137,7 @@ namespace SphFluid
         {
             if (texture != null)
                 texture.Release();
-            DrawMaterial.Destroy(ref texture);
+            OwnedObject.Destroy(ref texture);
         }
     }
 }

@@ -92,8 +92,8 @@ namespace SphFluid
                 thickness.Dispose();
             }
             spray?.Dispose();
-            DrawMaterial.Destroy(ref depth);
-            DrawMaterial.Destroy(ref within);
+            OwnedObject.Destroy(ref depth);
+            OwnedObject.Destroy(ref within);
             base.Dispose();
         }
     }

@@ -149,7 +149,7 @@ namespace SphFluid
                     "Raise Max Substeps Per Frame, " + (spec.TimeStepMode == FluidTimeStepMode.Fixed ? "or Fixed Time Step." :
                     FluidMethods.Has(spec.Method, FluidMethodFeatures.StepsByFrame) ? "or lower the profile's Substeps."
                     : $"or use a larger Particle Spacing; {FluidRules.Advise(Solver.Settings, Solver.Settings.MaxSpeed).Cure}.")));
-            if (guards.Note(Solver.Counters, TimeStepChecks.ShorterSteps(spec.Method), Solver.Squeezers, obstacles.Bodies) is string guard)
+            if (guards.Note(Solver.Counters, FluidMethods.Of(spec.Method).ShorterSteps, Solver.Squeezers, obstacles.Bodies) is string guard)
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.GuardActed, spec.Owner, guard, guards.Cure));
         }
 

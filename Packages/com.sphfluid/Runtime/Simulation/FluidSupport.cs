@@ -26,14 +26,11 @@ namespace SphFluid
         /// <summary>Whether a liquid can be drawn as a surface, by a Fluid Surface Renderer or a Fluid Surface Mesh.</summary>
         public bool Surface => Runs(ShaderGroup.Surface) && Runs(ShaderGroup.Drawing);
 
-        /// <summary>Whether the thesis's surface can be drawn; the other needs no geometry shader.</summary>
-        public bool GeometrySurface => device.GeometryShaders && Runs(ShaderGroup.GeometrySurface);
-
         /// <summary>Whether the force of a liquid on its walls can be summed, by Fluid Probes and <see cref="SphFluid.WallForces"/>.</summary>
         public bool WallForces => Runs(ShaderGroup.WallForces);
 
         /// <summary>Whether a program on the CPU is the graphics device (llvmpipe, SwiftShader, WARP): liquids are small there.</summary>
-        public static bool IsSoftwareDevice => SurfaceGridSizes.IsSoftwareDevice;
+        public static bool IsSoftwareDevice => DeviceCapabilities.IsSoftware;
 
         /// <summary>Whether counters reach the CPU without stalling it.</summary>
         public bool AsyncReadback => device.AsyncReadback;
@@ -64,7 +61,8 @@ namespace SphFluid
 
         static string ComputeCure => "Use Direct3D 11 or 12, Vulkan or Metal.";
 
-        bool Runs(ShaderGroup needs)
+        /// <summary>Whether the device runs the shaders of a group.</summary>
+        internal bool Runs(ShaderGroup needs)
         {
             if (!device.ComputeShaders) return false;
             foreach (string _ in needs.Shortfalls(device)) return false;
@@ -96,14 +94,12 @@ namespace SphFluid
                 foreach (ShaderGroup needs in FluidMethods.ShaderGroups) AddShortfalls(messages, severity, needs, CureFor(needs));
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Surface, "Draw the liquid with a Fluid Particle Renderer.");
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Drawing, OtherDevice);
-                AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.GeometrySurface, "Draw the liquid with a Fluid Surface Renderer.");
+                foreach (ShaderGroup surface in FluidMethods.SurfaceGroups)
+                    AddShortfalls(messages, FluidSeverity.Info, surface, "Draw the liquid with a Fluid Surface Renderer.");
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Diagnostics, "Leave out the Fluid Diagnostics.");
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.WallForces, "Set Kind of Fluid Probes to Liquid Pressure, which is noisy.");
                 AddShortfalls(messages, FluidSeverity.Info, ShaderGroup.Whitewater, "Leave out the Fluid Whitewater.");
             }
-            if (!device.GeometryShaders)
-                Add(messages, FluidSeverity.Info, $"{device.Name} has no geometry shaders, which the thesis's surface is made with.",
-                    "Draw the liquid with a Fluid Surface Renderer.");
             if (!device.AsyncReadback)
                 Add(messages, FluidSeverity.Info, $"{device.Name} has no asynchronous readback, so the simulation's event counters are not shown.", "");
             return messages;
@@ -116,28 +112,5 @@ namespace SphFluid
 
         static void Add(List<FluidMessage> messages, FluidSeverity severity, string text, string cure) =>
             messages.Add(new FluidMessage(severity, FluidIssue.DeviceUnsupported, null, text, cure));
-    }
-
-    /// <summary>The figures of a graphics device that the fluid asks for.</summary>
-    internal struct DeviceCapabilities
-    {
-        public string Name;
-        public bool ComputeShaders;
-        public bool GeometryShaders;
-        public bool AsyncReadback;
-        public int GroupThreads;
-        public int ComputeBuffers;
-        public int VertexBuffers;
-
-        public static DeviceCapabilities Query() => new DeviceCapabilities
-        {
-            Name = $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType})",
-            ComputeShaders = SystemInfo.supportsComputeShaders,
-            GeometryShaders = SystemInfo.supportsGeometryShaders,
-            AsyncReadback = SystemInfo.supportsAsyncGPUReadback,
-            GroupThreads = SystemInfo.maxComputeWorkGroupSize,
-            ComputeBuffers = SystemInfo.maxComputeBufferInputsCompute,
-            VertexBuffers = SystemInfo.maxComputeBufferInputsVertex,
-        };
     }
 }

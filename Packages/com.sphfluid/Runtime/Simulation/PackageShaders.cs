@@ -16,7 +16,9 @@ namespace SphFluid
                     groups.Add(group);
                     if (group.Shared != null && !groups.Contains(group.Shared)) groups.Add(group.Shared);
                 }
-                groups.AddRange(new[] { ShaderGroup.Simulation, ShaderGroup.Surface, ShaderGroup.GeometrySurface, ShaderGroup.Drawing, ShaderGroup.Diagnostics, QueryKind.Shaders, ShaderGroup.WallForces, ShaderGroup.Whitewater });
+
+                groups.AddRange(FluidMethods.SurfaceGroups);
+                groups.AddRange(new[] { ShaderGroup.Simulation, ShaderGroup.Surface, ShaderGroup.Drawing, ShaderGroup.Diagnostics, QueryKind.Shaders, ShaderGroup.WallForces, ShaderGroup.Whitewater });
                 return groups;
             }
         }

@@ -31,10 +31,6 @@ namespace SphFluid
                 FormattableString.Invariant($"Use a Fixed Time Step of {better} s, or set Time Step Mode to Automatic; {advice.Cure}.")));
         }
 
-        /// <summary>What makes the steps of a method shorter, the beginning of a cure.</summary>
-        public static string ShorterSteps(FluidMethodKind method) => "With Time Step Mode Fixed shorten Fixed Time Step; else " +
-            (FluidMethods.Has(method, FluidMethodFeatures.StepsByFrame) ? "raise the profile's Substeps" : "lower the profile's Time Step Fraction");
-
         static string Consequence(TimeStepLimit limit)
         {
             switch (limit)

@@ -5,7 +5,7 @@ namespace SphFluid
 {
     /// <summary>
     /// All that the rest of the package knows of a method: its constants by rule, its limits, its shaders, the profile's fields that it
-    /// reads, and what steps a liquid by it. A method is one folder below Solver with a class like this, and a line in <see cref="FluidMethods"/>.
+    /// reads, and what steps a liquid by it. A method is one folder with a class like this, and a line in <see cref="FluidMethods"/> or a call of its Register.
     /// </summary>
     internal abstract class FluidMethod
     {
@@ -17,6 +17,9 @@ namespace SphFluid
 
         /// <summary>Its shaders and what they need of a device.</summary>
         public abstract ShaderGroup Shaders { get; }
+
+        /// <summary>A surface that the method brings along, for drawing its liquid; null where it has none of its own.</summary>
+        public virtual ShaderGroup OwnSurface => null;
 
         /// <summary>Fields of a profile that this method reads and not all others do, by their serialised names.</summary>
         public abstract IReadOnlyList<string> ProfileFields { get; }
@@ -64,6 +67,10 @@ namespace SphFluid
             int steps = FrameWork.StepsOf(frameTime, Advise(settings, speed).Step(stepFraction));
             return new FrameWork(steps, 2.0, steps); // density and forces
         }
+
+        /// <summary>What makes its steps shorter, the beginning of a cure.</summary>
+        public string ShorterSteps => "With Time Step Mode Fixed shorten Fixed Time Step; else " +
+            (Has(FluidMethodFeatures.StepsByFrame) ? "raise the profile's Substeps" : "lower the profile's Time Step Fraction");
 
         /// <summary>Whether cells of 2R are searched by octants, not cells of R by rows.</summary>
         public virtual bool SearchesOctants(in FluidRuleInput input) => false;

@@ -3,41 +3,24 @@ using System.Collections.Generic;
 
 namespace SphFluid
 {
-    /// <summary>Methods to compute the liquid's motion.</summary>
-    public enum FluidMethodKind
-    {
-        /// <summary>Figueroa's thesis (2012), corrected: Müller's kernels, bitonic sort, one time step after another.</summary>
-        Thesis = 0,
-
-        /// <summary>The thesis's text as printed, as far as it can run (<see cref="ThesisSwitches.Printed"/>): for comparison, not for use.</summary>
-        ThesisPrinted = 1,
-
-        /// <summary>Weakly compressible SPH with one kernel, walls that carry density, and a counting sort: faster, more accurate, the default.</summary>
-        Standard = 2,
-
-        /// <summary>Small-step XPBD: a fixed number of equal steps a frame at any speed. Never explodes, keeps real time, and is the softer the longer its steps are.</summary>
-        Robust = 3,
-
-        /// <summary>
-        /// No method but a choice among them at the start: the most faithful one whose steps fit the frame budget of the simulation, by what they cost on this
-        /// device. <see cref="FluidSimulation.ActiveMethod"/> is the one picked. A solver takes only a picked one.
-        /// </summary>
-        Automatic = 4,
-    }
-
-    /// <summary>The list of methods: a new one is a value above, a line here and a folder of its own.</summary>
+    /// <summary>
+    /// The list of methods: a new one is a value of <see cref="FluidMethodKind"/>, a line here and a folder of its own. One in an assembly of its own
+    /// registers itself, before the first scene is loaded and whenever the Editor loads it.
+    /// </summary>
     internal static class FluidMethods
     {
-        static readonly FluidMethod[] Methods =
-        {
-            new StandardMethod(),
-            new RobustMethod(),
-            new ThesisMethod(FluidMethodKind.Thesis),
-            new ThesisMethod(FluidMethodKind.ThesisPrinted),
-        };
+        [OutlivesPlay("What assemblies bring is the same in every play.")]
+        private static readonly List<FluidMethod> Methods = new List<FluidMethod> { new StandardMethod(), new RobustMethod() };
 
         /// <summary>All methods, the default one first.</summary>
         public static IReadOnlyList<FluidMethod> All => Methods;
+
+        /// <summary>Adds a method of another assembly; of one that is there already it takes the place.</summary>
+        public static void Register(FluidMethod method)
+        {
+            Methods.RemoveAll(m => m.Kind == method.Kind);
+            Methods.Add(method);
+        }
 
         /// <summary>Whether the method is to be chosen at the start.</summary>
         public static bool IsChosen(FluidMethodKind kind) => kind == FluidMethodKind.Automatic;
@@ -57,6 +40,21 @@ namespace SphFluid
                 foreach (FluidMethod method in Methods)
                 {
                     if (!groups.Contains(method.Shaders)) groups.Add(method.Shaders);
+                }
+
+                return groups;
+            }
+        }
+
+        /// <summary>Surfaces that methods bring along, each group once.</summary>
+        public static IReadOnlyList<ShaderGroup> SurfaceGroups
+        {
+            get
+            {
+                var groups = new List<ShaderGroup>();
+                foreach (FluidMethod method in Methods)
+                {
+                    if (method.OwnSurface != null && !groups.Contains(method.OwnSurface)) groups.Add(method.OwnSurface);
                 }
 
                 return groups;

@@ -1,6 +1,4 @@
 using System;
-using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace SphFluid
 {
@@ -59,31 +57,7 @@ namespace SphFluid
                 return surface.Extract(solver, field, grid, walls);
         }
 
-        /// <summary>The thesis's surface in simulation space: its field on a dense grid.</summary>
-        /// <param name="solver">The particles.</param>
-        /// <param name="shaders">Shader set with the surface's kernels.</param>
-        /// <param name="gridSize">Cells a side over the domain.</param>
-        /// <param name="isoValue">Density of the surface as a part of the rest density.</param>
-        /// <param name="wallCompletion">See <see cref="SurfaceField.WallCompletion"/>.</param>
-        /// <returns>A closed mesh [m].</returns>
-        /// <exception cref="FluidDeviceException">The device cannot run a kernel or hold the surface.</exception>
-        public static SurfaceMesh Extract(FluidSolver solver, FluidShaderSet shaders, SurfaceGridSize gridSize,
-            float isoValue = 0.5f, bool wallCompletion = true)
-        {
-            RequireSolver(solver);
-            Require.Known(gridSize, nameof(gridSize));
-            using (var field = new SurfaceField(shaders, SurfaceGrid.OverDomain(solver.Settings.DomainSize, gridSize)))
-            using (var polygoniser = new SurfacePolygoniser(shaders))
-            using (var cmd = new CommandBuffer { name = "Fluid Surface Mesh" })
-            {
-                field.WallCompletion = wallCompletion;
-                field.Record(cmd, solver);
-                Graphics.ExecuteCommandBuffer(cmd);
-                return polygoniser.Polygonise(field, isoValue);
-            }
-        }
-
-        static void RequireSolver(FluidSolver solver)
+        internal static void RequireSolver(FluidSolver solver)
         {
             if (solver == null)
                 throw new ArgumentNullException(nameof(solver), "A surface needs a running simulation.");

@@ -78,16 +78,6 @@ namespace SphFluid
         /// <summary>Number of cubes of marching cubes.</summary>
         public int CubeCount => Product(Cubes);
 
-        /// <summary>
-        /// The grid over the domain of a simulation, which is centred on the origin of simulation space, as the thesis
-        /// cuts it.
-        /// </summary>
-        /// <param name="domainSize">Edges of the domain [m].</param>
-        /// <param name="size">Cells a side.</param>
-        /// <returns>A grid whose outermost vertices lie on the domain's walls.</returns>
-        public static SurfaceGrid OverDomain(Vector3 domainSize, SurfaceGridSize size) =>
-            new SurfaceGrid(-0.5f * Domain(domainSize), domainSize, size.Cells());
-
         /// <summary>The grid over the domain of a simulation, in cells that are nearly cubes.</summary>
         /// <param name="domainSize">Edges of the domain [m].</param>
         /// <param name="cellEdge">Longest edge of a cell [m]; 0.3 cuts an edge of 1 m into 4 cells of 0.25 m.</param>

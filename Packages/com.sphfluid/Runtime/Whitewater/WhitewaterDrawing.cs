@@ -99,13 +99,13 @@ namespace SphFluid
         {
             WaterCameras.Remove(this);
             DestroyMaterials();
-            DrawMaterial.Destroy(ref lace);
+            OwnedObject.Destroy(ref lace);
         }
 
         void DestroyMaterials()
         {
-            DrawMaterial.Destroy(ref front);
-            DrawMaterial.Destroy(ref behind);
+            OwnedObject.Destroy(ref front);
+            OwnedObject.Destroy(ref behind);
         }
     }
 }

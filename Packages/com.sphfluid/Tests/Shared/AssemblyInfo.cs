@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 
+[assembly: InternalsVisibleTo("SphFluid.Thesis.Tests.Editor")]
 [assembly: InternalsVisibleTo("SphFluid.Tests.Editor")]
 [assembly: InternalsVisibleTo("SphFluid.Tests.Runtime")]
 [assembly: InternalsVisibleTo("SphFluid.Validation.Tests.Editor")]

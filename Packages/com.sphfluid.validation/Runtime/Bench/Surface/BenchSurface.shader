@@ -19,7 +19,7 @@ Shader "Hidden/SPH Fluid/Benchmark/Surface"
             #pragma fragment ShadeSurface
 
             #include "Packages/com.sphfluid/Shaders/Surface/SurfaceShading.hlsl"
-            #include "Packages/com.sphfluid/Shaders/Surface/Thesis/EmittedVertex.hlsl"
+            #include "Packages/com.sphfluid/Thesis/Shaders/Surface/EmittedVertex.hlsl"
 
             StructuredBuffer<EmittedVertex> _SurfaceVertices;
 

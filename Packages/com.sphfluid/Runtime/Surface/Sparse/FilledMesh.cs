@@ -48,7 +48,7 @@ namespace SphFluid
         public void Fill(CommandBuffer cmd, in SurfaceBuffers surface, in Matrix4x4 toMesh, Vector3 domainSize)
         {
             Reserve(surface.Vertices.count, surface.Indices.count);
-            mesh.bounds = DrawPlacement.BoundsOf(toMesh, domainSize);
+            mesh.bounds = AffineMath.BoundsOf(toMesh, domainSize);
             using (GraphicsBuffer vertices = mesh.GetVertexBuffer(0))
             using (GraphicsBuffer indices = mesh.GetIndexBuffer())
             {
@@ -60,7 +60,7 @@ namespace SphFluid
 
         public void Dispose()
         {
-            DrawMaterial.Destroy(ref mesh);
+            OwnedObject.Destroy(ref mesh);
             VertexCapacity = 0;
             IndexCapacity = 0;
         }

@@ -49,12 +49,12 @@ namespace SphFluid.Tests
             Assert.That(profile.MaxParticles, Is.EqualTo(1));
         }
 
-        [TestCase("WaterProfile", 2.25f)]
-        [TestCase("FastWaterProfile", 2.25f)]
-        [TestCase("ThesisWaterProfile", 2f)]
-        public void ShippedAssetsAreComplete(string name, float supportRatio)
+        [TestCase("Runtime/Assets/WaterProfile", 2.25f)]
+        [TestCase("Runtime/Assets/FastWaterProfile", 2.25f)]
+        [TestCase("Thesis/Assets/ThesisWaterProfile", 2f)]
+        public void ShippedAssetsAreComplete(string path, float supportRatio)
         {
-            var water = AssetDatabase.LoadAssetAtPath<FluidProfile>(Assets + name + ".asset");
+            var water = AssetDatabase.LoadAssetAtPath<FluidProfile>($"Packages/com.sphfluid/{path}.asset");
             Assert.That(water, Is.Not.Null);
             Assert.That(water.Shaders, Is.Not.Null);
             Assert.That(PackageShaders.Missing(water.Shaders), Is.Empty);

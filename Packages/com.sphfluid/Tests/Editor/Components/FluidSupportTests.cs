@@ -10,7 +10,7 @@ namespace SphFluid.Tests
         public void FullDeviceHasNothingToReport()
         {
             FluidSupport support = FluidSupport.From(Device());
-            Assert.That(support.Simulation && support.GeometrySurface && support.AsyncReadback);
+            Assert.That(support.Simulation && support.Runs(GeometrySurface.Group) && support.AsyncReadback);
             Assert.That(support.Messages, Is.Empty);
         }
 
@@ -109,7 +109,7 @@ namespace SphFluid.Tests
             device.GeometryShaders = false;
             FluidSupport support = FluidSupport.From(device);
             Assert.That(support.Simulation);
-            Assert.That(support.GeometrySurface, Is.False);
+            Assert.That(support.Runs(GeometrySurface.Group), Is.False);
             Assert.That(support.Messages.Single().Cure, Does.Contain("Fluid Surface Renderer"));
         }
 

@@ -232,7 +232,7 @@ namespace SphFluid.Tests
             if (type == typeof(Collider)) return Box();
             if (type == typeof(WallForces)) return simulation.Solver.WallForces;
             if (type == typeof(WallPatch)) return Patch(simulation.Solver.WallForces);
-            if (type == typeof(SurfaceGrid)) return SurfaceGrid.OverDomain(simulation.DomainSize, SurfaceGridSize.Cells32);
+            if (type == typeof(SurfaceGrid)) return SurfaceGridSize.Cells32.OverDomain(simulation.DomainSize);
             if (type == typeof(SurfaceFieldSettings)) return SurfaceFieldSettings.For(FluidSurfaceQuality.Cheap, simulation.Solver.Settings);
             if (type == typeof(SurfaceField)) return Field(simulation.Solver, shaders);
             if (type == typeof(SurfacePolygoniser)) return Made(new SurfacePolygoniser(shaders));
@@ -280,7 +280,7 @@ namespace SphFluid.Tests
 
         SurfaceField Field(FluidSolver solver, FluidShaderSet shaders)
         {
-            SurfaceField field = Made(new SurfaceField(shaders, SurfaceGrid.OverDomain(solver.Settings.DomainSize, SurfaceGridSize.Cells32)));
+            SurfaceField field = Made(new SurfaceField(shaders, SurfaceGridSize.Cells32.OverDomain(solver.Settings.DomainSize)));
             GpuTest.Run(cmd => field.Record(cmd, solver));
             return field;
         }

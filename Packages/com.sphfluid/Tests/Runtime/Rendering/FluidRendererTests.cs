@@ -131,7 +131,7 @@ namespace SphFluid.Tests
         public void MeshOfARunningLiquidHoldsItsVolume()
         {
             FluidSimulation simulation = StartLiquid();
-            SurfaceMesh mesh = FluidSurfaceMesher.Extract(simulation.Solver, rig.Profile.Shaders, SurfaceGridSize.Cells32);
+            SurfaceMesh mesh = ThesisSurfaceMesher.Extract(simulation.Solver, rig.Profile.Shaders, SurfaceGridSize.Cells32);
             Assert.AreEqual(0.008, mesh.Volume(), 0.3 * 0.008);
             Assert.AreEqual(mesh.Volume(), mesh.Transformed(simulation.LocalToWorld).Volume(), 1e-5);
         }

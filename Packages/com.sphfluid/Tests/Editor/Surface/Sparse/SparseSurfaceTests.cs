@@ -29,8 +29,8 @@ namespace SphFluid.Tests
             FluidParticle[] particles = ParticleSets.Random(count, Domain, 0f, count);
             using (var solver = new FluidSolver(TestSettings.ByRule(Domain, Spacing), shaders, particles))
             {
-                SurfaceGrid grid = SurfaceGrid.OverDomain(Domain, SurfaceGridSize.Cells32);
-                SurfaceMesh dense = FluidSurfaceMesher.Extract(solver, shaders, SurfaceGridSize.Cells32, isoValue);
+                SurfaceGrid grid = SurfaceGridSize.Cells32.OverDomain(Domain);
+                SurfaceMesh dense = ThesisSurfaceMesher.Extract(solver, shaders, SurfaceGridSize.Cells32, isoValue);
                 SurfaceMesh sparse = FluidSurfaceMesher.Extract(solver, shaders,
                     SurfaceFieldSettings.Thesis(solver.Settings, grid, isoValue), grid);
                 Assert.Greater(sparse.TriangleCount, 0);
