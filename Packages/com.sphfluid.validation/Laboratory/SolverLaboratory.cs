@@ -31,7 +31,8 @@ namespace SphFluid.Laboratory
         public static void RecordNeighbourSetup(FluidSolver solver, CommandBuffer cmd, string without = null)
         {
             if (without == null) solver.Stepper.RecordNeighbourSetup(cmd);
-            else solver.Stepper.RecordNeighbourSetupWithout(cmd, without);
+            else if (solver.Stepper is ThesisStepper thesis) thesis.RecordNeighbourSetupWithout(cmd, without);
+            else throw new ArgumentException($"The method {solver.Kind} cannot leave out '{without}' of the neighbour setup: it needs all of its passes.", nameof(without));
         }
     }
 }

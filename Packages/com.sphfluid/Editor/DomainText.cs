@@ -65,7 +65,7 @@ namespace SphFluid.Editor
             if (particles == 0) return "depends on what is poured";
             return StepCosts.TryFind(key, particles, out StepCost cost)
                 ? Invariant($"about {cost.Milliseconds * steps:0.00} ms for the steps, by the last run with {cost.Particles:N0} particles on {SystemInfo.graphicsDeviceName}")
-                : StepTimer.IsSupported ? "not measured on this device yet: press Play once" : "this device reports no GPU times";
+                : StepTimer.IsSupported ? "not measured on this device yet: look at it here in play" : "this device reports no GPU times";
         }
 
         /// <summary>Of a running simulation.</summary>

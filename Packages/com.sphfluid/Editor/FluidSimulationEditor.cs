@@ -63,8 +63,15 @@ namespace SphFluid.Editor
             Undo.undoRedoPerformed -= validation.Refresh;
             EditorApplication.hierarchyChanged -= validation.Refresh;
             validation.Dispose();
-            if (timed != null) timed.EndTiming();
+            if (timed != null) EndTiming();
             timed = null;
+        }
+
+        // What the inspector has measured is what it knows of such a liquid before the next play.
+        private void EndTiming()
+        {
+            if (timed.IsRunning && timed.Timer.FrameCount >= StepTimer.Window) StepCostWatch.Note(timed.Timer, timed.Solver, timed.Obstacles.Count > 0);
+            timed.EndTiming();
         }
 
         void OnSceneGUI()

@@ -1,18 +1,19 @@
 using System;
+using System.IO;
 using UnityEngine;
 
 namespace SphFluid
 {
     /// <summary>
-    /// What steps cost on this machine's graphics device, kept in Unity's PlayerPrefs, in the Editor and in builds. Costs of another device, driver or version of
-    /// the package are not used.
+    /// What steps cost on this machine's graphics device, kept in a file of the application's temporary cache, in the Editor and in builds. Costs of another
+    /// device, driver or version of the package are not used.
     /// </summary>
     internal static class StepCosts
     {
         /// <summary>Time of a pass over a particle and its neighbours where a device cannot be timed [ns]: what no device was measured for, and weak ones need.</summary>
         public const double EstimatedPass = 5.0;
 
-        const string Root = "SPH Fluid/Step costs/";
+        private const int MostBytes = 1 << 20;
 
         static StepCostTable table;
         [OutlivesPlay("what tests have set")] static bool isKept = true;
@@ -57,16 +58,36 @@ namespace SphFluid
         internal static StepCostTable Unpack(string text) =>
             text.StartsWith(Head + "\n", StringComparison.Ordinal) ? StepCostTable.Parse(text.Substring(Head.Length + 1)) : new StepCostTable();
 
-        static StepCostTable Table => table ??= Unpack(PlayerPrefs.GetString(Root + SystemInfo.graphicsDeviceName, ""));
+        private static StepCostTable Table => table ??= Unpack(Read());
+
+        private static string Path => System.IO.Path.Combine(Application.temporaryCachePath, "SPH Fluid step costs.txt");
 
         static string Head => $"{FluidPackage.Version}|{SystemInfo.graphicsDeviceName}|{SystemInfo.graphicsDeviceVersion}";
 
-        static void Keep()
+        private static void Keep()
         {
             Revision++;
             if (!isKept) return;
-            PlayerPrefs.SetString(Root + SystemInfo.graphicsDeviceName, Pack(Table));
-            PlayerPrefs.Save();
+            try
+            {
+                File.WriteAllText(Path, Pack(Table));
+            }
+            catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException)
+            {
+                // Platforms without files measure again in the next session.
+            }
+        }
+
+        private static string Read()
+        {
+            try
+            {
+                return File.Exists(Path) ? BoundedFile.ReadText(Path, MostBytes) ?? "" : "";
+            }
+            catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException)
+            {
+                return "";
+            }
         }
 
         // Without a domain reload statics outlive play mode, and another device may be in use by then.

@@ -30,12 +30,6 @@ namespace SphFluid
         /// <param name="longest">The longest step of late, no less than <paramref name="timeStep"/> [s].</param>
         void PlanSteps(int steps, float timeStep, float speed, float longest);
 
-        /// <summary>Records the neighbour setup with one of its passes left out, to measure what the pass is for.</summary>
-        /// <param name="cmd">Command buffer to record into.</param>
-        /// <param name="pass">Name of the pass.</param>
-        /// <exception cref="ArgumentException">The method has no such pass that can be left out.</exception>
-        void RecordNeighbourSetupWithout(CommandBuffer cmd, string pass);
-
         /// <summary>Records the forces and the motion of one time step. The neighbour setup comes before it.</summary>
         /// <param name="cmd">Command buffer to record into.</param>
         /// <param name="step">Length of this step and of the one before.</param>

@@ -1,4 +1,3 @@
-using System;
 using UnityEngine.Rendering;
 
 namespace SphFluid
@@ -80,10 +79,6 @@ namespace SphFluid
 
         /// <inheritdoc/>
         public abstract void RecordNeighbourSetup(CommandBuffer cmd);
-
-        /// <inheritdoc/>
-        public void RecordNeighbourSetupWithout(CommandBuffer cmd, string pass) => throw new ArgumentException(
-            $"The method {Cells.Settings.Method} cannot leave out '{pass}' of the neighbour setup: it needs all of its passes.", nameof(pass));
 
         /// <inheritdoc/>
         public abstract void RecordMotion(CommandBuffer cmd, in FluidStep step);

@@ -8,7 +8,6 @@ namespace SphFluid.Tests
     /// <summary>Profiles hold only numbers that can be computed with, and the package's assets are complete.</summary>
     public sealed class FluidProfileTests
     {
-        const string Assets = "Packages/com.sphfluid/Runtime/Assets/";
         FluidProfile profile;
 
         [SetUp]

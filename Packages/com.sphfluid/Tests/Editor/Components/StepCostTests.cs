@@ -20,7 +20,7 @@ namespace SphFluid.Tests
         {
             Assert.That(StepCosts.TryFind(Standard, 10000, out _), Is.False);
             if (StepTimer.IsSupported)
-                Assert.That(DomainText.Estimate(Standard, 10000, 10), Is.EqualTo("not measured on this device yet: press Play once"));
+                Assert.That(DomainText.Estimate(Standard, 10000, 10), Is.EqualTo("not measured on this device yet: look at it here in play"));
         }
 
         [Test]

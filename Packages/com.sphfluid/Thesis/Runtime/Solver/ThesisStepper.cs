@@ -61,7 +61,10 @@ namespace SphFluid
         {
         }
 
-        /// <inheritdoc/>
+        /// <summary>Records the neighbour setup with one of its passes left out, to measure what the pass is for.</summary>
+        /// <param name="cmd">Command buffer to record into.</param>
+        /// <param name="pass">Name of the pass.</param>
+        /// <exception cref="ArgumentException">No such pass can be left out.</exception>
         public void RecordNeighbourSetupWithout(CommandBuffer cmd, string pass)
         {
             if (pass != OptionalPass)
