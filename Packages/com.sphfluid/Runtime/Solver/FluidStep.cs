@@ -4,7 +4,7 @@ namespace SphFluid
     /// One step of leapfrog: positions live at its ends, velocities in the middle. Steps of unequal lengths stay second order
     /// where the kick takes the velocities from the middle of the last step to the middle of this one.
     /// </summary>
-    public readonly struct FluidStep
+    internal readonly struct FluidStep
     {
         /// <summary>A step.</summary>
         /// <param name="length">Its length [s].</param>

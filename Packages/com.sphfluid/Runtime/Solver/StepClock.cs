@@ -6,7 +6,7 @@ namespace SphFluid
     /// Turns frame times into whole steps of one length. Leapfrog needs equal steps (thesis 4.3), so a rest waits for the
     /// next frame. Where a frame asks for more steps than allowed, the surplus is dropped and reported: simulated time slows.
     /// </summary>
-    public sealed class StepClock : IStepClock
+    internal sealed class StepClock : IStepClock
     {
         // A frame of exactly n steps must give n, however its sum of floats was rounded.
         const double RoundingSlack = 1e-6;

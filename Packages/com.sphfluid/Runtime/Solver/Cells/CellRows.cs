@@ -7,7 +7,7 @@ namespace SphFluid
     /// Cells of side R with a border of one empty cell around the domain, numbered x first, then y, then z:
     /// Shaders/Solver/Cells/CellRows.hlsl. Three cells of a row follow each other, so 9 runs of particles serve for 27 cells.
     /// </summary>
-    public readonly struct CellRows
+    internal readonly struct CellRows
     {
         /// <summary>Cells that a group of the scan sums; SCAN_CELLS_PER_GROUP in CellTypes.hlsl.</summary>
         internal const int CellsPerScanGroup = 2048;

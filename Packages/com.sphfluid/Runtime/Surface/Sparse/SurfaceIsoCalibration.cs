@@ -8,7 +8,7 @@ namespace SphFluid
     /// average over sub-cell positions of the grid: volumes then come out right. Lengths are in particle spacings.
     /// Values are computed once and kept.
     /// </summary>
-    public static class SurfaceIsoCalibration
+    internal static class SurfaceIsoCalibration
     {
         /// <summary>Least edge of a cell over dx.</summary>
         internal const double LeastCell = 0.02;
