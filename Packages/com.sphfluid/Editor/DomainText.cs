@@ -30,7 +30,7 @@ namespace SphFluid.Editor
                 Cells(preview.Constants),
                 ("GPU memory", preview.Lack ?? Invariant($"{preview.GpuBytes / Mebibyte:0.0} MiB, without what draws it")),
                 ("Steps a frame", needed <= most ? Invariant($"{steps:0.#} at {Frames} frames a second")
-                    : Invariant($"{most:0}, the most allowed; {needed:0.#} keep up with time at {Frames} frames a second")),
+                    : Invariant($"{most:0}, the most allowed; {needed:0.#} keep real time at {Frames} frames a second")),
                 ("GPU time a frame", Estimate(StepCostKey.Of(preview.Constants, preview.HasBodies), preview.Particles, steps)),
                 ("Error class", Class(preview, 1.0)),
                 ("Half the spacing", Finer(preview, needed)),

@@ -42,13 +42,13 @@ namespace SphFluid
         [SerializeField, Tooltip("Liquid that rests takes no steps until something touches it: a collider that moves, a changed setting, a script.")]
         bool sleepsAtRest = true;
 
-        [SerializeField, Tooltip("The liquid stands still and is drawn on. Colliders that move meanwhile go through their motion with the first step after it.")]
+        [SerializeField, Tooltip("The liquid stops, but is still drawn. Colliders that move meanwhile catch up with the first step afterwards.")]
         bool paused;
 
         [SerializeField, Min(0f), Tooltip("Time of this liquid over the scene's time: 1 as fast as the scene, 0.5 half as fast, 0 stands still. Time.timeScale acts besides.")]
         float timeScale = 1f;
 
-        [SerializeField, Range(1, 1000), Tooltip("Most steps a frame. Where more are needed the liquid moves slower than time, and the console says so.")]
+        [SerializeField, Range(1, 1000), Tooltip("Most steps a frame. If a frame needs more, the liquid falls behind real time, and the console says so.")]
         int maxSubstepsPerFrame = 64;
 
         [SerializeField, Min(0f), Tooltip("Fastest speed to be ready for in m/s, 1000 at most, when something makes the liquid faster than its fall and the " +
@@ -123,7 +123,7 @@ namespace SphFluid
         public float FixedTimeStep { get => fixedTimeStep; set => fixedTimeStep = value; }
 
         /// <summary>
-        /// Whether the liquid stands still: it keeps its state, is drawn on and takes no steps but those of <see cref="FluidSimulation.StepOnce"/>. No time is
+        /// Whether the liquid is paused: it keeps its state, is still drawn and takes no steps but those of <see cref="FluidSimulation.StepOnce"/>. No time is
         /// made up for afterwards. Changed settings act with the next step. The motion of colliders during the pause joins into one that the next frame with
         /// steps goes through; one too long to follow is a jump, reported as <see cref="FluidIssue.ColliderJumped"/>.
         /// </summary>

@@ -14,11 +14,11 @@ namespace SphFluid
     [DefaultExecutionOrder(105)]
     public sealed class FluidWhitewater : MonoBehaviour
     {
-        [SerializeField, Range(1, MostParticles), Tooltip("Most particles of spray, foam and bubbles. Where the liquid brings forth more, there is less of it " +
+        [SerializeField, Range(1, MostParticles), Tooltip("Most particles of spray, foam and bubbles. If the liquid makes more, there is less of it " +
             "everywhere, and a message says so. 96 bytes of GPU memory each. A change begins without any.")]
         int maxParticles = 65536;
 
-        [SerializeField, Min(0f), Tooltip("How much whitewater agitated liquid brings forth, over what it does by default.")]
+        [SerializeField, Min(0f), Tooltip("How much whitewater agitated liquid makes, relative to the default.")]
         float amount = 1f;
 
         [SerializeField, Min(0.01f), Tooltip("How long foam lies on still water, at most [s]. On fast water it goes sooner.")]
@@ -42,7 +42,7 @@ namespace SphFluid
         /// <summary>Most particles of spray, foam and bubbles, 1 to <see cref="MostParticles"/>. A change begins without any.</summary>
         public int MaxParticles { get => Mathf.Clamp(maxParticles, 1, MostParticles); set => maxParticles = value; }
 
-        /// <summary>How much whitewater agitated liquid brings forth, over what it does by default; 0 or more.</summary>
+        /// <summary>How much whitewater agitated liquid makes, relative to the default; 0 or more.</summary>
         public float Amount { get => Limits.Clamp(amount, 0f); set => amount = value; }
 
         /// <summary>How long foam lies on still water, at most [s]; 0.01 or more.</summary>
@@ -93,7 +93,7 @@ namespace SphFluid
         }
 
         FluidMessage Full => new FluidMessage(FluidSeverity.Warning, FluidIssue.WhitewaterFull, this,
-            $"The liquid brings forth more whitewater than the {MaxParticles} particles that Max Particles allows, so there is less of it everywhere.",
+            $"The liquid makes more whitewater than the {MaxParticles} particles that Max Particles allows, so all of it is thinned out.",
             "Raise Max Particles, or lower Amount or Foam Life.");
 
         // It receives shadows as the liquid around it does.

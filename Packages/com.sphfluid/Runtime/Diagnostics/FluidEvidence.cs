@@ -54,7 +54,7 @@ namespace SphFluid
         /// <summary>What makes the steps shorter, the beginning of a cure.</summary>
         public string ShorterSteps => FluidMethods.Of(settings.Method).ShorterSteps;
 
-        /// <summary>What makes the liquid stiffer, a cure without its end; how stiff one whose steps follow the frame is hangs on these.</summary>
+        /// <summary>What makes the liquid stiffer, a cure without its end; for methods whose steps follow the frame that is the number of substeps.</summary>
         public string StifferLiquid => Has(FluidMethodFeatures.StepsByFrame) ? "raise the profile's Substeps" : "raise Expected Speed, or the profile's Sound Speed Ratio";
 
         public double ClumpedShare => Share(Now.Clumped);

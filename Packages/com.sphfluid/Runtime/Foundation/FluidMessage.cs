@@ -66,7 +66,7 @@ namespace SphFluid
         ColliderAtPeriodicFace,
         /// <summary>The colliders hold more triangles than the device's buffer.</summary>
         TooManyTriangles,
-        /// <summary>The simulation runs slower than time: the substep cap was reached.</summary>
+        /// <summary>The simulation falls behind real time: it reached the substep cap.</summary>
         SubstepCap,
         /// <summary>The solver's guards acted: accelerations limited, particles put back, or non-finite values.</summary>
         GuardActed,
@@ -113,7 +113,7 @@ namespace SphFluid
         /// <summary>A liquid volume was enabled, disabled, moved or changed while the liquid runs, and that adds or moves no liquid.</summary>
         VolumeChanged,
 
-        /// <summary>The liquid brings forth more whitewater than it may.</summary>
+        /// <summary>The liquid makes more whitewater than its limit.</summary>
         WhitewaterFull,
 
         /// <summary>An instrument cannot read what it is set to.</summary>

@@ -25,7 +25,7 @@ namespace SphFluid
             return IsLoaded(scene) ? All<T>() : FindIn<T>(scene);
         }
 
-        /// <summary>Components of the loaded scenes in no order: sort by <see cref="HierarchyOrder"/> what hangs on one.</summary>
+        /// <summary>Components of the loaded scenes in no order: sort them by <see cref="HierarchyOrder"/> where the order matters.</summary>
         public static T[] All<T>(FindObjectsInactive inactive = FindObjectsInactive.Exclude) where T : Component =>
 #if UNITY_6000_4_OR_NEWER
             UnityEngine.Object.FindObjectsByType<T>(inactive);

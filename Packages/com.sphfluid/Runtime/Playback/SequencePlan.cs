@@ -68,7 +68,7 @@ namespace SphFluid
 
         /// <summary>Opens a sequence.</summary>
         /// <param name="options">Which, and how it is to be played.</param>
-        /// <param name="owner">Of whom messages are.</param>
+        /// <param name="owner">The object that messages name.</param>
         /// <param name="problem">Why it cannot be played.</param>
         /// <returns>Null where it cannot.</returns>
         public static SequencePlan TryMake(in PlaybackOptions options, Object owner, out FluidMessage? problem)

@@ -20,7 +20,7 @@ namespace SphFluid
         bool waits, jumps, saidOutside, saidNotFinite;
 
         /// <param name="plan">The sequence.</param>
-        /// <param name="owner">Of whom messages are.</param>
+        /// <param name="owner">The object that messages name.</param>
         /// <param name="report">Receives messages.</param>
         /// <param name="reader">Reads the frames; null: from the files.</param>
         public SequencePlayer(SequencePlan plan, Object owner, Action<FluidMessage> report, ISequenceReader reader = null)

@@ -29,7 +29,7 @@ namespace SphFluid
         [SerializeField, Range(0f, 1f), Tooltip("How small and bright the sun's highlights are.")]
         float smoothness = 0.9f;
 
-        [SerializeField, Range(0f, 1f), Tooltip("How dark its shadow is: water lets most of the light through.")]
+        [SerializeField, Range(0f, 1f), Tooltip("How dark its shadow is. Low values suit clear water, which lets most light through.")]
         float shadow = 0.25f;
 
         [SerializeField, Tooltip("How closely light is followed through the water. Fast: bent once. Balanced: followed to what it meets. Fine: in small steps, and mirrored by the walls of a tank.")]

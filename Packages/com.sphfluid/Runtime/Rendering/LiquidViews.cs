@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Makes surfaces for those who see them. What an enabled camera sees, or its shadow, or a reflection probe may show, is made
+    /// Makes surfaces for the cameras that see them. What an enabled camera sees, or its shadow, or a reflection probe may show, is made
     /// when it is drawn. The rest waits for cameras that begin to draw later in the frame: those of the Scene view, those that
     /// scripts render, switch on or turn after the liquid. What nobody sees is not made.
     /// </summary>

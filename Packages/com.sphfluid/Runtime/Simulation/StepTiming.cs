@@ -40,7 +40,7 @@ namespace SphFluid
         /// <summary>Looks whether the cost is known by now.</summary>
         /// <param name="run">The running liquid.</param>
         /// <param name="choice">By which it runs; null: its method is given.</param>
-        /// <param name="owner">Of whom messages are.</param>
+        /// <param name="owner">The object that messages name.</param>
         /// <param name="report">Receives what is to be said of it.</param>
         public void LookAtCosts(FluidRun run, FluidMethodChoice choice, UnityEngine.Object owner, Action<FluidMessage> report)
         {

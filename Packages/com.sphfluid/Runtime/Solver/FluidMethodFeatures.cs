@@ -41,7 +41,7 @@ namespace SphFluid
         /// <summary>The force on walls is summed in each step: <see cref="SphFluid.WallForces"/>.</summary>
         WallForces = 1024,
 
-        /// <summary>A frame is cut into a number of equal steps that hangs on nothing in the liquid: <see cref="FluidMethod.MakeClock"/>.</summary>
+        /// <summary>A frame is cut into a number of equal steps, whatever the liquid does: <see cref="FluidMethod.MakeClock"/>.</summary>
         StepsByFrame = 2048,
 
         /// <summary>Surface tension and contact angle.</summary>

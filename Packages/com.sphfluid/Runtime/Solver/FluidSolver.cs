@@ -60,7 +60,7 @@ namespace SphFluid
         /// </summary>
         public int ParticleCount => state.ParticleCount;
 
-        /// <summary>Particles that live, as of the last finished read-back; only the GPU knows of those born or gone since.</summary>
+        /// <summary>Live particles as of the last finished read-back; only the GPU knows of births and removals since.</summary>
         public long LiveCount => particles.LiveCount;
 
         /// <summary>Particles that the buffers hold before larger ones are made.</summary>

@@ -2,7 +2,7 @@ using System;
 
 namespace SphFluid
 {
-    /// <summary>What a frame of a liquid asks for, in numbers that hang on no device: what a pass and a sort cost there is measured.</summary>
+    /// <summary>What a frame of a liquid needs, in numbers that are the same on every device; what a pass and a sort cost there is measured.</summary>
     internal readonly struct FrameWork
     {
         /// <summary>The work of a frame.</summary>

@@ -130,7 +130,7 @@ namespace SphFluid
             isPublished = true;
         }
 
-        // A step that keeps the order leaves who comes and goes to the last of its block.
+        // A step that keeps the order leaves births and drains to the last of its block.
         void RecordStep(CommandBuffer cmd, float timeStep, bool keeps)
         {
             if (!keeps) Exchange?.RecordLeaving(cmd, SimulatedTime + timeStep, timeStep);

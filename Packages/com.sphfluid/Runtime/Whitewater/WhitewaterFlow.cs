@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// Spray, foam and bubbles of one liquid (Ihmsen, Akinci, Akinci and Teschner 2012): once a frame they move on, and the liquid brings forth
+    /// Spray, foam and bubbles of one liquid (Ihmsen, Akinci, Akinci and Teschner 2012): once a frame they move, and the liquid makes
     /// more. The liquid does not feel them. The same liquid has the same whitewater to the bit, as long as it is stepped in the same frames.
     /// </summary>
     sealed class WhitewaterFlow : IDisposable

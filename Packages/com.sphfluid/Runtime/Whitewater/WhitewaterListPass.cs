@@ -2,7 +2,7 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>Makes the list of whitewater anew: what is left of it, then what the liquid brings forth.</summary>
+    /// <summary>Rebuilds the list of whitewater: what is left of it, then what the liquid adds.</summary>
     sealed class WhitewaterListPass : ComputePass
     {
         const int ScanThreads = 256;
@@ -33,7 +33,7 @@ namespace SphFluid
         /// <param name="cmd">Command buffer to record into.</param>
         /// <param name="solver">The liquid.</param>
         /// <param name="buffers">The pieces.</param>
-        /// <param name="step">Steps of the liquid so far, which chance hangs on.</param>
+        /// <param name="step">Steps of the liquid so far, the seed of chance.</param>
         /// <param name="foamLife">How long foam lies on still water, at most [s].</param>
         /// <param name="duration">Length of the frame [s].</param>
         public void Record(CommandBuffer cmd, FluidSolver solver, WhitewaterBuffers buffers, int step, float foamLife, float duration)

@@ -96,8 +96,8 @@ float4 ShadeWater(SurfaceFragment input) : SV_Target
     return float4(colour, cover);
 }
 
-// A shadow map knows only light and no light: of each three by three texels as many are left out as the shadow lets light through, and the
-// filters of soft shadows make an even half-shadow of it. Filters that average three texels, or five in a tent, see no pattern.
+// A shadow map stores full shadow or none. To let part of the light through, a pattern leaves out that share of each three by three texels, and
+// the filters of soft shadows blur it to an even half-shadow. Filters that average three texels, or five in a tent, show no pattern.
 float4 CastWaterShadow(SurfaceFragment input) : SV_Target
 {
     uint2 texel = (uint2)input.clipPosition.xy % 3u;

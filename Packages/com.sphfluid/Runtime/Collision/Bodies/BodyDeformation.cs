@@ -33,7 +33,7 @@ namespace SphFluid
         /// <summary>Whether a corner goes anywhere.</summary>
         public bool IsUnderWay => !ReferenceEquals(Start, End);
 
-        /// <summary>Whether the triangles are others than when this was last false; who copies them resets it.</summary>
+        /// <summary>Whether the triangles changed since this was last false; whoever copies them resets it.</summary>
         public bool IsChanged { get; set; }
 
         /// <summary>Sets the end of the motion.</summary>

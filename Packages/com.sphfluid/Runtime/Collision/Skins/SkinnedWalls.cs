@@ -16,7 +16,7 @@ namespace SphFluid
         readonly List<SkinnedMeshRenderer> found = new List<SkinnedMeshRenderer>();
 
         /// <summary>Adds the skins near a domain.</summary>
-        /// <param name="query">The domain, and who has skins.</param>
+        /// <param name="query">The domain, and the objects that have skins.</param>
         /// <param name="states">Receives them.</param>
         public void AddStates(in CollisionQuery query, List<ColliderState> states)
         {

@@ -47,7 +47,7 @@ namespace SphFluid
         }
 
         /// <summary>Adds the wheels near a domain that Unity's overlap query did not find.</summary>
-        /// <param name="query">The domain, and who has wheels.</param>
+        /// <param name="query">The domain, and the objects that have wheels.</param>
         /// <param name="hits">What the query found.</param>
         /// <param name="states">Receives them.</param>
         public void AddStates(in CollisionQuery query, List<Collider> hits, List<ColliderState> states)

@@ -19,7 +19,7 @@ namespace SphFluid
         /// <param name="timer">Times the steps.</param>
         /// <param name="run">The running liquid.</param>
         /// <param name="choice">By which it runs; null: its method is given.</param>
-        /// <param name="owner">Of whom messages are.</param>
+        /// <param name="owner">The object that messages name.</param>
         /// <returns>What is to be said; null: nothing.</returns>
         public FluidMessage? Look(StepTimer timer, FluidRun run, FluidMethodChoice choice, UnityEngine.Object owner)
         {

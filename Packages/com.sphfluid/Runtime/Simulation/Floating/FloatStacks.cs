@@ -30,7 +30,7 @@ namespace SphFluid
         /// <summary>Forgets what rests on what.</summary>
         public void Clear() => stacks.Clear();
 
-        /// <summary>Finds what rests on what, puts to sleep or wakes who sleeps together, and tells how the liquid moves each with its stack.</summary>
+        /// <summary>Finds what rests on what, puts bodies that rest on each other to sleep or wakes them together, and tells how the liquid moves each with its stack.</summary>
         /// <param name="floats">The bodies as they are now.</param>
         public void Find(IReadOnlyList<RigidbodyFloat> floats)
         {

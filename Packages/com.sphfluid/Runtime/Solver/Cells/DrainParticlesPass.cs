@@ -34,7 +34,7 @@ namespace SphFluid
 
         /// <param name="cmd">Command buffer.</param>
         /// <param name="state">The buffers.</param>
-        /// <param name="drains">Drains, none or more, whose time is over, and whom a full liquid loses.</param>
+        /// <param name="drains">Drains, if any, the particles whose time is over, and those that a full liquid drops.</param>
         /// <param name="places">Where the particles are, in the order of the last sort.</param>
         public void Record(CommandBuffer cmd, CellState state, in DrainBatch drains, FluidBuffer places)
         {

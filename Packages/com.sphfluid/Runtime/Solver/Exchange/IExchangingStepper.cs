@@ -10,7 +10,7 @@ namespace SphFluid
         /// <param name="capacity">Number of slots.</param>
         void Reserve(CommandBuffer cmd, int capacity);
 
-        /// <summary>Records who leaves by drains, before the motion of a step that does not keep the order.</summary>
+        /// <summary>Records the particles that drains remove, before the motion of a step that does not keep the order.</summary>
         void RecordDrains(CommandBuffer cmd, in DrainBatch drains);
 
         /// <summary>Records births, after the motion of a step that does not keep the order.</summary>

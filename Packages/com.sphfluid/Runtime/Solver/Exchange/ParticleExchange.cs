@@ -78,7 +78,7 @@ namespace SphFluid
             state.ParticleCount = (int)Math.Max(1, Math.Min(state.ParticleCount, most));
         }
 
-        /// <summary>Records who leaves in a step that sorts, before its motion.</summary>
+        /// <summary>Records the particles that leave in a step that sorts, before its motion.</summary>
         /// <param name="cmd">Command buffer.</param>
         /// <param name="end">Simulated time at its end [s].</param>
         /// <param name="length">Its length [s].</param>
@@ -95,7 +95,7 @@ namespace SphFluid
             if (recycles) ceiling = MostParticles;
         }
 
-        /// <summary>Records who is born at the end of that step, after its motion.</summary>
+        /// <summary>Records the births at the end of that step, after its motion.</summary>
         public void RecordBirths(CommandBuffer cmd)
         {
             state.IsDrained = false;

@@ -59,7 +59,7 @@ namespace SphFluid
             state.Impact = lastStep > 0f && !isAnew ? StandardRules.Impact(state.Settings, lastStep) : Vector2.zero;
             if (Order == ParticleOrder.Counted)
             {
-                state.ListTime = isLoaded ? listTime : 0f; // of particles just loaded nobody knows who stands at a surface
+                state.ListTime = isLoaded ? listTime : 0f; // which of the particles just loaded are at a surface is not known yet
                 Sort(cmd);
                 isLoaded = true;
             }

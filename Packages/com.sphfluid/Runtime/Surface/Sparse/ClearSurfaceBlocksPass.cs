@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace SphFluid
 {
-    /// <summary>No block is active, nothing is counted (Shaders/Surface/Sparse/ClearSurfaceBlocks.compute).</summary>
+    /// <summary>Resets the blocks: none is active and all counts are zero (Shaders/Surface/Sparse/ClearSurfaceBlocks.compute).</summary>
     sealed class ClearSurfaceBlocksPass : ComputePass
     {
         static readonly int SurfaceNumber = Id("_SurfaceNumber");

@@ -95,7 +95,7 @@ namespace SphFluid.Tests
             return asked;
         }
 
-        // In a cylinder around its parent, moving on with it; what it looks like hangs on the hash.
+        // In a cylinder around its parent, moving on with it; its look depends on the hash.
         static void AssertBorn((FluidParticle parent, uint k, Vector3 normal) birth, WhitewaterPiece piece, string what)
         {
             (uint x, uint y, uint z) place = Hash(birth.parent.Id, Step, 2u * birth.k + 1u), chance = Hash(birth.parent.Id, Step, 2u * birth.k + 2u);

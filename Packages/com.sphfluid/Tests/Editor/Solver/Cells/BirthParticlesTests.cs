@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Particles that are born into a running liquid, against a list of who stands where.</summary>
+    /// <summary>Particles that are born into a running liquid, against a list of where each particle is.</summary>
     public sealed class BirthParticlesTests
     {
         const float Spacing = 0.05f;
@@ -103,7 +103,7 @@ namespace SphFluid.Tests
             return true;
         }
 
-        // Of the step before: unknown, of a thin gas, or of water; and -1 of those that left, who stay gone.
+        // Of the step before: unknown, of a thin gas, or of water; and -1 of those that left, which stay gone.
         [Test]
         public void WhoseDensityABirthChangesForgetsTheOneBefore([Values(1, 3, 65)] int births, [Values(0, 30)] int blocked)
         {

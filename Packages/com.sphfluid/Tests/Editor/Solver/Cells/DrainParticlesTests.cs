@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>Liquid that leaves by drains, or to make place for new liquid, against a list of who was where.</summary>
+    /// <summary>Liquid that leaves by drains, or to make room for new liquid, against a list of where each particle was.</summary>
     public sealed class DrainParticlesTests
     {
         const float Spacing = 0.05f;

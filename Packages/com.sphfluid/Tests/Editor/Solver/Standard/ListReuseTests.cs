@@ -45,7 +45,7 @@ namespace SphFluid.Tests
             Assert.That(error, Is.LessThan(0.01 * fastest));
         }
 
-        // A ball's planes turn with the place they are seen from, and who is behind it changes: planes follow who goes far, cuts every step.
+        // A ball's planes turn with the place they are seen from, and the particles behind it change: planes follow those that go far, cuts every step.
         [Test]
         public void BesideACurvedBodyStepsThatKeepTheOrderMoveTheLiquidAsFreshOnes()
         {
