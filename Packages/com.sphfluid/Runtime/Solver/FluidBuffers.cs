@@ -5,9 +5,9 @@ using UnityEngine.Rendering;
 namespace SphFluid
 {
     /// <summary>
-    /// A running liquid on the GPU, for kernels and shaders of others: its buffers, and what Shaders/FluidBuffers.hlsl needs of it. To be read only, in the
-    /// order in which work is given to the GPU: what is bound shows the liquid after the last steps. Ask and bind again each frame, because growing liquids get
-    /// other buffers; what was bound before is kept for a few frames.
+    /// A running liquid on the GPU, for your own kernels and shaders: its buffers, and what Shaders/FluidBuffers.hlsl reads. Read only: commands that are
+    /// submitted after the liquid's steps see it after them. Ask and bind again each frame, because a growing liquid replaces its buffers; the old ones
+    /// are kept for a few frames.
     /// </summary>
     public readonly struct FluidBuffers
     {
