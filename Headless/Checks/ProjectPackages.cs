@@ -1,3 +1,5 @@
+using System.Text.Json;
+
 namespace Headless.Checks;
 
 /// <summary>The packages that a project embeds: the folders of Packages with a package.json. The product comes first, the rest follow by name.</summary>
@@ -25,6 +27,24 @@ internal sealed class ProjectPackages
 
     /// <summary>Root of every package.</summary>
     public IReadOnlyList<string> All { get; }
+
+    /// <summary>A package and those of the project that it builds on: what its package.json names, and what that needs.</summary>
+    public IReadOnlySet<string> WithDependencies(string package)
+    {
+        var found = new HashSet<string> { package };
+        var next = new Queue<string>(found);
+        while (next.TryDequeue(out var name))
+            foreach (var dependency in NamedBy(name).Where(found.Add)) next.Enqueue(dependency);
+        return found;
+    }
+
+    private IEnumerable<string> NamedBy(string package)
+    {
+        var file = Path.Combine(package, "package.json");
+        if (!File.Exists(file)) return [];
+        using var json = JsonDocument.Parse(File.ReadAllText(file));
+        return json.RootElement.TryGetProperty("dependencies", out var named) ? [.. named.EnumerateObject().Select(d => Path.Combine(Folder, d.Name)).Where(All.Contains)] : [];
+    }
 
     /// <summary>Files of every package, by path.</summary>
     public IEnumerable<string> Files() => All.SelectMany(p => Directory.GetFiles(p, "*", SearchOption.AllDirectories).Order());

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes the manual and the API reference of com.sphfluid as pages for a browser: Build/docs/index.html. Needs Doxygen (Debian: doxygen).
+# Writes the manual and the API reference of com.sphfluid and the packages that add to it as pages for a browser: Build/docs/index.html. Needs Doxygen (Debian: doxygen).
 # A warning about a page or a comment of ours is an error: it names file and line.
 set -euo pipefail
 

@@ -19,6 +19,7 @@ sub label {
 sub target {
     my ($link) = @_;
     return "\@ref $page-$1" if $link =~ /^#(.+)$/;
+    $link =~ s{^\.\./\.\./com\.sphfluid[\w.]*/Documentation~/}{}; # another package's page
     return "\@ref page-$1" if $link =~ /^([\w-]+)\.md$/;
     return "\@ref $1-$2" if $link =~ /^([\w-]+)\.md#(.+)$/;
     return $link;

@@ -74,11 +74,13 @@ inspect
 mkdir -p -- "$(dirname -- "$target")" || refuse "'$(dirname -- "$target")' cannot be made."
 trap clean EXIT
 staging=$(mktemp -d -- "$(dirname -- "$target")/.sphplayer-publish.XXXXXX") || refuse "'$(dirname -- "$target")' cannot be written."
-package=$root/Headless/Package
+scripts=(SphFluid SphFluid.Playback SphFluid.Validation)
+projects=''
+for script in "${scripts[@]}"; do projects+=${projects:+%3B}$root/Headless/Package/$script/$script.csproj; done
 dotnet publish "$root/Headless/Player/Headless.Player.csproj" -c Release --nologo -v quiet -clp:ErrorsOnly -o "$staging" \
-    -p:ScriptProjects="$package/SphFluid/SphFluid.csproj%3B$package/SphFluid.Validation/SphFluid.Validation.csproj"
+    -p:ScriptProjects="$projects"
 mkdir -p "$staging/ScriptAssemblies"
-cp "$root"/Build/ScriptAssemblies/SphFluid.dll "$root"/Build/ScriptAssemblies/SphFluid.Validation.dll "$staging/ScriptAssemblies/"
+for script in "${scripts[@]}"; do cp "$root/Build/ScriptAssemblies/$script.dll" "$staging/ScriptAssemblies/"; done
 (cd "$staging" && find . -type f ! -path "./$list" -print0 | LC_ALL=C sort -z | xargs -0 sha256sum > "$list")
 
 # Building took a while: what has come into the folder meanwhile stays as well.

@@ -6,8 +6,8 @@ namespace Headless.Checks.Api;
 
 /// <summary>
 /// Compiles every assembly of the packages and their samples as C# 9 for .NET Standard 2.1 against the real public API of each Unity line, as
-/// the Editor does and, for runtime assemblies, as a player build does. The product is compiled first and sees nothing of the packages that
-/// build on it: a game that installs it alone compiles. The oldest line's Editor compiles every file; in the other passes only those files
+/// the Editor does and, for runtime assemblies, as a player build does. Each package sees those that its package.json names and nothing else:
+/// a game that installs the product alone compiles, and so does one with the product and one other package. The oldest line's Editor compiles every file; in the other passes only those files
 /// are compiled that can notice a difference to it.
 /// </summary>
 internal sealed class ApiCheck
@@ -122,7 +122,7 @@ internal sealed class ApiCheck
 
     private IEnumerable<CheckReport> Compile(Pass pass, WholePass whole, IReadOnlyList<string> order)
     {
-        var built = new Dictionary<string, CSharpCompilation>();
+        var all = new Dictionary<string, (string Package, CSharpCompilation Compilation)>();
         var isWhole = whole.Trees.Count == 0;
         var marks = new List<(string File, string Mark)>();
         HashSet<string> changed = [];
@@ -131,7 +131,13 @@ internal sealed class ApiCheck
             var report = new CheckReport($"API {pass.Line} {(pass.Editor ? "Editor" : "player")}, {Path.GetFileName(package)}{(pass.Optional ? "" : " without modules")}");
             var findings = pass.Line.IsAlpha ? report.Notes : report.Findings;
             var mine = assemblies[package].FindAll(a => pass.Editor || !(a.EditorOnly || a.IsTest));
-            foreach (var assembly in mine) built[assembly.Name] = Create(pass, assembly, built, findings);
+            var dependencies = packages.WithDependencies(package);
+            var built = all.Where(a => dependencies.Contains(a.Value.Package)).ToDictionary(a => a.Key, a => a.Value.Compilation);
+            foreach (var assembly in mine)
+            {
+                built[assembly.Name] = Create(pass, assembly, built, findings);
+                all[assembly.Name] = (package, built[assembly.Name]);
+            }
             if (!isWhole) changed.UnionWith(whole.Changed(mine.SelectMany(a => built[a.Name].SyntaxTrees)));
             var files = 0;
             foreach (var assembly in mine)
@@ -153,7 +159,7 @@ internal sealed class ApiCheck
         }
         if (!isWhole) yield break;
         whole.Marks = marks.Distinct().ToLookup(m => m.File, m => m.Mark);
-        foreach (var tree in built.Values.SelectMany(b => b.SyntaxTrees)) whole.Trees.Add(tree.FilePath, tree);
+        foreach (var tree in all.Values.SelectMany(b => b.Compilation.SyntaxTrees)) whole.Trees.Add(tree.FilePath, tree);
     }
 
     private CSharpCompilation Create(Pass pass, PackageAssembly assembly, Dictionary<string, CSharpCompilation> built, List<string> findings)

@@ -61,6 +61,18 @@ public sealed class ProjectPackagesTests
     }
 
     [Test]
+    public void APackageSeesOnlyWhatItsManifestNames()
+    {
+        package.Write("Runtime/A.cs", "/// <summary>A.</summary>\npublic class A { }")
+            .Write("../com.b.more/package.json", """{ "name": "com.b.more", "version": "1.0.0", "dependencies": { "com.sphfluid": "1.0.0" } }""")
+            .Write("../com.b.more/Runtime/More.asmdef", """{ "name": "More", "references": ["Tools"], "includePlatforms": [], "defineConstraints": [] }""");
+        Assert.That(new ApiCheck(package.Packages).Run().SelectMany(r => r.Findings), Has.Some.Contains("More: references Tools"));
+
+        package.Write("../com.b.more/package.json", """{ "name": "com.b.more", "version": "1.0.0", "dependencies": { "com.a.tools": "2.0.0" } }""");
+        Assert.That(new ApiCheck(package.Packages).Run().SelectMany(r => r.Findings), Is.Empty);
+    }
+
+    [Test]
     public void TheLockHoldsThePackages()
     {
         package.Write("package.json", """{ "name": "com.sphfluid", "version": "1.1.0" }""")

@@ -1,67 +1,93 @@
 using System.Text.Json;
 using Headless.Checks;
+using Headless.Checks.Api;
 using Headless.Tests.Fuzz;
 using NUnit.Framework;
 
 namespace Headless.Tests.Player;
 
-/// <summary>A game that installs com.sphfluid and nothing else: a project with that package, one sample and its one script assembly.</summary>
+/// <summary>A game that installs the product, alone or with one of the packages that build on it: a project with these, one sample and their script assemblies.</summary>
 [Category("Gpu")]
 public sealed class ProductAloneTests
 {
-    private const string Scene = "Assets/DamBreak/DamBreak.unity", Assembly = "SphFluid.dll";
     private static readonly string[] packageFolders = ["Runtime", "Shaders", "Editor", "Universal"];
+    private static readonly ProjectPackages packages = new(FuzzProject.Repository);
     private string folder = "";
 
-    [OneTimeSetUp]
-    public void MakeProject()
-    {
-        folder = Directory.CreateTempSubdirectory("alone-").FullName;
-        string product = new ProjectPackages(FuzzProject.Repository).Product, copy = Path.Combine(folder, "Packages", ProjectPackages.ProductName);
-        foreach (string part in packageFolders)
-        {
-            CopyFolder(Path.Combine(product, part), Path.Combine(copy, part));
-            File.Copy(Path.Combine(product, part + ".meta"), Path.Combine(copy, part + ".meta"));
-        }
-        foreach (string file in new[] { "package.json", "package.json.meta" }) File.Copy(Path.Combine(product, file), Path.Combine(copy, file));
-        CopyFolder(Path.Combine(product, "Samples~/DamBreak"), Path.Combine(folder, "Assets/DamBreak"));
-        File.WriteAllText(Path.Combine(folder, "Assets/DamBreak.meta"), $"fileFormatVersion: 2\nguid: {new string('a', 32)}\nfolderAsset: yes\n");
-        CopyFolder(Path.Combine(FuzzProject.Repository, "ProjectSettings"), Path.Combine(folder, "ProjectSettings"));
-        Directory.CreateDirectory(Path.Combine(folder, "Assemblies"));
-        File.Copy(Path.Combine(FuzzProject.Repository, "Build/ScriptAssemblies", Assembly), Path.Combine(folder, "Assemblies", Assembly));
-    }
+    [SetUp]
+    public void MakeFolder() => folder = Directory.CreateTempSubdirectory("alone-").FullName;
 
-    [OneTimeTearDown]
+    [TearDown]
     public void Clean() => Directory.Delete(folder, recursive: true);
 
     [Test]
-    public void TheSamplePlaysWithoutTheValidationPackage()
+    public void TheProductPlaysAlone()
     {
-        string output = Path.Combine(folder, "out");
-        PlayerProcess run = PlayerProcess.Run(
-            "play", "--project", folder, "--assemblies", Path.Combine(folder, "Assemblies"), "--scene", Scene,
-            "--size", "160x90", "--fps", "30", "--seconds", "0.0334", "--out", output);
-        if (run.ExitCode != 0) Assert.Fail(run.Output + run.Errors);
-        Assert.That(run.Errors, Is.Empty);
-        using JsonDocument summary = JsonDocument.Parse(File.ReadAllText(Path.Combine(output, "summary.json")));
-        Assert.That(summary.RootElement.GetProperty("frames").GetInt32(), Is.EqualTo(2));
-        Assert.That(summary.RootElement.GetProperty("errors").GetInt32(), Is.Zero);
-        Assert.That(summary.RootElement.TryGetProperty("state_hash", out _), Is.False, "what measures is not there");
-        Picture first = Picture.Read(Path.Combine(output, "frame_00000.png")), second = Picture.Read(Path.Combine(output, "frame_00001.png"));
-        Assert.That(Differences(first, second), Is.GreaterThan(20), "pixels that change as the water falls");
+        MakeProject("DamBreak", ProjectPackages.ProductName);
+        JsonElement summary = Play("DamBreak", "--fps", "30", "--seconds", "0.0334");
+        Assert.That(summary.GetProperty("frames").GetInt32(), Is.EqualTo(2));
+        Assert.That(summary.TryGetProperty("state_hash", out _), Is.False, "what measures is not there");
+        Assert.That(Differences(0, 1), Is.GreaterThan(20), "pixels that change as the water falls");
+    }
+
+    // Ten frames are recorded; the eleventh plays the first of them.
+    [Test]
+    public void ThePlaybackPackagePlaysWhatItRecorded()
+    {
+        MakeProject("RecordAndPlay", ProjectPackages.ProductName, "com.sphfluid.playback");
+        Play("RecordAndPlay", "--fps", "10", "--seconds", "1.2");
+        Assert.That(Differences(1, 10), Is.GreaterThan(1000), "the water has fallen");
+        Assert.That(Differences(1, 11), Is.LessThan(20), "it is where it was");
     }
 
     [Test]
-    public void NoSourceOfTheProductNamesTheValidationPackage()
+    public void NoSourceOfTheProductNamesAnotherPackage()
     {
-        string product = new ProjectPackages(FuzzProject.Repository).Product;
-        foreach (string file in Directory.EnumerateFiles(product, "*.*", SearchOption.AllDirectories).Where(f => Path.GetExtension(f) is ".cs" or ".asmdef" or ".hlsl" or ".compute" or ".shader"))
+        string[] others = [.. packages.All.Where(p => p != packages.Product).SelectMany(p => PackageAssembly.FindAll(p).Select(a => a.Name).Append(Path.GetFileName(p)))];
+        Assert.That(others, Is.SupersetOf(new[] { "SphFluid.Validation", "com.sphfluid.validation", "SphFluid.Playback", "com.sphfluid.playback" }));
+        foreach (string file in Directory.EnumerateFiles(packages.Product, "*.*", SearchOption.AllDirectories).Where(f => Path.GetExtension(f) is ".cs" or ".asmdef" or ".hlsl" or ".compute" or ".shader"))
             foreach (string line in File.ReadLines(file).Where(l => !l.Contains("InternalsVisibleTo", StringComparison.Ordinal) && !l.TrimStart().StartsWith("//", StringComparison.Ordinal)))
-                Assert.That(line, Does.Not.Contain("SphFluid.Validation").And.Not.Contain("com.sphfluid.validation"), file);
+                Assert.That(others.Where(line.Contains), Is.Empty, $"{file}: {line}");
     }
 
-    private static int Differences(Picture a, Picture b)
+    // The sample is one of the last package.
+    private void MakeProject(string sample, params string[] names)
     {
+        string[] roots = [.. names.Select(n => Path.Combine(packages.Folder, n))];
+        foreach (string root in roots)
+        {
+            string copy = Path.Combine(folder, "Packages", Path.GetFileName(root));
+            foreach (string part in packageFolders.Where(p => Directory.Exists(Path.Combine(root, p))))
+            {
+                CopyFolder(Path.Combine(root, part), Path.Combine(copy, part));
+                File.Copy(Path.Combine(root, part + ".meta"), Path.Combine(copy, part + ".meta"));
+            }
+            foreach (string file in new[] { "package.json", "package.json.meta" }) File.Copy(Path.Combine(root, file), Path.Combine(copy, file));
+        }
+        CopyFolder(Path.Combine(roots[^1], "Samples~", sample), Path.Combine(folder, "Assets", sample));
+        File.WriteAllText(Path.Combine(folder, "Assets", sample + ".meta"), $"fileFormatVersion: 2\nguid: {new string('a', 32)}\nfolderAsset: yes\n");
+        CopyFolder(Path.Combine(FuzzProject.Repository, "ProjectSettings"), Path.Combine(folder, "ProjectSettings"));
+        Directory.CreateDirectory(Path.Combine(folder, "Assemblies"));
+        IEnumerable<PackageAssembly> assemblies = [.. roots.SelectMany(PackageAssembly.FindAll), .. PackageAssembly.FindSamples(roots[^1]).Where(a => Path.GetFileName(a.Folder) == sample)];
+        foreach (string name in assemblies.Where(a => !a.EditorOnly && !a.IsTest && !a.IsOptional).Select(a => a.Name + ".dll"))
+            File.Copy(Path.Combine(FuzzProject.Repository, "Build/ScriptAssemblies", name), Path.Combine(folder, "Assemblies", name));
+    }
+
+    private JsonElement Play(string sample, params string[] flags)
+    {
+        string output = Path.Combine(folder, "out");
+        PlayerProcess run = PlayerProcess.Run([
+            "play", "--project", folder, "--assemblies", Path.Combine(folder, "Assemblies"), "--scene", $"Assets/{sample}/{sample}.unity", "--size", "160x90", "--out", output, .. flags]);
+        if (run.ExitCode != 0) Assert.Fail(run.Output + run.Errors);
+        Assert.That(run.Errors, Is.Empty);
+        using JsonDocument summary = JsonDocument.Parse(File.ReadAllText(Path.Combine(output, "summary.json")));
+        Assert.That(summary.RootElement.GetProperty("errors").GetInt32(), Is.Zero);
+        return summary.RootElement.Clone();
+    }
+
+    private int Differences(int first, int second)
+    {
+        Picture a = Picture.Read(Path.Combine(folder, $"out/frame_{first:00000}.png")), b = Picture.Read(Path.Combine(folder, $"out/frame_{second:00000}.png"));
         int count = 0;
         for (int y = 0; y < a.Height; y++)
             for (int x = 0; x < a.Width; x++)

@@ -59,7 +59,7 @@ public sealed partial class PackageStructureTests
     public void NothingOutsideTheComponentsNamesOne()
     {
         IReadOnlyDictionary<string, HashSet<string>> uses = TypeReferences.Read(Assembly).Uses;
-        HashSet<string> components = [.. TypeReferences.Derived(Assembly, "MonoBehaviour", "ScriptableObject", "PlayableAsset").Where(t => t != ShaderSet)];
+        HashSet<string> components = [.. TypeReferences.Derived(Assembly, "MonoBehaviour", "ScriptableObject").Where(t => t != ShaderSet)];
         Assert.That(components, Is.SupersetOf(new[] { "FluidSimulation", "FluidVolume", "FluidProfile", "FluidSurfaceRenderer" }));
         HashSet<string> inside = [.. components, .. BesideComponents()];
         string[] outside = [.. uses.Where(u => !inside.Contains(u.Key) && u.Value.Overlaps(components))

@@ -1,3 +1,4 @@
 using System.Runtime.CompilerServices;
 
 [assembly: InternalsVisibleTo("SphFluid.Tests.Editor")]
+[assembly: InternalsVisibleTo("SphFluid.Playback.Editor")]

@@ -32,12 +32,6 @@ namespace SphFluid.Editor
         [MenuItem(Root + "Particles", false, Priority + 2)]
         public static void CreateWithParticles(MenuCommand command) => Create(command, typeof(FluidParticleRenderer));
 
-        /// <summary>A domain without liquid of its own, drawn as a surface, whose Fluid Playback plays a sequence once it has a folder.</summary>
-        /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
-        [MenuItem(Root + "Playback", false, Priority + 3)]
-        public static void CreatePlayback(MenuCommand command) => InOneStep("Create Fluid Playback", () =>
-            ObjectFactory.AddComponent<FluidPlayback>(Simulation("Fluid Playback", command, typeof(FluidSurfaceRenderer), CubicMetre, 0f).gameObject));
-
         /// <summary>A nozzle that points down, at the top of the simulation that the object belongs to; outside of one in a glass tank of its own.</summary>
         /// <param name="command">Where the menu was opened; its object becomes the parent.</param>
         [MenuItem(Root + "Emitter", false, Priority + 13)]
@@ -113,6 +107,9 @@ namespace SphFluid.Editor
             return volume;
         }
 
+        /// <summary>A domain of a cubic metre without liquid, drawn as a surface.</summary>
+        internal static FluidSimulation EmptyDomain(string name, MenuCommand command) => Simulation(name, command, typeof(FluidSurfaceRenderer), CubicMetre, 0f);
+
         // Below the top by two spacings, as layers of particles leave it along its axis.
         static void AddEmitter(FluidSimulation simulation, GameObject parent)
         {
@@ -172,7 +169,8 @@ namespace SphFluid.Editor
 
         static FluidSimulation SimulationOf(GameObject parent) => parent != null ? parent.GetComponentInParent<FluidSimulation>() : null;
 
-        static void InOneStep(string name, Action make)
+        /// <summary>Makes objects in one step of undo.</summary>
+        internal static void InOneStep(string name, Action make)
         {
             Undo.IncrementCurrentGroup();
             int group = Undo.GetCurrentGroup();

@@ -9,3 +9,8 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("SphFluid.Thesis.Editor")]
 [assembly: InternalsVisibleTo("SphFluid.Thesis.Tests.Editor")]
 [assembly: InternalsVisibleTo("SphFluid.Validation.Laboratory")]
+[assembly: InternalsVisibleTo("SphFluid.Playback")]
+[assembly: InternalsVisibleTo("SphFluid.Playback.Editor")]
+[assembly: InternalsVisibleTo("SphFluid.Playback.Tests.Shared")]
+[assembly: InternalsVisibleTo("SphFluid.Playback.Tests.Editor")]
+[assembly: InternalsVisibleTo("SphFluid.Playback.Tests.Runtime")]

@@ -116,11 +116,16 @@ namespace SphFluid.Tests
         [Test]
         public void AFolderWithASequenceIsNotWrittenOver()
         {
-            using (var files = new SequenceFiles())
+            string folder = System.IO.Directory.CreateDirectory(TestFolder.Fresh()).FullName;
+            try
             {
-                Parse("player", "--", "--write-sequence", files.Folder);
-                System.IO.File.WriteAllText(files["sequence.json"], "{}");
-                Assert.That(() => Parse("player", "--", "--write-sequence", files.Folder), Throws.TypeOf<CommandLineException>().With.Message.Contains("holds a sequence"));
+                Parse("player", "--", "--write-sequence", folder);
+                System.IO.File.WriteAllText(System.IO.Path.Combine(folder, "sequence.json"), "{}");
+                Assert.That(() => Parse("player", "--", "--write-sequence", folder), Throws.TypeOf<CommandLineException>().With.Message.Contains("holds a sequence"));
+            }
+            finally
+            {
+                TestFolder.Delete(folder);
             }
         }
 

@@ -119,7 +119,7 @@ namespace SphFluid
             if (liquid.IsPlayedBack)
             {
                 wall.Leave();
-                return Warn("The liquid is played from files, which hold no force on walls, so there is no wall pressure to read.", "Set Kind to Liquid Pressure, which is noisy.");
+                return Warn("The liquid is played back and not computed, so there is no wall pressure to read.", "Set Kind to Liquid Pressure, which is noisy.");
             }
             if (!solver.MeasuresWallForces)
                 return Warn($"The method {solver.Kind} does not sum the force on walls, so there is no wall pressure to read.",

@@ -68,7 +68,7 @@ namespace SphFluid
         public bool IsRunning => run != null;
 
         /// <summary>
-        /// Whether the liquid is played from files by a <see cref="FluidPlayback"/> and not simulated. Volumes, emitters, drains, force zones and floating bodies do nothing
+        /// Whether the liquid is played back by an <see cref="IFluidPlaybackSource"/> and not simulated. Volumes, emitters, drains, force zones and floating bodies do nothing
         /// meanwhile.
         /// </summary>
         public bool IsPlayedBack => run != null && parts.Playback != null;
@@ -186,7 +186,7 @@ namespace SphFluid
         /// </summary>
         /// <param name="stream">Receives the save; about 28 bytes a particle.</param>
         /// <exception cref="ArgumentNullException">There is no stream.</exception>
-        /// <exception cref="InvalidOperationException">The liquid does not run, or is played from files.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run, or is played back.</exception>
         public void Save(Stream stream)
         {
             if (stream == null) throw new ArgumentNullException(nameof(stream));
@@ -247,7 +247,7 @@ namespace SphFluid
         /// <param name="velocity">World velocity [m/s].</param>
         /// <returns>Number of particles that are tried with the next steps; <see cref="FluidCounters.Blocked"/> counts those that find no place.</returns>
         /// <exception cref="ArgumentException">A number is not finite, or an edge length is not positive.</exception>
-        /// <exception cref="InvalidOperationException">The liquid does not run or is played from files, or its method has a fixed number of particles.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, or its method has a fixed number of particles.</exception>
         public int AddLiquid(Vector3 centre, Vector3 size, Quaternion rotation, Vector3 velocity = default)
         {
             Require.Size(size, nameof(size));
@@ -260,7 +260,7 @@ namespace SphFluid
         /// <param name="volume">A volume, enabled or not. One that is enabled while the liquid runs adds its liquid by itself, unless this did before.</param>
         /// <returns>Number of particles that are tried with the next steps; <see cref="FluidCounters.Blocked"/> counts those that find no place.</returns>
         /// <exception cref="ArgumentNullException">There is no volume.</exception>
-        /// <exception cref="InvalidOperationException">The liquid does not run or is played from files, its method has a fixed number of particles, or the volume cannot be filled.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, its method has a fixed number of particles, or the volume cannot be filled.</exception>
         public int AddLiquid(FluidVolume volume)
         {
             if (volume == null) throw new ArgumentNullException(nameof(volume));
@@ -275,7 +275,7 @@ namespace SphFluid
         /// <param name="size">Edge lengths [m].</param>
         /// <param name="rotation">World rotation.</param>
         /// <exception cref="ArgumentException">A number is not finite, or an edge length is not positive.</exception>
-        /// <exception cref="InvalidOperationException">The liquid does not run or is played from files, or its method has a fixed number of particles.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, or its method has a fixed number of particles.</exception>
         public void RemoveLiquid(Vector3 centre, Vector3 size, Quaternion rotation)
         {
             Require.Size(size, nameof(size));
@@ -287,7 +287,7 @@ namespace SphFluid
         /// <param name="centre">World position [m].</param>
         /// <param name="radius">Radius [m].</param>
         /// <exception cref="ArgumentException">A number is not finite, or the radius is not positive.</exception>
-        /// <exception cref="InvalidOperationException">The liquid does not run or is played from files, or its method has a fixed number of particles.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, or its method has a fixed number of particles.</exception>
         public void RemoveLiquid(Vector3 centre, float radius)
         {
             Require.Finite(centre, nameof(centre));
@@ -304,7 +304,7 @@ namespace SphFluid
         /// <param name="deltaVelocity">The velocity [m/s], world space; those of several calls add up. Where impulses, explosions and bursts that may reach the same
         /// liquid add up to more than a fifth of the speed of sound in a frame, they are weakened to that, and a message says so once.</param>
         /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the velocity is more than a fifth of the speed of sound, or 16 impulses wait already: this one is not taken.</exception>
-        /// <exception cref="InvalidOperationException">The liquid does not run or is played from files, or its method has no force zones.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, or its method has no force zones.</exception>
         public void AddImpulse(Vector3 centre, float radius, Vector3 deltaVelocity) => Push(centre, radius, deltaVelocity, 0f, nameof(deltaVelocity));
 
         /// <summary>Drives the liquid in a sphere apart, over the next frame with steps; less within a support radius of the sphere's surface and of its centre.</summary>
@@ -312,7 +312,7 @@ namespace SphFluid
         /// <param name="radius">Radius [m].</param>
         /// <param name="speed">Velocity away from the centre, besides the one that the liquid has [m/s]; negative: towards it. It adds up with others as <see cref="AddImpulse"/> says.</param>
         /// <exception cref="ArgumentException">A number is not finite, the radius is not positive, the speed is more than a fifth of the speed of sound, or 16 impulses wait already: this one is not taken.</exception>
-        /// <exception cref="InvalidOperationException">The liquid does not run or is played from files, or its method has no force zones.</exception>
+        /// <exception cref="InvalidOperationException">The liquid does not run or is played back, or its method has no force zones.</exception>
         public void AddExplosion(Vector3 centre, float radius, float speed) => Push(centre, radius, Vector3.zero, speed, nameof(speed));
 
         /// <summary>
@@ -459,7 +459,7 @@ namespace SphFluid
         FluidRun Stepped(string consequence, FluidMethodFeatures features = FluidMethodFeatures.None, string has = "")
         {
             Running(consequence);
-            if (IsPlayedBack) throw new InvalidOperationException($"'{name}' is played from files, so {consequence}. Disable its Fluid Playback first.");
+            if (IsPlayedBack) throw new InvalidOperationException($"'{name}' is played back, so {consequence}. Disable the component that plays it first.");
             if (features != FluidMethodFeatures.None && !FluidMethods.Has(ActiveMethod, features)) throw new InvalidOperationException($"The method {ActiveMethod} of '{name}' has {has}. Set Method to Standard.");
             return run;
         }

@@ -80,7 +80,10 @@ namespace SphFluid
             ExportManifest earlier = null;
             try
             {
-                earlier = JsonUtility.FromJson<ExportManifest>(BoundedFile.ReadText(manifest, MostManifestBytes));
+                // A pipe has no length, and neither it nor a link is written by an export.
+                var file = new FileInfo(manifest);
+                bool isPlain = (file.Attributes & FileAttributes.ReparsePoint) == 0 && file.Length > 0 && file.Length <= MostManifestBytes;
+                if (isPlain) earlier = JsonUtility.FromJson<ExportManifest>(File.ReadAllText(manifest));
             }
             catch (Exception exception) when (exception is ArgumentException || exception is IOException)
             {

@@ -7,7 +7,7 @@ namespace SphFluid
     /// <summary>What of a liquid is exported at its start: particles, constants and colliders.</summary>
     internal sealed class ExportStart
     {
-        ExportStart(in ExportConstants constants, StoredParticle[] particles, CollisionScene collision)
+        ExportStart(in ExportConstants constants, LiquidParticle[] particles, CollisionScene collision)
         {
             Constants = constants;
             Particles = particles;
@@ -17,7 +17,7 @@ namespace SphFluid
         public ExportConstants Constants { get; }
 
         /// <summary>The particles in the order of their numbers.</summary>
-        public StoredParticle[] Particles { get; }
+        public LiquidParticle[] Particles { get; }
 
         /// <summary>The colliders, gathered.</summary>
         public CollisionScene Collision { get; }
@@ -100,11 +100,11 @@ namespace SphFluid
             return null;
         }
 
-        static StoredParticle[] Rows(IReadOnlyList<FluidParticle> particles)
+        static LiquidParticle[] Rows(IReadOnlyList<FluidParticle> particles)
         {
-            var rows = new StoredParticle[particles.Count];
+            var rows = new LiquidParticle[particles.Count];
             for (int i = 0; i < rows.Length; i++)
-                rows[i] = StoredParticle.Of(particles[i]);
+                rows[i] = LiquidParticle.Of(particles[i]);
             return rows;
         }
     }

@@ -32,7 +32,7 @@ namespace SphFluid
         /// </summary>
         public static int Layers(FluidExportScheme scheme) => scheme == FluidExportScheme.Edac ? 3 : 2;
 
-        public StoredParticle[] Liquid { get; set; } = Array.Empty<StoredParticle>();
+        public LiquidParticle[] Liquid { get; set; } = Array.Empty<LiquidParticle>();
         public WallParticle[] Walls { get; set; } = Array.Empty<WallParticle>();
         public IReadOnlyList<ExportBody> Bodies { get; set; } = Array.Empty<ExportBody>();
         public IReadOnlyList<ExportInstrument> Instruments { get; set; } = Array.Empty<ExportInstrument>();
@@ -49,7 +49,7 @@ namespace SphFluid
         public long Write(string path)
         {
             ExportFolder folder = ExportFolder.Open(path);
-            folder.Write("liquid.npy", stream => NpyFile.Write(stream, StoredParticle.Columns, Liquid));
+            folder.Write("liquid.npy", stream => NpyFile.Write(stream, LiquidParticle.Columns, Liquid));
             if (Walls.Length > 0) folder.Write("walls.npy", stream => NpyFile.Write(stream, WallParticle.Columns, Walls));
             for (int i = 0; i < Bodies.Count; i++)
             {

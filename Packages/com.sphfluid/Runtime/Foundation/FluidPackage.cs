@@ -4,6 +4,9 @@ namespace SphFluid
     internal static class FluidPackage
     {
         /// <summary>As package.json has it.</summary>
+        public const string Name = "com.sphfluid";
+
+        /// <summary>As package.json has it.</summary>
         public const string Version = "0.2.0";
     }
 }

@@ -10,11 +10,16 @@ namespace SphFluid
         /// <summary>Names the page.</summary>
         /// <param name="page">Its file's name without the ending.</param>
         /// <param name="heading">Heading on it as a link has it; empty: the whole page.</param>
-        public ManualPageAttribute(string page, string heading = "") : base(FluidManual.Address(page, heading))
+        /// <param name="package">The package whose page it is.</param>
+        public ManualPageAttribute(string page, string heading = "", string package = FluidPackage.Name) : base(FluidManual.Address(page, heading, package))
         {
+            Package = package;
             Page = page;
             Heading = heading;
         }
+
+        /// <summary>The package whose page it is.</summary>
+        public string Package { get; }
 
         /// <summary>The page's file without the ending.</summary>
         public string Page { get; }

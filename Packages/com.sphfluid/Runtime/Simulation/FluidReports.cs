@@ -41,7 +41,7 @@ namespace SphFluid
         {
             if (spec.Playback == null) return true;
             report(new FluidMessage(FluidSeverity.Error, FluidIssue.SaveInvalid, spec.Owner,
-                "The liquid is played from files, so the save was not restored.", "Disable the Fluid Playback first."));
+                "The liquid is played back, so the save was not restored.", "Disable the component that plays it first."));
             return false;
         }
 

@@ -109,7 +109,7 @@ namespace SphFluid
             GatherColliders(spec);
             Moved(spec);
             FollowBodies(spec);
-            if (spec.Playback.TryTake(spec.DomainSize, Solver.Settings.PeriodLength, Solver.StepCount == 0, out PlayedFrame frame))
+            if (spec.Playback.TryTake(spec.DomainSize, Solver.Settings.PeriodLength, Solver.StepCount == 0, out FluidPlaybackFrame frame))
                 Solver.Show(frame.Particles, frame.Count, frame.Time, frame.IsJump);
             Know();
         }

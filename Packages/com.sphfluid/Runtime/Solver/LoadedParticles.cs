@@ -8,6 +8,8 @@ namespace SphFluid
     /// <summary>The particles that a solver was given, and how many of those since counted by the GPU live.</summary>
     internal sealed class LoadedParticles
     {
+        static readonly FluidParticle[] NoParticle = { new FluidParticle { Removed = 1f } };
+
         readonly IFluidStepper stepper;
         readonly FluidState state;
         readonly CounterReadback counters;
@@ -68,7 +70,7 @@ namespace SphFluid
         /// <summary>Uploads particles, for which there are slots.</summary>
         public void Upload(FluidParticle[] particles)
         {
-            state.Published.Particles.SetData(particles.Length > 0 ? particles : new[] { new FluidParticle { Removed = 1f } });
+            state.Published.Particles.SetData(particles.Length > 0 ? particles : NoParticle);
             state.LoadedCount = particles.Length;
             state.ParticleCount = Math.Max(1, particles.Length);
             loaded = particles.Length;
@@ -84,12 +86,15 @@ namespace SphFluid
         }
 
         /// <summary>Uploads particles in the place of the present ones, for which there are slots; nothing is born among them.</summary>
-        /// <param name="shown">The particles; where there are none one that is marked as removed.</param>
+        /// <param name="shown">The particles.</param>
         /// <param name="count">Number of them.</param>
+        /// <exception cref="ArgumentException">There are more than slots.</exception>
         public void Show(NativeArray<FluidParticle> shown, int count)
         {
             GraphicsBuffer published = state.Published.Particles;
-            published.SetData(shown, 0, 0, Math.Max(1, count));
+            if (count > state.Capacity) throw new ArgumentException($"A frame of the playback has {count} particles, more than the {state.Capacity} that its MostParticles gave at the start.");
+            if (count > 0) published.SetData(shown, 0, 0, count);
+            else published.SetData(NoParticle);
             state.LoadedCount = count;
             state.ParticleCount = Math.Max(1, count);
             loaded = count;

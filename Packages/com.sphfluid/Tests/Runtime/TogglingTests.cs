@@ -24,29 +24,27 @@ namespace SphFluid.Tests
         {
             int cycles = int.Parse(Environment.GetEnvironmentVariable("SPHFLUID_LONG_PLAY") ?? "3", CultureInfo.InvariantCulture);
             using var rig = new SimulationRig();
-            using var files = new SequenceFiles();
-            files.Write(new[] { 0d, 1d }, i => new[] { new FluidParticle(Vector3.zero, Vector3.zero, 5u) }, 0.4f * Vector3.one, SimulationRig.Spacing);
             FluidSimulation simulation = rig.Create();
             var parts = new List<(GameObject Holder, Type Type)>();
             foreach (Type type in typeof(FluidSimulation).Assembly.GetTypes())
                 if (type.IsPublic && !type.IsAbstract && typeof(MonoBehaviour).IsAssignableFrom(type) && type != typeof(FluidSimulation)) parts.Add((Holder(rig, simulation, type), type));
-            Assert.That(parts, Has.Count.GreaterThan(17));
-            SwitchAll(parts, true, files.Folder);
+            Assert.That(parts, Has.Count.GreaterThan(16));
+            SwitchAll(parts, true);
             long running = 0, gpu = 0, process = 0;
             int objects = 0;
             for (int cycle = 1; cycle <= Warm + cycles; cycle++)
             {
-                SwitchAll(parts, false, files.Folder);
+                SwitchAll(parts, false);
                 yield return null;
-                SwitchAll(parts, true, files.Folder);
+                SwitchAll(parts, true);
                 for (int frame = 0; frame < 5 && !simulation.IsRunning; frame++) yield return null;
                 Assert.That(simulation.IsRunning, simulation.StatusMessage);
                 foreach ((GameObject holder, Type type) in parts) Object.DestroyImmediate(holder.GetComponent(type));
-                SwitchAll(parts, true, files.Folder);
+                SwitchAll(parts, true);
                 yield return null;
                 running = Math.Max(running, simulation.GpuBytes);
                 simulation.enabled = false;
-                SwitchAll(parts, false, files.Folder);
+                SwitchAll(parts, false);
                 yield return null;
                 if (cycle == Warm) (gpu, objects, process) = (Profiler.GetAllocatedMemoryForGraphicsDriver(), Made(), ProcessBytes());
                 simulation.enabled = true;
@@ -61,10 +59,9 @@ namespace SphFluid.Tests
             if (cycles >= 50) Assert.That(grown, Is.LessThan(5 << 20), "bytes of the process");
         }
 
-        // What draws, or needs a simulation on its object, gets the liquid's; a playback, which takes the liquid's place, one of its own.
+        // What draws, or needs a simulation on its object, gets the liquid's.
         static GameObject Holder(SimulationRig rig, FluidSimulation simulation, Type type)
         {
-            if (type == typeof(FluidPlayback)) return rig.Create(type.Name, position: 5f * Vector3.up).gameObject;
             if (typeof(FluidView).IsAssignableFrom(type) || type == typeof(FluidDiagnostics) || type == typeof(FluidWhitewater)) return simulation.gameObject;
             GameObject holder = rig.NewObject(type.Name);
             holder.transform.SetParent(simulation.transform, false);
@@ -73,12 +70,11 @@ namespace SphFluid.Tests
             return holder;
         }
 
-        static void SwitchAll(List<(GameObject Holder, Type Type)> parts, bool on, string folder)
+        static void SwitchAll(List<(GameObject Holder, Type Type)> parts, bool on)
         {
             foreach ((GameObject holder, Type type) in parts)
             {
                 if (!holder.TryGetComponent(type, out Component part)) part = holder.AddComponent(type);
-                if (part is FluidPlayback playback) playback.Folder = folder;
                 ((Behaviour)part).enabled = on;
             }
         }

@@ -5,3 +5,6 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("SphFluid.Tests.Runtime")]
 [assembly: InternalsVisibleTo("SphFluid.Validation.Tests.Editor")]
 [assembly: InternalsVisibleTo("SphFluid.Validation.Tests.Runtime")]
+[assembly: InternalsVisibleTo("SphFluid.Playback.Tests.Shared")]
+[assembly: InternalsVisibleTo("SphFluid.Playback.Tests.Editor")]
+[assembly: InternalsVisibleTo("SphFluid.Playback.Tests.Runtime")]

@@ -17,7 +17,7 @@ namespace SphFluid.Tests
         {
             FluidMenu.CreateTank, FluidMenu.CreateWithSurface, FluidMenu.CreateWithParticles, FluidMenu.CreateEmitter, FluidMenu.CreateVolume,
             FluidMenu.CreateSphere, FluidMenu.CreateVessel, FluidMenu.CreateDrain, FluidMenu.CreateForceZone, FluidMenu.CreateSensor,
-            FluidMenu.CreateProbe, FluidMenu.CreateGauge, FluidMenu.CreateFlux, FluidMenu.CreatePlayback,
+            FluidMenu.CreateProbe, FluidMenu.CreateGauge, FluidMenu.CreateFlux,
         };
 
         [SetUp]

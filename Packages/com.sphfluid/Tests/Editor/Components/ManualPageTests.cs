@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using System.Text;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
 using UnityEditor;
@@ -26,9 +25,9 @@ namespace SphFluid.Tests
         public void TheHelpIsAHeadingOfAPageThatExists([ValueSource(nameof(Documented))] Type type)
         {
             ManualPageAttribute page = Page(type);
-            string file = FluidManual.Folder + page.Page + ".md";
+            string file = FluidManual.FolderOf(page.Package) + page.Page + ".md";
             Assert.That(File.Exists(Path.GetFullPath(file)), $"{type.Name}: no {file}");
-            if (page.Heading.Length > 0) Assert.That(Headings(file), Has.Member(page.Heading), $"{type.Name}: {file}");
+            if (page.Heading.Length > 0) Assert.That(ManualHeadings.Of(file), Has.Member(page.Heading), $"{type.Name}: {file}");
         }
 
         [Test]
@@ -42,8 +41,8 @@ namespace SphFluid.Tests
         [Test]
         public void AddressesOnASiteHaveTheHeading()
         {
-            Assert.That(FluidManual.Address("tuning", "profile", "https://example.com/manual/"), Is.EqualTo("https://example.com/manual/tuning.md#profile"));
-            Assert.That(FluidManual.Address("tuning", "", "https://example.com/manual/"), Is.EqualTo("https://example.com/manual/tuning.md"));
+            Assert.That(FluidManual.Address("tuning", "profile", site: "https://example.com/manual/"), Is.EqualTo("https://example.com/manual/tuning.md#profile"));
+            Assert.That(FluidManual.Address("tuning", "", site: "https://example.com/manual/"), Is.EqualTo("https://example.com/manual/tuning.md"));
         }
 
         [Test]
@@ -74,7 +73,7 @@ namespace SphFluid.Tests
         [TestCase("The thesis's surface", "the-thesiss-surface")]
         [TestCase("Any material: Fluid Surface Mesh", "any-material-fluid-surface-mesh")]
         [TestCase("Size the box", "size-the-box")]
-        public void AHeadingsLinkIsAsWebSitesMakeIt(string heading, string link) => Assert.That(Link(heading), Is.EqualTo(link));
+        public void AHeadingsLinkIsAsWebSitesMakeIt(string heading, string link) => Assert.That(ManualHeadings.Link(heading), Is.EqualTo(link));
 
         // What is internal, nobody adds.
         static Type[] Documented() => typeof(FluidSimulation).Assembly.GetTypes()
@@ -95,19 +94,5 @@ namespace SphFluid.Tests
         }
 
         static string Text(string path) => File.ReadAllText(Path.GetFullPath(path));
-
-        static IEnumerable<string> Headings(string path) => Text(path).Split('\n').Where(l => l.StartsWith("#", StringComparison.Ordinal))
-            .Select(l => Link(l.TrimStart('#').Trim()));
-
-        static string Link(string heading)
-        {
-            var link = new StringBuilder();
-            foreach (char c in heading.ToLowerInvariant())
-            {
-                if (char.IsLetterOrDigit(c) || c == '-' || c == '_') link.Append(c);
-                else if (c == ' ') link.Append('-');
-            }
-            return link.ToString();
-        }
     }
 }

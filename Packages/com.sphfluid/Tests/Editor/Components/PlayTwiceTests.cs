@@ -69,7 +69,7 @@ namespace SphFluid.Tests
 
         static string Start(string text) => text.Length > 80 ? text.Substring(0, 80) : text;
 
-        // A liquid with one of every component of the package at it, but for Fluid Playback, which takes its place.
+        // A liquid with one of every component of the package at it.
         FluidSimulation PlayEverything()
         {
             rig = new SimulationRig();
@@ -84,7 +84,7 @@ namespace SphFluid.Tests
             simulation.Method = FluidMethodKind.Standard;
             foreach (Type type in typeof(FluidSimulation).Assembly.GetTypes().Where(t => t.IsPublic && !t.IsAbstract && typeof(MonoBehaviour).IsAssignableFrom(t)))
             {
-                if (type == typeof(FluidSimulation) || type == typeof(FluidPlayback)) continue;
+                if (type == typeof(FluidSimulation)) continue;
                 bool beside = type.GetCustomAttributes(typeof(RequireComponent), true).Cast<RequireComponent>().Any(r => r.m_Type0 == typeof(FluidSimulation));
                 GameObject holder = beside ? simulation.gameObject : rig.NewObject(type.Name);
                 if (!beside) holder.transform.SetParent(simulation.transform, false);

@@ -12,8 +12,8 @@ namespace SphFluid.Tests
         static byte[] Bytes(int rows)
         {
             var stream = new MemoryStream();
-            NpyFile.Write(stream, StoredParticle.Columns, Enumerable.Range(0, rows)
-                .Select(i => new StoredParticle { Position = new Vector3(1f, 2f, 3f), Velocity = new Vector3(4f, 5f, 6f + i), Id = uint.MaxValue - (uint)i }).ToArray());
+            NpyFile.Write(stream, LiquidParticle.Columns, Enumerable.Range(0, rows)
+                .Select(i => new LiquidParticle { Position = new Vector3(1f, 2f, 3f), Velocity = new Vector3(4f, 5f, 6f + i), Id = uint.MaxValue - (uint)i }).ToArray());
             return stream.ToArray();
         }
 

@@ -27,7 +27,7 @@ namespace SphFluid.Tests
         static PysphCase Case(string scene = "Dam Break", FluidExportScheme scheme = FluidExportScheme.WeaklyCompressible) =>
             new PysphCase("Tank", Constants, new FluidExportOptions { Scene = scene, Seconds = 0.5, FrameRate = 60.0, Ranks = 7, Scheme = scheme, Commit = "abc" })
             {
-                Liquid = new StoredParticle[3],
+                Liquid = new LiquidParticle[3],
                 Walls = new WallParticle[2],
                 Bodies = new[] { new ExportBody("Paddle", new WallParticle[5], new[] { new BodyPose { Rotation = Quaternion.identity } }) },
             };
