@@ -8,7 +8,8 @@ namespace Headless.Checks.Documents;
 /// </summary>
 internal sealed partial class FileNameCheck(ProjectPackages packages)
 {
-    private static readonly string[] sourceKinds = [".cs", ".sh", ""];
+    // Of scripts that the Editor is to import the last is .txt: case.py.txt.
+    private static readonly string[] sourceKinds = [".cs", ".sh", ".py", ""];
     private readonly HashSet<string> names = [];
     private readonly HashSet<string> written = [];
     private readonly List<string> roots = [];
@@ -35,7 +36,8 @@ internal sealed partial class FileNameCheck(ProjectPackages packages)
         foreach (var file in Files(packages.Project))
         {
             names.Add(Path.GetFileName(file));
-            if (!sourceKinds.Contains(Path.GetExtension(file))) continue;
+            var source = Path.GetFileName(file).EndsWith(".py.txt", StringComparison.Ordinal) ? file[..^4] : file;
+            if (!sourceKinds.Contains(Path.GetExtension(source))) continue;
             foreach (Match name in Written().Matches(File.ReadAllText(file))) written.Add(name.Value);
         }
     }

@@ -35,13 +35,24 @@ internal sealed class PlayerProcess
         return Finish(process);
     }
 
+    /// <summary>Runs it with a folder for its temporary files.</summary>
+    public static PlayerProcess RunIn(string folder, params string[] words)
+    {
+        using Process process = Start(words, ("TMPDIR", folder));
+        return Finish(process);
+    }
+
     /// <summary>Starts it so that it takes SIGINT, which a shell's background job (command &amp;) hands down as ignored.</summary>
-    public static Process Start(params string[] words)
+    public static Process Start(params string[] words) => Start(words, ("", ""));
+
+    private static Process Start(string[] words, (string Name, string Value) variable)
     {
         string program = Path.Combine(AppContext.BaseDirectory, "sphplayer.dll");
         string[] command = ["dotnet", program, .. words];
         if (TakesDefaultSignal.Value) command = ["env", DefaultSignal, .. command];
-        return Process.Start(new ProcessStartInfo(command[0], command[1..]) { RedirectStandardOutput = true, RedirectStandardError = true })!;
+        var start = new ProcessStartInfo(command[0], command[1..]) { RedirectStandardOutput = true, RedirectStandardError = true };
+        if (variable.Name.Length > 0) start.Environment[variable.Name] = variable.Value;
+        return Process.Start(start)!;
     }
 
     /// <summary>Waits for its end; the test fails, and the process is ended, where that does not come in time.</summary>

@@ -41,10 +41,21 @@ public sealed class ProductAloneTests
     }
 
     [Test]
+    public void ThePysphPackageExportsWhatItPlays()
+    {
+        MakeProject("ExportToPySph", ProjectPackages.ProductName, "com.sphfluid.pysph");
+        Play("ExportToPySph", "--fps", "30", "--seconds", "0.6");
+        string made = Path.GetDirectoryName(Directory.GetFiles(folder, "manifest.json", SearchOption.AllDirectories).Single())!;
+        using JsonDocument manifest = JsonDocument.Parse(File.ReadAllText(Path.Combine(made, "manifest.json")));
+        Assert.That(manifest.RootElement.GetProperty("liquidParticles").GetInt32(), Is.GreaterThan(1000));
+        Assert.That(Directory.GetFiles(made).Select(Path.GetFileName), Is.SupersetOf(new[] { "case.py", "run.sh", "job.sbatch", "to_sequence.py", "liquid.npy", "walls.npy" }));
+    }
+
+    [Test]
     public void NoSourceOfTheProductNamesAnotherPackage()
     {
         string[] others = [.. packages.All.Where(p => p != packages.Product).SelectMany(p => PackageAssembly.FindAll(p).Select(a => a.Name).Append(Path.GetFileName(p)))];
-        Assert.That(others, Is.SupersetOf(new[] { "SphFluid.Validation", "com.sphfluid.validation", "SphFluid.Playback", "com.sphfluid.playback" }));
+        Assert.That(others, Is.SupersetOf(new[] { "SphFluid.Validation", "com.sphfluid.validation", "SphFluid.Playback", "com.sphfluid.playback", "SphFluid.PySph", "com.sphfluid.pysph" }));
         foreach (string file in Directory.EnumerateFiles(packages.Product, "*.*", SearchOption.AllDirectories).Where(f => Path.GetExtension(f) is ".cs" or ".asmdef" or ".hlsl" or ".compute" or ".shader"))
             foreach (string line in File.ReadLines(file).Where(l => !l.Contains("InternalsVisibleTo", StringComparison.Ordinal) && !l.TrimStart().StartsWith("//", StringComparison.Ordinal)))
                 Assert.That(others.Where(line.Contains), Is.Empty, $"{file}: {line}");
@@ -76,7 +87,7 @@ public sealed class ProductAloneTests
     private JsonElement Play(string sample, params string[] flags)
     {
         string output = Path.Combine(folder, "out");
-        PlayerProcess run = PlayerProcess.Run([
+        PlayerProcess run = PlayerProcess.RunIn(folder, [
             "play", "--project", folder, "--assemblies", Path.Combine(folder, "Assemblies"), "--scene", $"Assets/{sample}/{sample}.unity", "--size", "160x90", "--out", output, .. flags]);
         if (run.ExitCode != 0) Assert.Fail(run.Output + run.Errors);
         Assert.That(run.Errors, Is.Empty);

@@ -26,6 +26,7 @@ public sealed class PublishTests
             """);
         Write("Build/ScriptAssemblies/SphFluid.dll", "a");
         Write("Build/ScriptAssemblies/SphFluid.Playback.dll", "c");
+        Write("Build/ScriptAssemblies/SphFluid.PySph.dll", "d");
         Write("Build/ScriptAssemblies/SphFluid.Validation.dll", "b");
         foreach (string program in new[] { "run", "bin/dotnet" })
             File.SetUnixFileMode(Path.Combine(root, program), UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute);
@@ -38,7 +39,7 @@ public sealed class PublishTests
     public void AFolderThatIsNotThereIsMadeAndListed()
     {
         Assert.That(Publish(outside).Code, Is.Zero);
-        Assert.That(FilesIn(outside), Is.EqualTo(new[] { "ScriptAssemblies/SphFluid.Playback.dll", "ScriptAssemblies/SphFluid.Validation.dll", "ScriptAssemblies/SphFluid.dll", "lib/a.dll", "sphplayer", List }));
+        Assert.That(FilesIn(outside), Is.EqualTo(new[] { "ScriptAssemblies/SphFluid.Playback.dll", "ScriptAssemblies/SphFluid.PySph.dll", "ScriptAssemblies/SphFluid.Validation.dll", "ScriptAssemblies/SphFluid.dll", "lib/a.dll", "sphplayer", List }));
         Assert.That(Directory.GetFileSystemEntries(Path.GetDirectoryName(outside)!), Has.Length.EqualTo(2), "nothing is left beside it");
     }
 

@@ -14,3 +14,7 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("SphFluid.Playback.Tests.Shared")]
 [assembly: InternalsVisibleTo("SphFluid.Playback.Tests.Editor")]
 [assembly: InternalsVisibleTo("SphFluid.Playback.Tests.Runtime")]
+[assembly: InternalsVisibleTo("SphFluid.PySph")]
+[assembly: InternalsVisibleTo("SphFluid.PySph.Editor")]
+[assembly: InternalsVisibleTo("SphFluid.PySph.Tests.Editor")]
+[assembly: InternalsVisibleTo("SphFluid.PySph.Tests.Runtime")]

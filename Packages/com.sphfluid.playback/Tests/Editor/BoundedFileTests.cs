@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace SphFluid.Tests
 {
-    /// <summary>What is no regular file, or too long, is refused where a sequence or an export reads: none of it is waited for or read to an end that it does not have.</summary>
+    /// <summary>What is no regular file, or too long, is refused where a sequence reads: none of it is waited for or read to an end that it does not have.</summary>
     public sealed class BoundedFileTests
     {
         const int MostSeconds = 60; // a test that hangs fails
@@ -88,13 +88,6 @@ namespace SphFluid.Tests
             Make(command, Path.GetFileName(path));
             ReadFrame(0, 0.0);
             Refused(() => ReadFrame(1, 0.0));
-        }
-
-        [TestCaseSource(nameof(NoFiles))]
-        public void AnExportReplacesNothingByAManifestThatIsNoFile(string command)
-        {
-            Make(command, ExportFolder.ManifestName);
-            Refused(() => ExportFolder.Open(files.Folder));
         }
 
         [Test]

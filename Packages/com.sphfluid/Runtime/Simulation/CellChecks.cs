@@ -17,7 +17,7 @@ namespace SphFluid
         /// <summary>Checks a simulation whose domain size and spacing are positive numbers.</summary>
         public static void Check(in FluidSpec spec, List<FluidMessage> messages)
         {
-            if (!spec.HasProfile || spec.RunsElsewhere) return;
+            if (!spec.HasProfile) return;
             FluidSolverSettings settings = Settings(spec, spec.Spacing);
             double needed = Needed(settings);
             long most = Most(settings.Method);

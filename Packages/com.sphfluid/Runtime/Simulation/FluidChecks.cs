@@ -207,9 +207,9 @@ namespace SphFluid
             shapes = found.ConvertAll(f => f.shape);
             if (found.Count == 0 && (volumes.Count > 0 || LiquidChecks.IsDry(spec))) return null;
             SpawnResult result = spawn(SpawnRequests.For(spec, shapes, collision));
-            return LiquidChecks.Check(spec, found, result, collision, messages)
-                ? new FluidStart(result.Particles, result.Needed, LiquidExtent.Of(shapes, spec.DomainSize), result.Fastest) { Gravity = spec.LocalGravity }
-                : null;
+            if (!LiquidChecks.CheckCount(spec, result, messages)) return null; // far more than that are not gone through
+            LiquidChecks.Check(spec, found, result, collision, messages);
+            return new FluidStart(result.Particles, result.Needed, LiquidExtent.Of(shapes, spec.DomainSize), result.Fastest) { Gravity = spec.LocalGravity };
         }
 
         static FluidMessage Unplaced(in FluidSpec spec) => new FluidMessage(

@@ -67,9 +67,6 @@ namespace SphFluid
         /// <summary>Force zones that act on this liquid; null for none.</summary>
         public IReadOnlyList<ZoneSpec> Zones;
 
-        /// <summary>Whether another machine computes it, so that no limit of this device and no Max Particles of the profile holds.</summary>
-        public bool RunsElsewhere;
-
         /// <summary>Where the particles come from of a liquid that is shown and not stepped; null: it is stepped.</summary>
         public IFluidPlayback Playback;
 

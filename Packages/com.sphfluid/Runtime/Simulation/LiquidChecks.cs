@@ -28,18 +28,15 @@ namespace SphFluid
             !(spec.Emitters?.Count > 0) || !FluidMethods.Has(spec.Method, FluidMethodFeatures.ChangingCount);
 
         /// <summary>Checks what became of the shapes when they were filled or counted.</summary>
-        /// <returns>False when the particles are too many to go on with.</returns>
-        public static bool Check(in FluidSpec spec, IReadOnlyList<(VolumeSpec volume, LiquidShape shape)> shapes, SpawnResult spawn,
+        public static void Check(in FluidSpec spec, IReadOnlyList<(VolumeSpec volume, LiquidShape shape)> shapes, SpawnResult spawn,
             CollisionScene collision, List<FluidMessage> messages)
         {
-            if (!CheckCount(spec, spawn, messages)) return false; // far more than that are not gone through
             for (int i = 0; i < shapes.Count; i++)
                 if (!(shapes[i].shape is LiquidVessel vessel) || VolumeChecks.CheckVessel(shapes[i].volume, vessel, spec, messages))
                     CheckTally(spec, shapes[i].volume, spawn.Tallies[i], collision, messages);
             if (!AffineMath.IsFinite(spawn.Fastest))
                 messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.StartFailed, spec.Owner,
                     "The velocity field gives a velocity that is not a finite number.", "Give VelocityField a function with finite numbers everywhere in the liquid."));
-            return true;
         }
 
         /// <summary>Most particles that a simulation may have.</summary>
@@ -55,11 +52,13 @@ namespace SphFluid
         }
 
         /// <summary>Most particles that a simulation may have.</summary>
-        internal static long MostParticles(in FluidSpec spec) => spec.RunsElsewhere ? int.MaxValue : Math.Min(spec.HasProfile ? spec.Profile.MaxParticles : int.MaxValue, DeviceLimit);
+        internal static long MostParticles(in FluidSpec spec) => Math.Min(spec.HasProfile ? spec.Profile.MaxParticles : int.MaxValue, DeviceLimit);
 
         static long DeviceLimit => SystemInfo.maxGraphicsBufferSize / FluidParticle.Stride;
 
-        static bool CheckCount(in FluidSpec spec, SpawnResult spawn, List<FluidMessage> messages)
+        /// <summary>Checks that a simulation may have the particles that were filled or counted.</summary>
+        /// <returns>False when they are too many to go on with.</returns>
+        public static bool CheckCount(in FluidSpec spec, SpawnResult spawn, List<FluidMessage> messages)
         {
             long limit = MostParticles(spec, out string owner);
             if (spawn.Needed <= limit) return true;

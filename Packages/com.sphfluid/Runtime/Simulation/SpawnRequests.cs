@@ -18,7 +18,7 @@ namespace SphFluid
                 Walls = FluidFaces.All & ~(spec.Boundaries.Open | FluidBoundaries.FacesOf(spec.Boundaries.Periodic)),
                 Spacing = spec.Spacing,
                 Shapes = shapes,
-                MaxParticles = spec.RunsElsewhere ? int.MaxValue : spec.HasProfile ? spec.Profile.MaxParticles : ProfileSpec.ParticleLimit,
+                MaxParticles = spec.HasProfile ? spec.Profile.MaxParticles : ProfileSpec.ParticleLimit,
                 Seed = spec.Seed,
                 Jitter = spec.StartRelaxation == FluidStartRelaxation.None ? spec.StartJitter : 0f,
                 Obstacle = obstacles ? point => collision.FindCovering(point, clearance) : (Func<Vector3, int>)null,

@@ -91,7 +91,7 @@ namespace SphFluid
             if (shape != null)
             {
                 SpawnResult counted = FluidSpawner.Measure(SpawnRequests.For(spec, new[] { shape }, run.Collision));
-                LiquidChecks.Check(spec, new[] { (volume, shape) }, counted, run.Collision, messages);
+                if (LiquidChecks.CheckCount(spec, counted, messages)) LiquidChecks.Check(spec, new[] { (volume, shape) }, counted, run.Collision, messages);
             }
             foreach (FluidMessage message in messages)
                 report(message.Severity == FluidSeverity.Error ? Unfilled(message) : message);

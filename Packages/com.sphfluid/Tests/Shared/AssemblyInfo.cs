@@ -8,3 +8,5 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("SphFluid.Playback.Tests.Shared")]
 [assembly: InternalsVisibleTo("SphFluid.Playback.Tests.Editor")]
 [assembly: InternalsVisibleTo("SphFluid.Playback.Tests.Runtime")]
+[assembly: InternalsVisibleTo("SphFluid.PySph.Tests.Editor")]
+[assembly: InternalsVisibleTo("SphFluid.PySph.Tests.Runtime")]

@@ -210,8 +210,6 @@ namespace SphFluid.Tests
             if (type == typeof(RobustSettings)) return FluidRules.Derive(Rules(FluidMethodKind.Robust)).Own<RobustSettings>();
             if (type == typeof(ThesisSettings)) return FluidRules.Derive(Rules(FluidMethodKind.Thesis)).Own<ThesisSettings>();
             if (type == typeof(IReadOnlyList<FluidParticle>)) return SimulationRig.Read(simulation);
-            if (type == typeof(IReadOnlyList<FluidSimulation>)) return new[] { simulation };
-            if (type == typeof(Action<IReadOnlyList<FluidExport>>)) return (Action<IReadOnlyList<FluidExport>>)(_ => { });
             if (type == typeof(CommandBuffer)) return Made(new CommandBuffer());
             if (type == typeof(NativeArray<FluidParticle>)) return Made(new NativeArray<FluidParticle>(4, Allocator.Persistent));
             if (type == typeof(GraphicsBuffer)) return simulation.Solver.Particles;
@@ -233,8 +231,6 @@ namespace SphFluid.Tests
             if (type == typeof(TimeStepAdvice)) return FluidRules.Advise(simulation.Solver.Settings, 1.0);
             if (type == typeof(FluidSupport)) return FluidSupport.Query();
             if (type == typeof(FluidDetectors)) return new FluidDetectors(simulation.Solver.Settings);
-            if (type == typeof(FluidExportOptions)) return new FluidExportOptions();
-            if (type == typeof(FluidExport)) return Made(FluidExport.Begin(simulation, new FluidExportOptions()));
             if (type == typeof(FluidSurfaceOptions)) return new FluidSurfaceOptions { Quality = FluidSurfaceQuality.Cheap };
             if (typeof(MonoBehaviour).IsAssignableFrom(type)) return liquid.Rig.NewObject("Subject").AddComponent(type);
             throw new NotSupportedException($"There is no example of {type.Name}. Add one here.");
