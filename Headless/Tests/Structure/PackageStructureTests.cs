@@ -73,7 +73,7 @@ public sealed partial class PackageStructureTests
     private static readonly string[] Folders =
     [
         "Foundation", "Saving", "Gpu", "Settings", "Collision", "Solver", "Surface", "Rendering", "Whitewater", "Zones", "Emission", "Spawning",
-        "Queries", "Sensing", "Diagnostics", "Simulation", "Playback", "Export", "Components",
+        "Queries", "Sensing", "Diagnostics", "Simulation", "Components",
     ];
 
     [Test]

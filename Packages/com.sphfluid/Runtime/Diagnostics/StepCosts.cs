@@ -82,7 +82,8 @@ namespace SphFluid
         {
             try
             {
-                return File.Exists(Path) ? BoundedFile.ReadText(Path, MostBytes) ?? "" : "";
+                var kept = new FileInfo(Path);
+                return kept.Exists && kept.Length <= MostBytes ? File.ReadAllText(Path) : "";
             }
             catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException)
             {
