@@ -102,7 +102,7 @@ uint2 NeighbourRange(float3 position, uint k)
 // Whether j is in reach of h is the body's question: it has the distance, by Separation.
 #define FOR_EACH_NEIGHBOUR(position, j) FOR_EACH_NEIGHBOUR_IF(true, position, j)
 
-// The same where a condition holds. Loops that end at once are skipped where branches may not be.
+// The same where a condition holds.
 #define FOR_EACH_NEIGHBOUR_IF(condition, position, j) \
     for (uint neighbourRange = 0u; (condition) && neighbourRange < NeighbourRanges(position); neighbourRange++) \
         for (uint2 range = NeighbourRange(position, neighbourRange); range.x < range.y; range.x = range.y) \

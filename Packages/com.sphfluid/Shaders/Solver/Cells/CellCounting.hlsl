@@ -18,10 +18,12 @@ uint _Drains;     // 1: DrainParticles has gone before
 void CountInCell(uint id, float4 place)
 {
     bool leaves = false;
-    for (bool counts = !Switched(_KeepsOrder); counts; counts = false) // a loop that ends at once is skipped where a branch may not be
+    [branch]
+    if (_KeepsOrder == 0u)
     {
         leaves = any(place.xyz < _OpenLow) || any(place.xyz > _OpenHigh);
-        for (bool drains = Switched(_Drains); drains; drains = false)
+        [branch]
+        if (_Drains != 0u)
         {
             leaves = leaves || _RankOut[id] == DRAINED;
         }

@@ -35,13 +35,6 @@ uint LiveCount()
     return _CellStart[RemovedCell()];
 }
 
-// A switch of 0 or 1 that some drivers would else translate the kernel anew for: Mesa's llvmpipe does with every dispatch of a kernel
-// whose branch hangs on constants alone.
-bool Switched(uint value)
-{
-    return (value & (LiveCount() | 1u)) != 0u;
-}
-
 #if defined(FLUID_PERIODIC)
 
 // Along a periodic axis the row continues behind the opposite face: a row of three cells is then two runs.
@@ -100,7 +93,7 @@ uint2 CellRun(int3 cell, uint k)
 // The one neighbour loop: every particle j of the rows around a cell, j included where position is its own.
 #define FOR_EACH_NEAR(cell, j) FOR_EACH_NEAR_IF(true, cell, j)
 
-// The same where a condition holds. Loops that end at once are skipped where branches may not be.
+// The same where a condition holds.
 #define FOR_EACH_NEAR_IF(condition, cell, j) \
     for (uint cellRun##j = 0u; (condition) && cellRun##j < CELL_RUNS; cellRun##j++) \
         for (uint2 run##j = CellRun(cell, cellRun##j); run##j.x < run##j.y; run##j.x = run##j.y) \

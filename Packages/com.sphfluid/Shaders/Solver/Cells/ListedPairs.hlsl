@@ -39,12 +39,14 @@ PairSums ListedPairs(uint id, float3 position, PairSums sums)
         const float3 apart = Separation(position, next.xyz);
         bool counts = dot(apart, apart) * _InverseSupport * _InverseSupport < 1.0 && other != id;
 #if defined(FLUID_MESH_WALLS)
-        for (bool behind = counts && slot != 0u; behind; behind = false)
+        [branch]
+        if (counts && slot != 0u)
         {
             counts = !IsCut(WallOf(slot, position), other, next.xyz, apart);
         }
 #endif
-        for (bool adds = counts; adds; adds = false)
+        [branch]
+        if (counts)
         {
             AddPair(sums, other, next.w, apart, dot(apart, apart));
         }

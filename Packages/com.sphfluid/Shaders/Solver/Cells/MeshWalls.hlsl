@@ -43,10 +43,11 @@ WallDensity DensityOf(NearWall wall, out float3 shares[WALL_PLANES])
     return DensityOf(wall);
 }
 
-// What a particle's walls add; off is what it has without any. Loops that end at once are skipped where branches may not be.
+// What a particle's walls add; off is what it has without any.
 WallDensity MeshDensity(uint slot, float3 position, WallDensity off)
 {
-    for (bool there = slot != 0u; there; there = false)
+    [branch]
+    if (slot != 0u)
     {
         off = DensityOf(WallOf(slot, position));
     }
@@ -72,7 +73,8 @@ bool PassesFace(NearWall wall, float3 d, float3 n, float most)
 bool IsCut(NearWall wall, uint other, float3 otherPosition, float3 d)
 {
     bool cut = false;
-    for (bool passes = PassesFace(wall, d, float3(0.0, 0.0, 0.0), 1.0); passes; passes = false)
+    [branch]
+    if (PassesFace(wall, d, float3(0.0, 0.0, 0.0), 1.0))
     {
         const uint otherSlot = _WallSlot[other];
         const uint otherWall = max(otherSlot, 1u) - 1u;

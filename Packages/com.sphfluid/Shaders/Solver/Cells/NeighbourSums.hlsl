@@ -30,7 +30,8 @@ void AddBeside(inout NeighbourSums sums, uint slot, uint other, float3 position,
 {
     const float3 d = Separation(position, otherPosition);
     const float distanceSquared = dot(d, d);
-    for (bool counts = distanceSquared < _SupportSquared; counts; counts = false)
+    [branch]
+    if (distanceSquared < _SupportSquared)
     {
         if (!IsCut(WallOf(slot, position), other, otherPosition, d))
         {
@@ -121,7 +122,8 @@ NeighbourSums SearchedSums(uint id, uint groupIndex, float4 place, out WallDensi
             const float distanceSquared = dot(d, d);
             AddNeighbour(sums, d, distanceSquared);
             bool counts = distanceSquared < _SupportSquared;
-            for (bool ahead = !counts && LooksAhead(min(place.w, other.w)); ahead; ahead = false)
+            [branch]
+            if (!counts && LooksAhead(min(place.w, other.w)))
             {
                 counts = Meets(d, _Velocities[id].xyz - _Velocities[j].xyz);
             }
@@ -140,7 +142,8 @@ NeighbourSums SearchedSums(uint id, uint groupIndex, float4 place, out WallDensi
     {
         sums = OwnSums(); // anew: what is behind a face is left out
     }
-    for (bool looks = slot != 0u && listed; looks; looks = false)
+    [branch]
+    if (slot != 0u && listed)
     {
         const NearWall wall = WallOf(slot, position);
         for (uint n = begin; n < at; n += LIST_LANES)
@@ -184,7 +187,8 @@ NeighbourSums ListedSums(uint id, float3 position, out WallDensity walls)
     const uint end = begin + (listed ? count : 0u) * LIST_LANES;
     NeighbourSums sums = OwnSums();
 #if defined(FLUID_MESH_WALLS)
-    for (bool looks = slot != 0u; looks; looks = false)
+    [branch]
+    if (slot != 0u)
     {
         NoteBehind(WallOf(slot, position), begin, end, position);
     }
@@ -199,7 +203,8 @@ NeighbourSums ListedSums(uint id, float3 position, out WallDensity walls)
     {
         const float3 other = _NewPositions[j].xyz;
 #if defined(FLUID_MESH_WALLS)
-        for (bool beside = slot != 0u && j != id; beside; beside = false)
+        [branch]
+        if (slot != 0u && j != id)
         {
             AddBeside(sums, slot, j, position, other);
         }
@@ -207,7 +212,8 @@ NeighbourSums ListedSums(uint id, float3 position, out WallDensity walls)
 #else
         const bool isFree = j != id;
 #endif
-        for (bool counts = isFree; counts; counts = false)
+        [branch]
+        if (isFree)
         {
             const float3 apart = Separation(position, other);
             AddNeighbour(sums, apart, dot(apart, apart));

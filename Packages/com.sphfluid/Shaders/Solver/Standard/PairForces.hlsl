@@ -102,7 +102,8 @@ PairSums NeighbourSums(uint id, float3 position, float3 velocity, float pressure
         const float3 d = Separation(position, place);
         bool counts = dot(d, d) < 1.0 / (_InverseSupport * _InverseSupport) && other != id;
 #if defined(FLUID_MESH_WALLS)
-        for (bool behind = counts && slot != 0u; behind; behind = false)
+        [branch]
+        if (counts && slot != 0u)
         {
             counts = !IsCut(WallOf(slot, position), other, place, d);
         }

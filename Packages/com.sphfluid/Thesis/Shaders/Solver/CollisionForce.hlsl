@@ -104,7 +104,8 @@ float3 ColliderForce(CollisionCollider collider, float3 position, float3 velocit
     }
 
 #if defined(FLUID_NO_SLIP)
-    for (bool isHeld = nearest < _DragDistance; isHeld; isHeld = false) // ends at once: skipped where a branch may not be
+    [branch]
+    if (nearest < _DragDistance)
     {
         const float3 away = nearest > 0.0 ? nearestOffset / nearest : normalize(nearestNormal);
         drag += MeshDrag(away, behind ? 0.0 : nearest, velocity + drag * _KickStep);
@@ -130,7 +131,8 @@ float3 CollisionForce(float3 position, float3 velocity)
     contact = max(contact, _DragDistance);
     const float3 low = position + _DomainHalfSize;
     const float3 high = _DomainHalfSize - position;
-    for (bool isNear = any(min(low, high) < _DragDistance); isNear; isNear = false)
+    [branch]
+    if (any(min(low, high) < _DragDistance))
     {
         drag = DomainDrag(low, high, velocity);
     }

@@ -15,7 +15,9 @@ float3 WallGradient(uint id, float3 position)
 {
     float3 gradient = DomainWalls(position).Gradient;
 #if defined(FLUID_MESH_WALLS)
-    for (uint slot = _WallSlot[id]; slot != 0u; slot = 0u)
+    const uint slot = _WallSlot[id];
+    [branch]
+    if (slot != 0u)
     {
         gradient = DensityOf(WallOf(slot, position)).Gradient;
     }
