@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace SphFluid.Validation
 {
-    /// <summary>Periodic axes: Shaders/Solver/PeriodicAxes.hlsl in double precision.</summary>
+    /// <summary>Periodic axes: Shaders/Solver/DomainFaces.hlsl in double precision.</summary>
     internal struct CpuPeriod
     {
         public double3 Length; // m, the box along the axis; 0: the axis has walls

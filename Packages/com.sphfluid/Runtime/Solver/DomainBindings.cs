@@ -32,7 +32,7 @@ namespace SphFluid
         static readonly int WallHighY = Shader.PropertyToID("_WallHighY");
         static readonly int WallHighZ = Shader.PropertyToID("_WallHighZ");
 
-        /// <summary>Shaders/Solver/PeriodicAxes.hlsl, for kernels with variants and for those that go by the lengths.</summary>
+        /// <summary>Periodic axes of Shaders/Solver/DomainFaces.hlsl, for kernels with variants and for those that go by the lengths.</summary>
         public static void SetPeriodic(CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings)
         {
             bool on = settings.Boundaries.Periodic != FluidAxes.None;

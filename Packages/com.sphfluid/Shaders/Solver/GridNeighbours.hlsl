@@ -3,7 +3,7 @@
 
 #include "../Gpu/FluidTypes.hlsl"
 #include "FluidGrid.hlsl"
-#include "PeriodicAxes.hlsl"
+#include "DomainFaces.hlsl"
 
 StructuredBuffer<Particle> _Particles;
 StructuredBuffer<uint2> _GridIndices; // [first, end) of each cell in _Particles

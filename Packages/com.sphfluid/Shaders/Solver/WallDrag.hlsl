@@ -5,13 +5,22 @@
 // its layer, rho dx an area: a = -beta nu (v - v_wall) / (d dx), in the wall's plane, where d < dx; the friction beta is 1 for
 // no slip.
 // A kernel that includes this file and has such walls defines FLUID_NO_SLIP.
-#include "PeriodicAxes.hlsl"
+#include "DomainFaces.hlsl"
 #include "WallVelocities.hlsl"
 
 #if defined(FLUID_NO_SLIP)
 float _DragSpeed;    // beta nu / dx, m/s
 float _DragDistance; // dx, m; far below zero where no wall holds the liquid
 float _DragStep;     // s, the step of the velocities
+
+// A value an axis where that axis has walls, zero where it is periodic.
+float3 WhereWalls(float3 value)
+{
+#if defined(FLUID_PERIODIC)
+    value = _PeriodLength > 0.0 ? float3(0.0, 0.0, 0.0) : value;
+#endif
+    return value;
+}
 
 // 1/s; a twentieth of dx is the nearest that counts.
 float3 DragRate(float3 wallDistance)

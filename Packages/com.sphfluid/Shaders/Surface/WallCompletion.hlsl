@@ -1,7 +1,7 @@
 #ifndef SPHFLUID_WALL_COMPLETION
 #define SPHFLUID_WALL_COMPLETION
 
-#include "../Solver/PeriodicAxes.hlsl"
+#include "../Solver/DomainFaces.hlsl"
 
 // No particle stands behind a wall: sums over kernels fall to a half there, in corners to an eighth. Divided by the
 // kernel's part inside the domain (exact at one wall, a product of the axes near an edge), they let the surface meet

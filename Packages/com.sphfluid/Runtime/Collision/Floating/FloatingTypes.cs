@@ -24,7 +24,7 @@ namespace SphFluid
         public FloatingPose Pose => new FloatingPose(Centre, Rotation);
     }
 
-    /// <summary>What the owner of a body says once a frame; mirrored by FloatingInput in Shaders/Collision/FloatingBodies.hlsl.</summary>
+    /// <summary>What the owner of a body says once a frame; mirrored by FloatingInput in Shaders/Collision/FloatingInput.hlsl.</summary>
     [StructLayout(LayoutKind.Sequential)]
     internal struct FloatingInput
     {
@@ -63,7 +63,7 @@ namespace SphFluid
         public float Unused5;
     }
 
-    /// <summary>A collider of a body; mirrored by FloatingPart in Shaders/Collision/FloatingBodies.hlsl.</summary>
+    /// <summary>A collider of a body; mirrored by FloatingPart in Shaders/Collision/FloatingInput.hlsl.</summary>
     [StructLayout(LayoutKind.Sequential)]
     internal struct FloatingPart
     {

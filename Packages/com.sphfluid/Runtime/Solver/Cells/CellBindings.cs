@@ -11,7 +11,7 @@ namespace SphFluid
         /// <summary>What a method takes along in the sort, to read and to write.</summary>
         public static readonly int Carried = Shader.PropertyToID("_Carried"), CarriedOut = Shader.PropertyToID("_CarriedOut");
 
-        /// <summary>WallShell.hlsl: how far the velocities go in a step.</summary>
+        /// <summary>WallMotion.hlsl: how far the velocities go in a step.</summary>
         public static readonly int KickStep = Shader.PropertyToID("_KickStep");
 
         // No particle comes nearer to a wall by its own speed, over dx; a settled liquid stays farther.
@@ -32,7 +32,6 @@ namespace SphFluid
         static readonly int SupportRatio = Shader.PropertyToID("_SupportRatio");
         static readonly int MirrorSpacing = Shader.PropertyToID("_MirrorSpacing");
         static readonly int RestDensity = Shader.PropertyToID("_RestDensity");
-        static readonly int DomainHalfSize = Shader.PropertyToID("_DomainHalfSize");
 
         // Copied when recorded, so one array serves; command buffers are recorded on the main thread.
         [OutlivesPlay("it is filled anew for each use")] static readonly int[] Counts = new int[3];
@@ -56,7 +55,7 @@ namespace SphFluid
             kernel.SetBuffer(cmd, CellStart, cellStart);
         }
 
-        /// <summary>CellRows.hlsl and PeriodicAxes.hlsl: the search for neighbours.</summary>
+        /// <summary>CellRows.hlsl and DomainFaces.hlsl: the search for neighbours.</summary>
         public static void SetSearch(CommandBuffer cmd, ComputeKernel kernel, CellState state)
         {
             SetCells(cmd, kernel, state.Cells, state.Buffers.CellStart);
@@ -80,7 +79,6 @@ namespace SphFluid
             kernel.SetFloat(cmd, SupportRatio, settings.SupportRadius / settings.Spacing);
             kernel.SetFloat(cmd, MirrorSpacing, settings.Spacing / settings.SupportRadius);
             kernel.SetFloat(cmd, RestDensity, settings.RestDensity);
-            kernel.SetVector(cmd, DomainHalfSize, 0.5f * settings.DomainSize);
             DomainBindings.SetFaces(cmd, kernel, settings);
         }
 
@@ -95,7 +93,7 @@ namespace SphFluid
             kernel.Set(cmd, state.Walls.NearWalls);
         }
 
-        /// <summary>WallShell.hlsl: how near to a wall a particle's own speed brings it in a step.</summary>
+        /// <summary>WallMotion.hlsl: how near to a wall a particle's own speed brings it in a step.</summary>
         public static void SetShell(CommandBuffer cmd, ComputeKernel kernel, in FluidSolverSettings settings, float timeStep)
         {
             kernel.SetFloat(cmd, FaceDistance, ContactDistances.Rest(settings));
@@ -103,7 +101,7 @@ namespace SphFluid
             kernel.SetFloat(cmd, TimeStep, timeStep);
         }
 
-        /// <summary>WallFriction.hlsl and MeshMotion.hlsl: what walls hold.</summary>
+        /// <summary>WallFriction.hlsl and WallMotion.hlsl: what walls hold.</summary>
         /// <param name="cmd">Command buffer.</param>
         /// <param name="kernel">Kernel.</param>
         /// <param name="state">Buffers.</param>

@@ -7,7 +7,7 @@ namespace SphFluid
     internal sealed class CellBuffers : BufferSet
     {
         /// <summary>
-        /// Positions at and in the order of the last sort [m]; w: MeetingReach in Shaders/Solver/Cells/MeetingReach.hlsl. The search reads
+        /// Positions at and in the order of the last sort [m]; w: Shaders/Solver/Cells/NeighbourSearch.hlsl. The search reads
         /// four at a time, so three more stand at the end, whatever they are.
         /// </summary>
         public readonly FluidBuffer Positions;

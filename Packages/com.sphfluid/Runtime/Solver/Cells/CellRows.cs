@@ -9,10 +9,10 @@ namespace SphFluid
     /// </summary>
     internal readonly struct CellRows
     {
-        /// <summary>Cells that a group of the scan sums; SCAN_CELLS_PER_GROUP in CellTypes.hlsl.</summary>
+        /// <summary>Cells that a group of the scan sums; SCAN_CELLS_PER_GROUP in CellSums.hlsl.</summary>
         internal const int CellsPerScanGroup = 2048;
 
-        /// <summary>Parts in which the sum of a group's cells is counted; SCAN_SUM_PARTS in CellTypes.hlsl.</summary>
+        /// <summary>Parts in which the sum of a group's cells is counted; SCAN_SUM_PARTS in CellSums.hlsl.</summary>
         internal const int SumParts = 16;
 
         /// <summary>

@@ -5,7 +5,7 @@ namespace SphFluid
     /// <summary>What is needed only where there are triangles: walls near particles, and the list of contacts.</summary>
     internal sealed class MeshWallBuffers : BufferSet
     {
-        /// <summary>Bytes of PackedWall in Shaders/Solver/Cells/NearWall.hlsl.</summary>
+        /// <summary>Bytes of PackedWall in Shaders/Solver/Cells/MeshWalls.hlsl.</summary>
         public const int WallStride = 108;
 
         /// <summary>Of each particle 1 + the place of its walls in <see cref="NearWalls"/>, or 0.</summary>

@@ -68,7 +68,7 @@ namespace SphFluid
             kernel.Set(cmd, Counts);
         }
 
-        /// <summary>Records MeetingReach.hlsl for the sort: which particles are at a surface, and how long the lists must last.</summary>
+        /// <summary>Records ScatterParticles.compute for the sort: which particles are at a surface, and how long the lists must last.</summary>
         public void SetMeeting(CommandBuffer cmd, ComputeKernel kernel, CellState state)
         {
             FluidSolverSettings settings = state.Settings;

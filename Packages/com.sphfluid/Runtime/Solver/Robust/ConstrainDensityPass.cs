@@ -11,6 +11,7 @@ namespace SphFluid
         static readonly int Compliance = Id("_Compliance");
         static readonly int SupportSquared = Id("_SupportSquared");
         static readonly int Ahead = Id("_Ahead");
+        static readonly int Places = Id("_Places");
         static readonly int HasPressures = Id("_HasPressures");
 
         readonly ComputeKernel search, listed, measure;
@@ -47,7 +48,7 @@ namespace SphFluid
             {
                 Bind(cmd, listed, state);
                 BindConstraint(cmd, listed, state, compliance);
-                listed.Set(cmd, state.Buffers.NewPositions);
+                listed.SetBuffer(cmd, Places, state.Buffers.NewPositions);
                 listed.DispatchThreads(cmd, state.ParticleCount);
             }
         }
@@ -74,6 +75,7 @@ namespace SphFluid
             Bind(cmd, kernel, state);
             kernel.SetFloat(cmd, Ahead, 0f);
             kernel.Set(cmd, state.Buffers.Velocities);
+            kernel.SetBuffer(cmd, Places, state.Buffers.Positions);
         }
 
         static void BindConstraint(CommandBuffer cmd, ComputeKernel kernel, RobustState state, double compliance)
@@ -94,7 +96,6 @@ namespace SphFluid
             kernel.SetFloat(cmd, InverseMoment, (float)(1.0 / WendlandKernel.LatticeMoment(settings.SupportRadius / settings.Spacing)));
             kernel.Set(cmd, state.Buffers.Positions);
             kernel.SetOut(cmd, state.Buffers.PositionTerms);
-            if (state.HasBodies) kernel.SetOut(cmd, state.Walls.ContactArguments);
         }
     }
 }

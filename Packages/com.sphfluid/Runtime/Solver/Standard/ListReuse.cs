@@ -6,7 +6,7 @@ namespace SphFluid
     /// For how many steps an order of particles and their lists of neighbours serve. Listed pairs are computed at their present places,
     /// so only pairs that come within R since are left out: bodies of liquid at a speed v that fall together close by 2 v Δt a step. What is
     /// left out of a pair that is late by a part q of R has the weight of (1 − q)⁴ (4q + 1) and is soon found, but pairs that come much
-    /// nearer unseen would jolt. Those at a surface are listed ahead (Shaders/Solver/Cells/MeetingReach.hlsl).
+    /// nearer unseen would jolt. Those at a surface are listed ahead (Shaders/Solver/Cells/NeighbourSearch.hlsl).
     /// </summary>
     internal static class ListReuse
     {

@@ -37,7 +37,7 @@ namespace SphFluid
             kernel.Set(cmd, state.Buffers.Velocities);
         }
 
-        /// <summary>Walls that push and hold, and the motion: FaceWalls.hlsl, MeshWalls.hlsl, WallFriction.hlsl, MeshMotion.hlsl, WallShell.hlsl.</summary>
+        /// <summary>Walls that push and hold, and the motion: MeshWalls.hlsl, WallFriction.hlsl, WallMotion.hlsl.</summary>
         public static void SetWalls(CommandBuffer cmd, ComputeKernel kernel, StandardState state, in FluidStep step)
         {
             FluidSolverSettings settings = state.Settings;

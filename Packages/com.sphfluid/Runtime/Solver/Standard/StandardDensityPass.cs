@@ -12,6 +12,7 @@ namespace SphFluid
         static readonly int SuctionFloor = Id("_SuctionFloor");
         static readonly int SupportSquared = Id("_SupportSquared");
         static readonly int Ahead = Id("_Ahead");
+        static readonly int Places = Id("_Places");
 
         readonly ComputeKernel search, listed;
 
@@ -31,6 +32,7 @@ namespace SphFluid
                 state.List.SetOut(cmd, search);
                 search.SetFloat(cmd, Ahead, state.ListTime);
                 search.Set(cmd, state.Buffers.Positions);
+                search.SetBuffer(cmd, Places, state.Buffers.Positions);
                 search.Set(cmd, state.Buffers.Velocities);
                 search.DispatchThreads(cmd, state.ParticleCount);
             }
@@ -44,7 +46,7 @@ namespace SphFluid
                 Bind(cmd, listed, state);
                 state.List.SetOut(cmd, listed);
                 listed.Set(cmd, state.Buffers.Positions);
-                listed.Set(cmd, state.Buffers.NewPositions);
+                listed.SetBuffer(cmd, Places, state.Buffers.NewPositions);
                 listed.DispatchThreads(cmd, state.ParticleCount);
             }
         }
@@ -63,7 +65,6 @@ namespace SphFluid
             kernel.SetOut(cmd, state.Buffers.Densities);
             kernel.SetOut(cmd, state.Buffers.PositionTerms);
             kernel.Set(cmd, state.Published.Counters);
-            if (state.HasBodies) kernel.SetOut(cmd, state.Walls.ContactArguments);
         }
     }
 }

@@ -1,8 +1,8 @@
 #ifndef SPHFLUID_BODY_SHARES
 #define SPHFLUID_BODY_SHARES
 
-#include "CellTypes.hlsl"
-#include "NearWall.hlsl"
+#include "CellRows.hlsl"
+#include "MeshWalls.hlsl"
 #include "../../Collision/BodyImpulses.hlsl"
 
 // What a particle gives in a step to the bodies whose planes it feels. Most groups of threads touch one body: they sum in their own

@@ -4,13 +4,25 @@
 // Cells of side R, x fastest, with a border of one empty cell around the domain, so that the rows around a particle need no
 // tests. Three cells of a row follow each other, and so do their particles: 9 rows in place of 27 cells
 // (Dominguez et al., DualSPHysics). A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_PERIODIC".
-#include "../PeriodicAxes.hlsl"
+#include "../DomainFaces.hlsl"
+
+// Threads of a group that walks over neighbours: small groups spread few particles over many processors.
+#define CELL_THREADS 64
+
+// Groups a dispatch may have in one dimension (Direct3D 11, Vulkan, Metal).
+#define CELL_MAX_GROUPS 65535
 
 float3 _CellOrigin;    // lower corner of the first border cell
 float3 _CellsPerMetre; // 1 over the side of a cell along each axis
 int3 _CellCounts;      // with the border
 
 StructuredBuffer<uint> _CellStart; // first particle of each cell, the number of live ones, and that with those that left in the last step
+
+// Particle of a thread: positions and velocities lie in float4 apart, one aligned load each; a velocity's w is the id.
+uint ParticleIndex(uint3 groupId, uint groupIndex)
+{
+    return (groupId.y * CELL_MAX_GROUPS + groupId.x) * CELL_THREADS + groupIndex;
+}
 
 int3 CellAt(float3 position)
 {
@@ -52,28 +64,11 @@ uint2 CellRun(int3 cell, uint k)
     const uint row = k % 9u;
     const int y = WrapCell(cell.y + int(row % 3u) - 1, _CellCounts.y, _PeriodLength.y);
     const int z = WrapCell(cell.z + int(row / 3u) - 1, _CellCounts.z, _PeriodLength.z);
-    int first = cell.x - 1;
-    int last = cell.x + 1;
     const int inner = _CellCounts.x - 2;
-    if (_PeriodLength.x > 0.0)
-    {
-        const bool low = cell.x == 1;
-        const bool high = cell.x == inner;
-        if (k < 9u)
-        {
-            first = max(first, 1);
-            last = min(last, inner);
-        }
-        else
-        {
-            first = low ? inner : 1;
-            last = low ? inner : (high ? 1 : 0); // else none
-        }
-    }
-    else if (k >= 9u)
-    {
-        last = first - 1;
-    }
+    const bool low = _PeriodLength.x > 0.0 && cell.x == 1;
+    const bool high = _PeriodLength.x > 0.0 && cell.x == inner;
+    const int first = k < 9u ? cell.x - (low ? 0 : 1) : low ? inner : 1;
+    const int last = k < 9u ? cell.x + (high ? 0 : 1) : low || high ? first : 0; // else none
     const uint start = CellNumber(int3(0, y, z));
     return last < first ? uint2(0u, 0u) : uint2(_CellStart[start + uint(first)], _CellStart[start + uint(last + 1)]);
 }
@@ -90,10 +85,7 @@ uint2 CellRun(int3 cell, uint k)
 
 #endif
 
-// The one neighbour loop: every particle j of the rows around a cell, j included where position is its own.
-#define FOR_EACH_NEAR(cell, j) FOR_EACH_NEAR_IF(true, cell, j)
-
-// The same where a condition holds.
+// Where a condition holds, every particle j of the rows around a cell.
 #define FOR_EACH_NEAR_IF(condition, cell, j) \
     for (uint cellRun##j = 0u; (condition) && cellRun##j < CELL_RUNS; cellRun##j++) \
         for (uint2 run##j = CellRun(cell, cellRun##j); run##j.x < run##j.y; run##j.x = run##j.y) \

@@ -1,8 +1,13 @@
 #ifndef SPHFLUID_CELL_SUMS
 #define SPHFLUID_CELL_SUMS
 
-#include "CellTypes.hlsl"
 #include "CellRows.hlsl"
+
+// Threads of a group of the scan, cells that a thread sums, and parts of a group's sum; mirrored by CellRows.cs.
+#define SCAN_THREADS 256
+#define SCAN_CELLS_PER_THREAD 8
+#define SCAN_SUM_PARTS 16
+#define SCAN_CELLS_PER_GROUP (SCAN_THREADS * SCAN_CELLS_PER_THREAD)
 
 // Counts of the cells and of those that left the domain, then the sums of the scan's groups of cells, as SCAN_SUM_PARTS parts each:
 // lanes that count into cells of one group do not wait for one address. Integers, so the order of the counts does not matter.

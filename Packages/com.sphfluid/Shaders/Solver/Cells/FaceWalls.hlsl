@@ -11,7 +11,6 @@
 // Worked example: kappa = 2, d = dx/2: z_0 = 0.5, L = 0.129, the deficit of the lattice there.
 float _SupportRatio;     // kappa = R/dx
 float _MirrorSpacing;    // dx/R
-float3 _DomainHalfSize;  // m
 
 struct WallDensity
 {

@@ -8,6 +8,7 @@
 // w: what the pass wrote beside the other's place. Of the particle itself and of those behind a face AddPair adds nothing: the
 // distance is 0 or beyond any R.
 
+#include "CellRows.hlsl"
 #include "NeighbourList.hlsl"
 #include "MeshWalls.hlsl"
 
@@ -30,23 +31,14 @@ PairSums ListedPairs(uint id, float3 position, PairSums sums)
         const float3 d = Separation(position, place.xyz);
         AddPair(sums, j, place.w, d, SeenSquared(entry, dot(d, d)));
     }
-#if defined(FLUID_MESH_WALLS)
-    const uint slot = _WallSlot[id];
-#endif
+    const uint slot = WallSlot(id);
     FOR_EACH_NEAR_IF(!listed, CellAt(_Positions[id].xyz), other) // the particles of the cells at the sort
     {
         const float4 next = _PositionTerms[other];
         const float3 apart = Separation(position, next.xyz);
-        bool counts = dot(apart, apart) * _InverseSupport * _InverseSupport < 1.0 && other != id;
-#if defined(FLUID_MESH_WALLS)
+        const bool isNear = dot(apart, apart) * _InverseSupport * _InverseSupport < 1.0 && other != id;
         [branch]
-        if (counts && slot != 0u)
-        {
-            counts = !IsCut(WallOf(slot, position), other, next.xyz, apart);
-        }
-#endif
-        [branch]
-        if (counts)
+        if (isNear && !IsParted(isNear ? slot : 0u, position, other, next.xyz, apart))
         {
             AddPair(sums, other, next.w, apart, dot(apart, apart));
         }

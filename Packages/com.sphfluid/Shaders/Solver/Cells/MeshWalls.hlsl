@@ -2,10 +2,60 @@
 #define SPHFLUID_MESH_WALLS
 
 // What GatherWalls found for particles within R of a triangle. A kernel that includes this file declares
-// "#pragma multi_compile_local _ FLUID_MESH_WALLS".
-
-#include "NearWall.hlsl"
+// "#pragma multi_compile_local _ FLUID_MESH_WALLS"; without, the domain's faces are all there is.
 #include "FaceWalls.hlsl"
+
+#define WALL_PLANES 3
+#define NO_PLANE_DISTANCE 1e30 // m
+
+// The walls that a particle sees, from a place.
+struct NearWall
+{
+    float4 Planes[WALL_PLANES]; // unit normal towards the particle, distance of the place [m]; no plane: far away
+    float3 Approach;   // speed of each plane along its normal, m/s
+    float Friction;    // of the first triangle's wall, 0 free slip to 1 no slip; negative: that of the domain's faces
+    float3 Velocity;   // of the first triangle's wall, m/s
+    uint Flags;        // bits 0 to 2: the plane is a face's, not one beyond an edge; bits 4 and 5: the first triangle's plane, 3 for none
+    float Share;       // of the kernel, behind the walls
+    float3 Push[WALL_PLANES]; // its gradient where they were gathered, what each plane's wall has of it, 1/m
+    float3 Turned;     // what the gradient has changed by since
+};
+
+// As stored, for any place until the walls are gathered again: a plane's distance is n.x - offset. Normals to 3e-5, the Hessian and what
+// only holds velocities back to 3 digits. Mirrored by MeshWallBuffers.WallStride; 108 bytes.
+struct PackedPlane
+{
+    uint Normal;       // octahedral, 16 bits a coordinate; axes are exact
+    float Offset;      // m
+    uint Approach;     // speed along the normal as a half float
+};
+
+struct PackedWall
+{
+    PackedPlane Planes[WALL_PLANES];
+    uint VelocityXY;   // half floats
+    uint VelocityZ;    // a half float, and below it friction in thousandths, DOMAIN_FRICTION for the domain's, and flags
+    float3 Origin;     // where the walls were gathered, m
+    float Share;       // there
+    uint3 Hessian;     // R^2 times it: xx, yy, zz, yz, zx, xy as half floats
+    float3 Push[WALL_PLANES]; // there, 1/m
+};
+
+#define DOMAIN_FRICTION 1023u
+
+// Cigolle et al., A Survey of Efficient Representations for Independent Unit Vectors, 2014: oct32.
+float3 UnpackNormal(uint packed)
+{
+    const float2 p = float2(int2(int(packed << 16u) >> 16, int(packed) >> 16)) / 32767.0;
+    const float z = 1.0 - abs(p.x) - abs(p.y);
+    const uint2 signs = asuint(p) & 0x80000000u;
+    return normalize(float3(p - asfloat(asuint(max(-z, 0.0)) | signs), z));
+}
+
+float2 UnpackHalves(uint packed)
+{
+    return float2(f16tof32(packed & 0xffffu), f16tof32(packed >> 16u));
+}
 
 #if defined(FLUID_MESH_WALLS)
 
@@ -16,7 +66,28 @@ static const float OPPOSITE_FACES = -0.5; // the product of their normals: a wed
 
 NearWall WallOf(uint slot, float3 position)
 {
-    return UnpackWall(_NearWalls[max(slot, 1u) - 1u], position, _InverseSupport);
+    const PackedWall packed = _NearWalls[max(slot, 1u) - 1u];
+    NearWall wall;
+    [unroll]
+    for (int k = 0; k < WALL_PLANES; k++)
+    {
+        const float3 normal = UnpackNormal(packed.Planes[k].Normal);
+        wall.Planes[k] = float4(normal, dot(normal, position) - packed.Planes[k].Offset);
+        wall.Approach[k] = f16tof32(packed.Planes[k].Approach);
+    }
+    const uint friction = (packed.VelocityZ >> 6u) & 1023u;
+    wall.Velocity = float3(UnpackHalves(packed.VelocityXY), UnpackHalves(packed.VelocityZ).y);
+    wall.Friction = friction == DOMAIN_FRICTION ? -1.0 : float(friction) / 1000.0;
+    wall.Flags = packed.VelocityZ & 63u;
+    const float3 gone = position - packed.Origin;
+    const float2 xxyy = UnpackHalves(packed.Hessian.x);
+    const float2 zzyz = UnpackHalves(packed.Hessian.y);
+    const float2 zxxy = UnpackHalves(packed.Hessian.z);
+    const float3 shear = float3(zzyz.y, zxxy.x, zxxy.y);
+    wall.Push = packed.Push;
+    wall.Turned = (float3(xxyy, zzyz.x) * gone + shear.zxy * gone.yzx + shear.yzx * gone.zxy) * (_InverseSupport * _InverseSupport);
+    wall.Share = packed.Share + dot(packed.Push[0] + packed.Push[1] + packed.Push[2] + 0.5 * wall.Turned, gone);
+    return wall;
 }
 
 WallDensity DensityOf(NearWall wall)
@@ -25,33 +96,6 @@ WallDensity DensityOf(NearWall wall)
     density.Value = wall.Share;
     density.Gradient = wall.Push[0] + wall.Push[1] + wall.Push[2] + wall.Turned;
     return density;
-}
-
-// shares: what each plane's wall has of the gradient. Of its change each has what lies along its normal, the first the rest.
-WallDensity DensityOf(NearWall wall, out float3 shares[WALL_PLANES])
-{
-    shares = wall.Push;
-    float3 rest = wall.Turned;
-    [unroll]
-    for (int k = 0; k < WALL_PLANES; k++)
-    {
-        const float3 own = wall.Planes[k].w < NO_PLANE_DISTANCE * 0.5 ? dot(rest, wall.Planes[k].xyz) * wall.Planes[k].xyz : float3(0.0, 0.0, 0.0);
-        shares[k] += own;
-        rest -= own;
-    }
-    shares[0] += rest;
-    return DensityOf(wall);
-}
-
-// What a particle's walls add; off is what it has without any.
-WallDensity MeshDensity(uint slot, float3 position, WallDensity off)
-{
-    [branch]
-    if (slot != 0u)
-    {
-        off = DensityOf(WallOf(slot, position));
-    }
-    return off;
 }
 
 // Whether a segment from a particle, -d, goes through a face that it sees and whose normal has less than this along n.
@@ -78,7 +122,7 @@ bool IsCut(NearWall wall, uint other, float3 otherPosition, float3 d)
     {
         const uint otherSlot = _WallSlot[other];
         const uint otherWall = max(otherSlot, 1u) - 1u;
-        const uint faces = otherSlot != 0u ? FacesOf(_NearWalls[otherWall]) : 0u;
+        const uint faces = otherSlot != 0u ? _NearWalls[otherWall].VelocityZ & 7u : 0u;
         for (uint k = 0u; faces >> k != 0u && !cut; k++) // few see more than one
         {
             const PackedPlane plane = _NearWalls[otherWall].Planes[k];
@@ -91,5 +135,43 @@ bool IsCut(NearWall wall, uint other, float3 otherPosition, float3 d)
 }
 
 #endif
+
+// Of a particle; 0 of one that sees no triangle.
+uint WallSlot(uint id)
+{
+#if defined(FLUID_MESH_WALLS)
+    return _WallSlot[id];
+#else
+    return 0u;
+#endif
+}
+
+// What walls add to the density, those of the domain or, near triangles, all.
+WallDensity WallsOf(uint slot, float3 position)
+{
+    WallDensity walls = DomainWalls(position);
+#if defined(FLUID_MESH_WALLS)
+    [branch]
+    if (slot != 0u)
+    {
+        walls = DensityOf(WallOf(slot, position));
+    }
+#endif
+    return walls;
+}
+
+// Whether a sheet parts a particle from another, d away from it.
+bool IsParted(uint slot, float3 position, uint other, float3 otherPosition, float3 d)
+{
+    bool cut = false;
+#if defined(FLUID_MESH_WALLS)
+    [branch]
+    if (slot != 0u)
+    {
+        cut = IsCut(WallOf(slot, position), other, otherPosition, d);
+    }
+#endif
+    return cut;
+}
 
 #endif

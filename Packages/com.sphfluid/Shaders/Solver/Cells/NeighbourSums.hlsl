@@ -1,54 +1,30 @@
 #ifndef SPHFLUID_NEIGHBOUR_SUMS
 #define SPHFLUID_NEIGHBOUR_SUMS
 
-// Sums over the neighbours of a particle, by a pass that finds them and by passes that go through its list.
-// A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_PERIODIC", "#pragma multi_compile_local _ FLUID_MESH_WALLS",
-// and before it
+// Sums over the neighbours of a particle. A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_PERIODIC",
+// "#pragma multi_compile_local _ FLUID_MESH_WALLS", and before it
 //   struct NeighbourSums
-//   NeighbourSums OwnSums()                                                        what a particle adds itself
+//   static const NeighbourSums OWN_SUMS                                            what a particle adds itself
 //   void AddNeighbour(inout NeighbourSums sums, float3 d, float distanceSquared)   what another adds, nothing beyond R
-// SearchedSums sums over the cells around and lists the neighbours. ListedSums sums over that list, from present
-// places: who has come within R since the sort is left out, and its share would be small, (1 - q)^4. At triangles
-// both note in the list who is behind a face: what a curved body cuts off changes from step to step, for both of a pair alike.
-
+#include "NeighbourSearch.hlsl"
 #include "NeighbourList.hlsl"
-#include "NeighbourBits.hlsl"
-#include "FaceWalls.hlsl"
 #include "MeshWalls.hlsl"
 
-StructuredBuffer<float4> _NewPositions; // where the last step or pass left them
-StructuredBuffer<float4> _Velocities;
+StructuredBuffer<float4> _Places; // of the particles: as sorted, or where the last step or pass left them
 RWStructuredBuffer<uint> _NeighboursOut;
 RWStructuredBuffer<uint> _NeighbourCountsOut;
 
 #if defined(FLUID_MESH_WALLS)
 
-RWByteAddressBuffer _ContactArgumentsOut; // emptied here for FindContacts of the same step: groups x, y, z and the number of particles
-
-// Adds another particle unless it is behind a face.
-void AddBeside(inout NeighbourSums sums, uint slot, uint other, float3 position, float3 otherPosition)
-{
-    const float3 d = Separation(position, otherPosition);
-    const float distanceSquared = dot(d, d);
-    [branch]
-    if (distanceSquared < _SupportSquared)
-    {
-        if (!IsCut(WallOf(slot, position), other, otherPosition, d))
-        {
-            AddNeighbour(sums, d, distanceSquared);
-        }
-    }
-}
-
-// Who of the list is behind a face as things stand.
-void NoteBehind(NearWall wall, uint begin, uint end, float3 position)
+// Notes in a list who is behind a face as things stand: what a curved body cuts off changes from step to step, for both of a pair alike.
+void NoteBehind(NearWall wall, float3 position, uint begin, uint end)
 {
     for (uint at = begin; at < end; at += LIST_LANES)
     {
         const uint entry = _NeighboursOut[at];
-        const uint k = ListedParticle(entry);
-        const float3 next = _NewPositions[k].xyz;
-        const uint noted = IsCut(wall, k, next, Separation(position, next)) ? k | LIST_BEHIND : k;
+        const uint j = ListedParticle(entry);
+        const float3 other = _Places[j].xyz;
+        const uint noted = IsCut(wall, j, other, Separation(position, other)) ? j | LIST_BEHIND : j;
         if (noted != entry)
         {
             _NeighboursOut[at] = noted;
@@ -58,74 +34,65 @@ void NoteBehind(NearWall wall, uint begin, uint end, float3 position)
 
 #endif
 
-void EmptyContacts(uint id)
+// By the list of an earlier search: who has come within R since is left out, and its share would be small, (1 - q)^4.
+NeighbourSums ListedSums(uint id, uint count, float3 position)
 {
+    const bool listed = count <= _ListLength;
+    const uint begin = ListPlace(id, 0u);
+    const uint end = begin + (listed ? count : 0u) * LIST_LANES;
+    const uint slot = WallSlot(id);
 #if defined(FLUID_MESH_WALLS)
-    if (id < 4u)
+    [branch]
+    if (slot != 0u)
     {
-        _ContactArgumentsOut.Store(4u * id, id == 1u || id == 2u ? 1u : 0u);
+        NoteBehind(WallOf(slot, position), position, begin, end);
     }
 #endif
-}
-
-// at: where the next entry would stand.
-void EndList(uint id, uint at)
-{
-    const uint count = (at - ListPlace(id, 0u)) / LIST_LANES;
-    if (count % 2u != 0u && count < _ListLength)
+    NeighbourSums sums = OWN_SUMS;
+    for (uint at = begin; at < end; at += LIST_LANES)
     {
-        _NeighboursOut[at] = id;
+        const uint entry = _NeighboursOut[at];
+        const float3 d = Separation(position, _Places[ListedParticle(entry)].xyz);
+        AddNeighbour(sums, d, SeenSquared(entry, dot(d, d)));
     }
-    _NeighbourCountsOut[id] = count;
+    FOR_EACH_NEAR_IF(!listed, CellAt(_Positions[id].xyz), j) // the particles of the cells at the sort
+    {
+        const float3 other = _Places[j].xyz;
+        const float3 apart = Separation(position, other);
+        const bool isNear = dot(apart, apart) < _SupportSquared;
+        [branch]
+        if (j != id && !IsParted(isNear ? slot : 0u, position, j, other, apart)) // beyond R nothing is added
+        {
+            AddNeighbour(sums, apart, dot(apart, apart));
+        }
+    }
+    return sums;
 }
 
-// place: as sorted. walls: what its walls add.
-NeighbourSums SearchedSums(uint id, uint groupIndex, float4 place, out WallDensity walls)
+// By the cells around; lists the neighbours, and those who meet later. place: as sorted.
+NeighbourSums SearchedSums(uint id, uint lane, float4 place)
 {
-    const float3 position = place.xyz;
-    const int3 cell = CellAt(position);
-    walls = DomainWalls(position);
-    NeighbourSums sums = OwnSums();
-    const uint begin = ListPlace(id, 0u);
+    const int3 cell = CellAt(place.xyz);
     const uint end = ListPlace(id, _ListLength);
-    uint at = begin;
-    uint row = 0u;
-    uint2 run = CellRun(cell, 0u);
-    while (row < CELL_RUNS)
+    uint at = ListPlace(id, 0u);
+    NeighbourSums sums = OWN_SUMS;
+    Search search = (Search)0;
+    search.Run = CellRun(cell, 0u);
+    while (search.Row < CELL_RUNS)
     {
-        uint first = groupIndex;
-        uint behind = groupIndex;
-        while (row < CELL_RUNS && behind < CHUNKS * CELL_THREADS)
+        FillChunks(search, cell, lane, id, place);
+        while (search.Next < search.End || search.Chunk.y != 0u)
         {
-            const uint bits = NeighbourBits(run, id, place);
-            waiting[behind] = uint2(run.x, bits);
-            behind += bits != 0u ? CELL_THREADS : 0u;
-            run.x += CHUNK;
-            if (run.x >= run.y)
-            {
-                row++;
-                run = CellRun(cell, min(row, CELL_RUNS - 1u));
-            }
-        }
-        uint2 chunk = uint2(0u, 0u);
-        while (first < behind || chunk.y != 0u)
-        {
-            if (chunk.y == 0u)
-            {
-                chunk = waiting[first];
-                first += CELL_THREADS;
-            }
-            const uint j = chunk.x + firstbitlow(chunk.y);
-            chunk.y &= chunk.y - 1u;
+            const uint j = NextFound(search);
             const float4 other = _Positions[j];
-            const float3 d = Separation(position, other.xyz);
+            const float3 d = Separation(place.xyz, other.xyz);
             const float distanceSquared = dot(d, d);
             AddNeighbour(sums, d, distanceSquared);
             bool counts = distanceSquared < _SupportSquared;
             [branch]
-            if (!counts && LooksAhead(min(place.w, other.w)))
+            if (!counts && min(place.w, other.w) > LEAST_MEETING_REACH * _SupportSquared)
             {
-                counts = Meets(d, _Velocities[id].xyz - _Velocities[j].xyz);
+                counts = Meet(d, id, j);
             }
             if (counts && at < end)
             {
@@ -134,91 +101,19 @@ NeighbourSums SearchedSums(uint id, uint groupIndex, float4 place, out WallDensi
             at += counts ? LIST_LANES : 0u;
         }
     }
-#if defined(FLUID_MESH_WALLS)
-    const uint slot = _WallSlot[id];
-    walls = MeshDensity(slot, position, walls);
-    const bool listed = at <= end;
-    if (slot != 0u)
+    const uint count = (at - ListPlace(id, 0u)) / LIST_LANES;
+    if (count % 2u != 0u && count < _ListLength)
     {
-        sums = OwnSums(); // anew: what is behind a face is left out
+        _NeighboursOut[at] = id;
     }
-    [branch]
-    if (slot != 0u && listed)
-    {
-        const NearWall wall = WallOf(slot, position);
-        for (uint n = begin; n < at; n += LIST_LANES)
-        {
-            const uint k = _NeighboursOut[n];
-            const float3 next = _Positions[k].xyz;
-            const float3 apart = Separation(position, next);
-            if (IsCut(wall, k, next, apart))
-            {
-                _NeighboursOut[n] = k | LIST_BEHIND;
-            }
-            else
-            {
-                AddNeighbour(sums, apart, dot(apart, apart));
-            }
-        }
-    }
-    FOR_EACH_NEAR_IF(slot != 0u && !listed, cell, m)
-    {
-        if (m != id)
-        {
-            AddBeside(sums, slot, m, position, _Positions[m].xyz);
-        }
-    }
-#endif
-    EndList(id, at);
-    return sums;
-}
-
-// position: the present one. walls: what its walls add.
-NeighbourSums ListedSums(uint id, float3 position, out WallDensity walls)
-{
-    walls = DomainWalls(position);
-#if defined(FLUID_MESH_WALLS)
-    const uint slot = _WallSlot[id];
-    walls = MeshDensity(slot, position, walls);
-#endif
-    const uint count = _NeighbourCountsOut[id];
-    const bool listed = count <= _ListLength;
-    const uint begin = ListPlace(id, 0u);
-    const uint end = begin + (listed ? count : 0u) * LIST_LANES;
-    NeighbourSums sums = OwnSums();
+    _NeighbourCountsOut[id] = count;
 #if defined(FLUID_MESH_WALLS)
     [branch]
-    if (slot != 0u)
+    if (WallSlot(id) != 0u)
     {
-        NoteBehind(WallOf(slot, position), begin, end, position);
+        sums = ListedSums(id, count, place.xyz); // anew: what is behind a face is left out
     }
 #endif
-    for (uint at = begin; at < end; at += LIST_LANES)
-    {
-        const uint entry = _NeighboursOut[at];
-        const float3 d = Separation(position, _NewPositions[ListedParticle(entry)].xyz);
-        AddNeighbour(sums, d, SeenSquared(entry, dot(d, d)));
-    }
-    FOR_EACH_NEAR_IF(!listed, CellAt(_Positions[id].xyz), j) // the particles of the cells at the sort
-    {
-        const float3 other = _NewPositions[j].xyz;
-#if defined(FLUID_MESH_WALLS)
-        [branch]
-        if (slot != 0u && j != id)
-        {
-            AddBeside(sums, slot, j, position, other);
-        }
-        const bool isFree = slot == 0u && j != id;
-#else
-        const bool isFree = j != id;
-#endif
-        [branch]
-        if (isFree)
-        {
-            const float3 apart = Separation(position, other);
-            AddNeighbour(sums, apart, dot(apart, apart));
-        }
-    }
     return sums;
 }
 

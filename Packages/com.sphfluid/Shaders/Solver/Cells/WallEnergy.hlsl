@@ -5,7 +5,7 @@
 // the walls' push, so that walls at rest do no work. Lengths are over R, gradients and Hessians per R and R^2.
 #include "TriangleSweep.hlsl"
 #include "EdgeShadow.hlsl"
-#include "NearWall.hlsl"
+#include "MeshWalls.hlsl"
 
 StructuredBuffer<uint> _TriangleEdges; // of each triangle: three bits for edges inside of a plane, the others here, and above them the number of its surface
 

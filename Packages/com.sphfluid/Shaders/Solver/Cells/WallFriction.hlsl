@@ -3,12 +3,11 @@
 
 #include "../DomainFaces.hlsl"
 #include "../WallVelocities.hlsl"
-#include "WallShell.hlsl"
+#include "Wendland.hlsl"
 
 // No slip at the faces of the domain.
-#if defined(FLUID_NO_SLIP)
-
 float _WallViscosity; // m^2/s
+float _ShellDistance; // m: no particle is let nearer to a wall than this by its own speed
 
 // Morris's sum over the liquid's mirror image behind a wall at rest, where velocities are opposite, (4 pi / d) times the integral
 // of z W(z) from d to R = 42 u^5 (1 - 3u/2 + 4u^2/7) / (q R^2), q = d/R, u = 1 - q; for three walls at once.
@@ -43,7 +42,5 @@ float3 WallFriction(float3 position, float3 velocity)
     const float3 rates = rateLow + rateHigh;
     return _WallViscosity * (WallDrive(rateLow, rateHigh) - (rates.yzx + rates.zxy) * velocity);
 }
-
-#endif
 
 #endif

@@ -93,23 +93,14 @@ PairSums NeighbourSums(uint id, float3 position, float3 velocity, float pressure
     const uint count = _NeighbourCounts[id];
     const bool listed = count <= _ListLength;
     PairSums sums = ListedNeighbours(id, listed ? count : 0u, position, velocity, pressure);
-#if defined(FLUID_MESH_WALLS)
-    const uint slot = _WallSlot[id];
-#endif
+    const uint slot = WallSlot(id);
     FOR_EACH_NEAR_IF(!listed, CellAt(_Positions[id].xyz), other) // the particles of the cells at the sort
     {
         const float3 place = _PositionTerms[other].xyz;
         const float3 d = Separation(position, place);
-        bool counts = dot(d, d) < 1.0 / (_InverseSupport * _InverseSupport) && other != id;
-#if defined(FLUID_MESH_WALLS)
+        const bool isNear = dot(d, d) < 1.0 / (_InverseSupport * _InverseSupport) && other != id;
         [branch]
-        if (counts && slot != 0u)
-        {
-            counts = !IsCut(WallOf(slot, position), other, place, d);
-        }
-#endif
-        [branch]
-        if (counts)
+        if (isNear && !IsParted(isNear ? slot : 0u, position, other, place, d))
         {
             const float3 parted = position + float3(Apart(id, other, dot(d, d)), 0.0, 0.0);
             AddNeighbour(sums, other, parted, velocity, pressure);

@@ -10,7 +10,7 @@
 // A kernel that includes this file defines FLUID_PERIODIC, SIDE (samples of the block along an axis), SAMPLE_THREADS and
 // VALUE_WORDS (how much of the groupshared memory it uses itself, afterwards).
 #include "../../Solver/FluidGrid.hlsl"
-#include "../../Solver/PeriodicAxes.hlsl"
+#include "../../Solver/DomainFaces.hlsl"
 #include "../SurfaceGrid.hlsl"
 #include "SurfaceParticles.hlsl"
 

@@ -1,7 +1,7 @@
 #ifndef SPHFLUID_MARK_BLOCKS
 #define SPHFLUID_MARK_BLOCKS
 
-#include "../../Solver/PeriodicAxes.hlsl"
+#include "../../Solver/DomainFaces.hlsl"
 #include "../SurfaceGrid.hlsl"
 #include "SurfaceBlocks.hlsl"
 

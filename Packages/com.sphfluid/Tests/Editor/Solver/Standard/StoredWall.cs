@@ -7,7 +7,7 @@ namespace SphFluid.Tests
     /// <summary>What GatherWalls stores of a particle's walls, seen from a place of the particle.</summary>
     internal readonly struct StoredWall
     {
-        // PackedWall of NearWall.hlsl.
+        // PackedWall of MeshWalls.hlsl.
         [StructLayout(LayoutKind.Sequential)]
         public struct Packed
         {

@@ -1,0 +1,126 @@
+#ifndef SPHFLUID_WALL_STEP
+#define SPHFLUID_WALL_STEP
+
+// The end of a step: what walls do to a velocity and what they get for it, leapfrog, and the count of the cell that the particle ends in.
+#include "../Cells/CellCounting.hlsl"
+#include "../Cells/WallMotion.hlsl"
+#include "../Cells/BodyShares.hlsl"
+#include "../WallForces/WallPatches.hlsl"
+
+StructuredBuffer<float> _Densities; // taken along to the next density
+RWStructuredBuffer<float4> _NewVelocitiesOut;
+float _WallPush; // rho0 / M
+
+struct WallStep
+{
+    float3 Kicked;  // the velocity, m/s
+    float FacePush; // on the faces of the domain: what their -L' is multiplied by, m^2/s
+#if defined(FLUID_FLOATING_BODIES)
+    BodyShares Given;
+#endif
+};
+
+#if defined(FLUID_WALL_FORCES)
+
+// To the faces of the domain. push: what the pressure does, -L' is multiplied by it, m^2/s; cut: what the shell and the face took, m/s.
+void GiveFaces(float3 position, float push, float3 cut)
+{
+    const float3 below = position - _WallsLow;
+    const float3 above = _WallsHigh - position;
+    float3 open = float3(1.0, 1.0, 1.0);
+    float3 low = float3(0.0, 0.0, 0.0);
+    float3 high = float3(0.0, 0.0, 0.0);
+    const bool near = any(min(below, above) < 0.5 / _InverseSupport);
+    [unroll]
+    for (int axis = 0; axis < 3; axis++)
+    {
+        const float2 lowProfile = MirrorProfile(below[axis]);
+        const float2 highProfile = MirrorProfile(above[axis]);
+        open[axis] = (1.0 - lowProfile.x) * (1.0 - highProfile.x);
+        low[axis] = lowProfile.y * (1.0 - highProfile.x);
+        high[axis] = highProfile.y * (1.0 - lowProfile.x);
+    }
+    const float3 both = near ? push * _InverseSupport * float3(open.y * open.z, open.x * open.z, open.x * open.y) : float3(0.0, 0.0, 0.0);
+    low = low * both + max(cut, 0.0);
+    high = high * both + max(-cut, 0.0);
+    [loop]
+    for (uint face = 0u; face < 6u; face++)
+    {
+        const uint along = face >> 1u;
+        const float3 direction = float3(along == 0u ? 1.0 : 0.0, along == 1u ? 1.0 : 0.0, along == 2u ? 1.0 : 0.0);
+        const bool isHigh = (face & 1u) != 0u;
+        const float change = dot(direction, isHigh ? high : low);
+        [branch]
+        if (change != 0.0)
+        {
+            const float3 normal = isHigh ? -direction : direction;
+            GiveToPatches(position - normal * dot(direction, isHigh ? above : below), normal, normal * change);
+        }
+    }
+}
+
+#if defined(FLUID_MESH_WALLS)
+
+// Of the planes that a particle near triangles sees, those of the domain among them.
+void GivePlanes(NearWall wall, float3 position, float3 changes[WALL_PLANES])
+{
+    [loop] // one copy of the loop over rectangles in the kernel, not three
+    for (uint k = 0u; k < uint(WALL_PLANES); k++)
+    {
+        const float3 change = k == 0u ? changes[0] : k == 1u ? changes[1] : changes[2];
+        [branch]
+        if (any(change != 0.0))
+        {
+            const float4 plane = k == 0u ? wall.Planes[0] : k == 1u ? wall.Planes[1] : wall.Planes[2];
+            GiveToPatches(position - plane.w * plane.xyz, plane.xyz, change);
+        }
+    }
+}
+
+#endif
+
+#endif
+
+#if defined(FLUID_MESH_WALLS)
+
+// The planes of triangles. push: rho0 P / M; friction: what they take of the velocity, m/s^2; both have been added already.
+void StepAtPlanes(uint id, NearWall wall, float3 position, float push, float3 friction, inout WallStep step)
+{
+    float3 shares[WALL_PLANES];
+    ShareGradient(wall, shares);
+    float3 changes[WALL_PLANES];
+    [unroll]
+    for (uint k = 0u; k < uint(WALL_PLANES); k++)
+    {
+        changes[k] = _KickStep * ((k == FrictionalPlane(wall) ? friction : float3(0.0, 0.0, 0.0)) - push * shares[k]);
+    }
+    step.Kicked = MeshShell(wall, step.Kicked, changes);
+#if defined(FLUID_WALL_FORCES)
+    GivePlanes(wall, position, changes);
+    step.FacePush = 0.0; // planes stand for the faces
+#endif
+#if defined(FLUID_FLOATING_BODIES)
+    step.Given = SharesOf(_WallBodies[id], changes, position);
+#endif
+}
+
+#endif
+
+// number: the bits of the particle's id, as the w of its velocity.
+void EndStep(uint id, float number, float3 position, WallStep step)
+{
+    const Motion motion = Leapfrog(position, step.Kicked);
+#if defined(FLUID_WALL_FORCES)
+    const float3 cut = motion.Velocity - step.Kicked;
+    GiveFaces(position, step.FacePush, IsFinite(cut) ? cut : float3(0.0, 0.0, 0.0));
+#endif
+    _NewVelocitiesOut[id] = float4(motion.Velocity, number);
+#if defined(FLUID_MESH_WALLS)
+    _NewPositionsOut[id] = float4(motion.Position, _Densities[id]); // contact may still change it, and counts it
+#else
+    CountInCell(id, float4(motion.Position, _Densities[id]));
+#endif
+    CountMaximum(COUNTER_MAX_SPEED, length(motion.Velocity));
+}
+
+#endif
