@@ -121,6 +121,17 @@ namespace SphFluid
         /// <exception cref="ArgumentException">An input is out of range.</exception>
         public virtual FluidMethodFeatures AskedBy(in FluidRuleInput input) => FluidMethodFeatures.None;
 
+        /// <summary>Those of <see cref="Features"/> that are forces.</summary>
+        public virtual FluidMethodFeatures ForceFeatures => FluidMethodFeatures.None;
+
+        /// <summary>Names of the passes that those forces add.</summary>
+        public virtual IEnumerable<string> ForcePasses => Array.Empty<string>();
+
+        /// <summary>The first of some features that <see cref="AskedBy"/> found and another method lacks, as the end of a sentence; null where this method knows none.</summary>
+        /// <param name="missing">The features.</param>
+        /// <param name="input">The liquid.</param>
+        public virtual string Describe(FluidMethodFeatures missing, in FluidRuleInput input) => null;
+
         /// <summary>Whether Automatic may pick it; then it makes <see cref="Offers"/>.</summary>
         public virtual bool MayBePicked => false;
 
@@ -137,7 +148,14 @@ namespace SphFluid
         public void Check(in FluidSolverSettings settings)
         {
             settings.Validate();
+            CheckForces(settings);
             CheckFaces(settings.Boundaries);
+        }
+
+        /// <summary>Checks the constants of the method's forces.</summary>
+        /// <exception cref="ArgumentException">A constant is out of range; the message names it.</exception>
+        protected virtual void CheckForces(in FluidSolverSettings settings)
+        {
         }
 
         /// <summary>Checks that the method can compute with faces of the domain.</summary>

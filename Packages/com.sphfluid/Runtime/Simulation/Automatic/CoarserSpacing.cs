@@ -21,7 +21,7 @@ namespace SphFluid
             {
                 FluidRuleInput coarser = input;
                 coarser.Spacing = Round(input.Spacing * ratio);
-                if (LosesTension(input, coarser)) return;
+                if (LosesForce(input, coarser)) return;
                 long particles = (long)Math.Max(1.0, choice.Particles * Math.Pow(input.Spacing / (double)coarser.Spacing, 3.0));
                 if (!(Fitting(choice, coarser, particles, hasBodies) is FluidMethodKind method)) continue;
                 (choice.ProposedSpacing, choice.ProposedParticles, choice.ProposedMethod) = (coarser.Spacing, particles, method);
@@ -43,9 +43,14 @@ namespace SphFluid
             return null;
         }
 
-        // A liquid whose surface tension acts no more is another liquid.
-        static bool LosesTension(in FluidRuleInput input, in FluidRuleInput coarser) =>
-            (MethodObstacles.AskedBy(input) & ~MethodObstacles.AskedBy(coarser) & FluidMethodFeatures.SurfaceTension) != 0;
+        // A liquid in which a force acts no more is another liquid.
+        static bool LosesForce(in FluidRuleInput input, in FluidRuleInput coarser)
+        {
+            FluidMethodFeatures lost = MethodObstacles.AskedBy(input) & ~MethodObstacles.AskedBy(coarser);
+            foreach (FluidMethod method in FluidMethods.All)
+                if ((lost & method.ForceFeatures) != 0) return true;
+            return false;
+        }
 
         // To three digits, as users type it: 0.031234 m to 0.0312.
         static float Round(double spacing)

@@ -59,10 +59,8 @@ namespace SphFluid
         static string MissingPhysics(in FluidRuleInput input, FluidMethod method)
         {
             FluidMethodFeatures missing = AskedBy(input) & ~method.Features;
-            if ((missing & FluidMethodFeatures.SurfaceTension) != 0)
-                return FormattableString.Invariant($"has no surface tension, which acts in this liquid at a spacing of {1e3 * input.Spacing:G3} mm");
-            if ((missing & FluidMethodFeatures.ImplicitViscosity) != 0)
-                return FormattableString.Invariant($"has no implicit viscosity, which this liquid of {input.KinematicViscosity:G3} m²/s needs");
+            foreach (FluidMethod other in FluidMethods.All)
+                if (other.MayBePicked && other.Describe(missing, input) is string lack) return $"has no {lack}";
             return null;
         }
     }

@@ -32,12 +32,15 @@ namespace SphFluid
         // Of the lattice's stiffness: what settled liquid, which is no lattice, has of it. From columns; robust.md.
         const double Disorder = 0.88;
 
+        // Of the profile's Viscosity Ratio, as Standard has it.
+        const double ViscosityShare = 0.1;
+
         // Of R² M/dt: explicit viscosity keeps half of its border of 0.072.
         const double ViscousLimit = 0.035;
 
         public static FluidSolverSettings Derive(in FluidRuleInput input)
         {
-            FluidSolverSettings settings = CellRules.Derive(input, out _, out double sound, out _);
+            FluidSolverSettings settings = CellRules.Derive(input, ViscosityShare, out _, out double sound, out _);
             settings.TimeStep = input.FixedTimeStep > 0f ? input.FixedTimeStep : (float)(NominalFrame / input.Substeps);
             return settings.WithOwn(new RobustSettings
             {

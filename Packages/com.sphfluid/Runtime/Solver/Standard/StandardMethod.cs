@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace SphFluid
 {
@@ -8,9 +9,10 @@ namespace SphFluid
     {
         static readonly ShaderGroup Group = new ShaderGroup("the Standard method", "Shaders/Solver/Standard",
             groupThreads: 64, buffers: 16, writableBuffers: 6, groupMemory: 6144, vertexBuffers: 0,
-            "StandardDensity", "MoveParticles", "KickParticles", "DiffuseVelocities", "DriftParticles", "SurfaceNormals", "SurfaceTension").With(CellShaders.Group);
+            new[] { "StandardDensity", "MoveParticles", "KickParticles", "DiffuseVelocities", "DriftParticles" }.Concat(StandardForces.Shaders).ToArray())
+            .With(CellShaders.Group);
 
-        static readonly string[] Fields = { "soundSpeedMode", "timeStepFraction", "surfaceTension", "tensionAtAnySpacing", "contactAngle" };
+        static readonly string[] Fields = new[] { "soundSpeedMode", "timeStepFraction" }.Concat(StandardForces.ProfileFields).ToArray();
 
         // A walk over the neighbours that adds little to each, over the mean of those of density and forces: 0.73 measured with 8,160 particles and 7 iterations on llvmpipe.
         const double IterationShare = 0.7;
@@ -20,7 +22,11 @@ namespace SphFluid
         public override FluidMethodFeatures Features => FluidMethodFeatures.OpenFaces | FluidMethodFeatures.BodyContact |
             FluidMethodFeatures.ColliderFriction | FluidMethodFeatures.RelaxedStart | FluidMethodFeatures.FollowingSoundSpeed |
             FluidMethodFeatures.KeptNeighbours | FluidMethodFeatures.ChangingCount |
-            FluidMethodFeatures.ForceZones | FluidMethodFeatures.WallForces | FluidMethodFeatures.SurfaceTension | FluidMethodFeatures.ImplicitViscosity;
+            FluidMethodFeatures.ForceZones | FluidMethodFeatures.WallForces | FluidMethodFeatures.ImplicitViscosity | ForceFeatures;
+
+        public override FluidMethodFeatures ForceFeatures => StandardForces.Features;
+
+        public override IEnumerable<string> ForcePasses => StandardForces.Shaders;
 
         public override ShaderGroup Shaders => Group;
 
@@ -32,16 +38,34 @@ namespace SphFluid
 
         public override double PassesAStep => 3.0;
 
-        public override string CostVariant(in FluidSolverSettings settings) =>
-            (settings.Own<StandardSettings>().ImplicitViscosity ? "+viscous" : "") + (settings.Own<StandardSettings>().SurfaceTension > 0f ? "+tension" : "");
+        public override string CostVariant(in FluidSolverSettings settings)
+        {
+            StandardSettings own = settings.Own<StandardSettings>();
+            return (own.ImplicitViscosity ? "+viscous" : "") + string.Concat(StandardForces.Acting(own).Select(force => force.CostVariant));
+        }
 
         public override FluidMethodFeatures AskedBy(in FluidRuleInput input)
         {
             FluidRuleInput own = input;
             own.Method = Kind;
             StandardSettings settings = Derive(own).Own<StandardSettings>();
-            return (settings.SurfaceTension > 0f ? FluidMethodFeatures.SurfaceTension : FluidMethodFeatures.None) |
-                (settings.ImplicitViscosity ? FluidMethodFeatures.ImplicitViscosity : FluidMethodFeatures.None);
+            FluidMethodFeatures viscous = settings.ImplicitViscosity ? FluidMethodFeatures.ImplicitViscosity : FluidMethodFeatures.None;
+            return StandardForces.Acting(settings).Aggregate(viscous, (asked, force) => asked | force.Feature);
+        }
+
+        public override string Describe(FluidMethodFeatures missing, in FluidRuleInput input)
+        {
+            foreach (ParticleForce force in StandardForces.All)
+                if ((missing & force.Feature) != 0) return force.Describe(input);
+            return (missing & FluidMethodFeatures.ImplicitViscosity) != 0
+                ? FormattableString.Invariant($"implicit viscosity, which this liquid of {input.KinematicViscosity:G3} m²/s needs")
+                : null;
+        }
+
+        protected override void CheckForces(in FluidSolverSettings settings)
+        {
+            StandardSettings own = settings.Own<StandardSettings>();
+            foreach (ParticleForce force in StandardForces.All) force.Validate(own);
         }
 
         public override bool MayBePicked => true;
@@ -56,7 +80,7 @@ namespace SphFluid
             int steps = FrameWork.StepsOf(frameTime, step), perSort = ListReuse.Steps(settings, step, speed);
             StandardSettings own = settings.Own<StandardSettings>();
             double solution = own.ImplicitViscosity ? IterationShare * ImplicitViscosity.Iterations(settings, step) : 0.0;
-            double walks = 2.0 + solution + (own.SurfaceTension > 0f ? 2.0 * IterationShare : 0.0);
+            double walks = 2.0 + solution + IterationShare * StandardForces.Acting(own).Sum(force => force.Walks);
             return new FrameWork(steps, walks, Math.Ceiling(steps / (double)perSort));
         }
 
@@ -72,7 +96,7 @@ namespace SphFluid
                 state.RequireList();
                 if (hasBodies) state.RequireWalls();
                 if (state.Own.ImplicitViscosity) state.RequireViscous();
-                if (state.Own.SurfaceTension > 0f) state.RequireTension();
+                foreach (ParticleForce force in StandardForces.Acting(state.Own)) state.RequireForce(force);
                 return state.Bytes;
             }
         }

@@ -7,7 +7,7 @@ namespace SphFluid
     /// Constants of the Standard method by rule: those of <see cref="CellRules"/>, and
     /// dt = min(0.75 · 0.9 R/(c/M + v_max), 0.4 dx/v_max, 0.035 M R²/ν), M the lattice's moment; <see cref="TimeStepAdvice"/>.
     /// Where the last is less than half of the others, viscosity is implicit and does not count.
-    /// With surface tension c is √(p/(ρ η)) at least, p = 1.28 σ/dx at κ = 2.25, and dt 0.2 √(ρ dx³/σ) at most: <see cref="CapillaryRules"/>.
+    /// A force may ask for a greater c and a smaller dt: <see cref="ParticleForce"/>.
     /// </summary>
     internal static class StandardRules
     {
@@ -16,28 +16,26 @@ namespace SphFluid
         const double ViscousLimit = 0.035;
         const double ViscousBorder = 0.072;
 
+        // Of the profile's Viscosity Ratio: one kernel for density and force needs a tenth of what the thesis's two need.
+        const double ViscosityShare = 0.1;
+
         // τ c/R, and the rate at which density grows over ρ0 c/R.
         const float ImpactTime = 0.4f, ImpactRate = 0.07f;
 
         public static FluidSolverSettings Derive(in FluidRuleInput input)
         {
-            FluidSolverSettings settings = CellRules.Derive(input, out double speed, out double sound, out double kinematic, LeastSound(input, out double tension));
+            var own = new StandardSettings { StableOrder = true, NeighbourList = true, StepsPerSort = ListReuse.MostSteps };
+            foreach (ParticleForce force in StandardForces.All) force.Derive(input, ref own);
+            FluidSolverSettings settings = CellRules.Derive(
+                input, ViscosityShare, out double speed, out double sound, out double kinematic, StandardForces.LeastSoundSpeed(input, own));
             double dx = input.Spacing;
             double radius = input.SupportRatio * dx;
-            double capillary = CapillaryRules.LargestStep(tension, input.RestDensity, dx);
-            bool isImplicit = IsImplicit(input, Advise(dx, radius, sound, speed, kinematic, false, capillary));
-            double step = Advise(dx, radius, sound, speed, kinematic, isImplicit, capillary).Step(input.TimeStepFraction);
+            double forceStep = StandardForces.LargestStep(settings.WithOwn(own));
+            own.ImplicitViscosity = IsImplicit(input, Advise(dx, radius, sound, speed, kinematic, false, forceStep), forceStep);
+            own.SoundSpeed = (float)Math.Sqrt((float)(sound * sound));
+            double step = Advise(dx, radius, sound, speed, kinematic, own.ImplicitViscosity, forceStep).Step(input.TimeStepFraction);
             settings.TimeStep = input.FixedTimeStep > 0f ? input.FixedTimeStep : (float)step;
-            return settings.WithOwn(new StandardSettings
-            {
-                SoundSpeed = (float)Math.Sqrt((float)(sound * sound)),
-                StableOrder = true,
-                NeighbourList = true,
-                StepsPerSort = ListReuse.MostSteps,
-                ImplicitViscosity = isImplicit,
-                SurfaceTension = (float)tension,
-                ContactAngle = input.ContactAngle,
-            });
+            return settings.WithOwn(own);
         }
 
         /// <summary>Advice for a running liquid.</summary>
@@ -45,19 +43,19 @@ namespace SphFluid
         {
             StandardSettings own = settings.Own<StandardSettings>();
             return Advise(settings.Spacing, settings.SupportRadius, settings.SoundSpeed, maxSpeed, settings.Viscosity / settings.RestDensity,
-                own.ImplicitViscosity, CapillaryRules.LargestStep(own.SurfaceTension, settings.RestDensity, settings.Spacing));
+                own.ImplicitViscosity, StandardForces.LargestStep(settings));
         }
 
         /// <summary>Advice from bare numbers. The walls set no limit of their own; the forces are over <see cref="WendlandKernel.LatticeMoment"/>.</summary>
         public static TimeStepAdvice Advise(double spacing, double radius, double sound, double speed, double kinematic, bool isImplicit = false,
-            double capillary = double.PositiveInfinity)
+            double forceStep = double.PositiveInfinity)
         {
             double moment = WendlandKernel.LatticeMoment(radius / spacing);
             double viscous = isImplicit ? ImplicitViscosity.LargestStep(radius / spacing, radius, kinematic) : TimeStepAdvice.ViscousStep(ViscousLimit * moment, radius, kinematic);
             double border = isImplicit ? double.PositiveInfinity : TimeStepAdvice.ViscousStep(ViscousBorder * moment, radius, kinematic);
             return new TimeStepAdvice(
                 AcousticBorder * radius / (sound / moment + speed), TimeStepAdvice.SpeedStep(spacing, speed), viscous, border,
-                double.PositiveInfinity, sound, speed, kinematic, isImplicit, capillary: capillary);
+                double.PositiveInfinity, sound, speed, kinematic, isImplicit, capillary: forceStep);
         }
 
         /// <summary>What StandardDensity.compute needs of the last step: τ/dt, and by how much density may grow in it without τ.</summary>
@@ -68,23 +66,10 @@ namespace SphFluid
         }
 
         // A step that the user gives is taken as it is, so what holds it is chosen by it.
-        static bool IsImplicit(in FluidRuleInput input, in TimeStepAdvice asExplicit)
+        static bool IsImplicit(in FluidRuleInput input, in TimeStepAdvice asExplicit, double forceStep)
         {
             if (input.FixedTimeStep > 0f) return asExplicit.Viscosity < input.FixedTimeStep;
-            return ImplicitViscosity.Pays(asExplicit.Viscosity, Math.Min(asExplicit.SurfaceTension, Math.Min(input.TimeStepFraction * asExplicit.Acoustic, asExplicit.Speed)));
-        }
-
-        // The speed of sound that holds the pull of surface tension; 0 where there is none that acts.
-        static double LeastSound(in FluidRuleInput input, out double tension)
-        {
-            tension = CapillaryRules.Acts(input) ? input.SurfaceTension : 0.0;
-            if (tension == 0.0) return 0.0;
-            if (input.SupportRatio < CapillaryRules.LeastRatio)
-            {
-                throw new ArgumentException(FormattableString.Invariant(
-                    $"The Support Ratio is {input.SupportRatio:G3}; surface tension needs {CapillaryRules.LeastRatio} or more. Raise it, or set Surface Tension to 0."));
-            }
-            return CapillaryRules.LeastSoundSpeed(tension, input.RestDensity, input.Spacing, input.SupportRatio, input.MaxCompression);
+            return ImplicitViscosity.Pays(asExplicit.Viscosity, Math.Min(forceStep, Math.Min(input.TimeStepFraction * asExplicit.Acoustic, asExplicit.Speed)));
         }
     }
 }

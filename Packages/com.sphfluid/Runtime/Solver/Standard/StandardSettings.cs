@@ -1,9 +1,10 @@
-using System;
+using System.Runtime.InteropServices;
 
 namespace SphFluid
 {
-    /// <summary>Constants that only the Standard method has.</summary>
-    public struct StandardSettings : IMethodSettings
+    /// <summary>Constants that only the Standard method has; those of a force are with it.</summary>
+    [StructLayout(LayoutKind.Auto)]
+    public partial struct StandardSettings : IMethodSettings
     {
         /// <summary>Speed of sound c of the equation of state, p = c² (ρ − ρ0) [m/s].</summary>
         public float SoundSpeed;
@@ -32,12 +33,6 @@ namespace SphFluid
         /// </summary>
         public bool ImplicitViscosity;
 
-        /// <summary>Surface tension σ [N/m]; 0: none.</summary>
-        public float SurfaceTension;
-
-        /// <summary>Angle between walls and the liquid's surface, measured in the liquid [degrees], 0 to 180: below 90 the liquid wets them. Acts with <see cref="SurfaceTension"/>.</summary>
-        public float ContactAngle;
-
         /// <inheritdoc/>
         float IMethodSettings.SoundSpeed => SoundSpeed;
 
@@ -53,8 +48,6 @@ namespace SphFluid
         public void Validate()
         {
             Require.Positive(SoundSpeed, nameof(SoundSpeed));
-            Require.NotNegative(SurfaceTension, nameof(SurfaceTension));
-            Require.Within(ContactAngle, 0.0, 180.0, nameof(ContactAngle));
             Require.Positive(StepsPerSort, nameof(StepsPerSort));
         }
     }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using UnityEngine;
 
 namespace SphFluid
@@ -14,8 +15,7 @@ namespace SphFluid
         /// <summary>What an implicit viscosity needs; null where it never was.</summary>
         public ViscousBuffers Viscous { get; private set; }
 
-        /// <summary>What surface tension needs; null where there never was any.</summary>
-        public TensionBuffers Tension { get; private set; }
+        readonly Dictionary<ParticleForce, BufferSet> forces = new Dictionary<ParticleForce, BufferSet>();
 
         /// <summary>How far the density is taken ahead where it grows, over the step before; 0 where that step is not known.</summary>
         public Vector2 Impact { get; set; }
@@ -30,22 +30,28 @@ namespace SphFluid
         protected override bool WantsLists => Own.NeighbourList;
 
         /// <inheritdoc/>
-        protected override long OwnBytes => base.OwnBytes + (Viscous?.Bytes ?? 0) + (Tension?.Bytes ?? 0);
+        protected override long OwnBytes => base.OwnBytes + (Viscous?.Bytes ?? 0) + forces.Values.Sum(buffers => buffers.Bytes);
 
         /// <summary>Makes <see cref="Viscous"/>, if it is not there.</summary>
         public void RequireViscous() => Viscous ??= new ViscousBuffers(Capacity, IsPlanned);
 
-        /// <summary>0 with surface tension, whose constants are calibrated with the whole profile.</summary>
-        public override float SteepestWall => Tension != null ? 0f : base.SteepestWall;
+        /// <summary>0 with a force that needs whole walls.</summary>
+        public override float SteepestWall => forces.Keys.Any(force => force.NeedsWholeWalls) ? 0f : base.SteepestWall;
 
-        /// <summary>Makes <see cref="Tension"/>, if it is not there.</summary>
-        public void RequireTension() => Tension ??= new TensionBuffers(Capacity, IsPlanned);
+        /// <summary>Makes the buffers of a force, if they are not there.</summary>
+        public void RequireForce(ParticleForce force)
+        {
+            if (!forces.ContainsKey(force)) forces.Add(force, force.MakeBuffers(Capacity, IsPlanned));
+        }
+
+        /// <summary>Buffers of a force, by their type; null where it never acted.</summary>
+        public T ForceBuffers<T>() where T : BufferSet => forces.Values.OfType<T>().FirstOrDefault();
 
         /// <inheritdoc/>
         public override void Dispose()
         {
             Viscous?.Dispose();
-            Tension?.Dispose();
+            foreach (BufferSet buffers in forces.Values) buffers.Dispose();
             base.Dispose();
         }
 
@@ -53,10 +59,14 @@ namespace SphFluid
         protected override void ResizeOwn(int capacity, ICollection<IDisposable> replaced)
         {
             ViscousBuffers viscous = Viscous == null ? null : new ViscousBuffers(capacity);
-            TensionBuffers tension = Tension == null ? null : new TensionBuffers(capacity);
             if (Viscous != null) replaced.Add(Viscous);
-            if (Tension != null) replaced.Add(Tension);
-            (Viscous, Tension) = (viscous, tension);
+            Viscous = viscous;
+            foreach (ParticleForce force in forces.Keys.ToArray())
+            {
+                BufferSet buffers = force.MakeBuffers(capacity, false);
+                replaced.Add(forces[force]);
+                forces[force] = buffers;
+            }
         }
     }
 }

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -8,15 +9,14 @@ namespace SphFluid
     /// the stable order makes Scatter two. Triangles add three: GatherWalls before the density, FindContacts and ResolveContacts after
     /// the motion, and bodies that the liquid moves MoveBodies before the first and after the motion. A step that keeps the order and lists of an earlier one has two, ListedDensity and MoveParticles, and the same three of triangles.
     /// An implicit viscosity has several in the place of MoveParticles: KickParticles, DiffuseVelocities and DriftParticles.
-    /// Surface tension adds two before the motion: SurfaceNormals and SurfaceTension.
+    /// A force with passes of its own (<see cref="StandardForces"/>) adds them before the motion.
     /// </summary>
     internal sealed class StandardStepper : CellStepper
     {
         readonly StandardState state;
         readonly StandardDensityPass density;
         readonly MoveParticlesPass moveParticles;
-        SurfaceNormalsPass surfaceNormals;
-        SurfaceTensionPass surfaceTension;
+        readonly Dictionary<ParticleForce, ForcePasses> forces = new Dictionary<ParticleForce, ForcePasses>();
         KickParticlesPass kickParticles;
         DiffuseVelocitiesPass diffuseVelocities;
         DriftParticlesPass driftParticles;
@@ -84,7 +84,8 @@ namespace SphFluid
         /// <inheritdoc/>
         public override void RecordMotion(CommandBuffer cmd, in FluidStep step)
         {
-            if (state.Own.SurfaceTension > 0f) RecordTension(cmd, step);
+            foreach (ParticleForce force in StandardForces.All)
+                if (force.Acts(state.Own)) RecordForce(cmd, force, step);
             if (state.Own.ImplicitViscosity) RecordViscousMotion(cmd, step);
             else moveParticles.Record(cmd, state, step);
             if (state.HasBodies)
@@ -97,13 +98,11 @@ namespace SphFluid
             Order = step.KeepsOrder ? ParticleOrder.Left : ParticleOrder.Counted;
         }
 
-        void RecordTension(CommandBuffer cmd, in FluidStep step)
+        void RecordForce(CommandBuffer cmd, ParticleForce force, in FluidStep step)
         {
-            state.RequireTension();
-            surfaceNormals ??= new SurfaceNormalsPass(Shaders);
-            surfaceTension ??= new SurfaceTensionPass(Shaders);
-            surfaceNormals.Record(cmd, state);
-            surfaceTension.Record(cmd, state, step);
+            state.RequireForce(force);
+            if (!forces.TryGetValue(force, out ForcePasses passes)) forces.Add(force, passes = force.MakePasses(Shaders));
+            passes.Record(cmd, state, step);
         }
 
         void RecordViscousMotion(CommandBuffer cmd, in FluidStep step)

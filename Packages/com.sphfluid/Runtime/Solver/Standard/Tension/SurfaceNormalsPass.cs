@@ -25,7 +25,7 @@ namespace SphFluid
                 TensionBindings.Set(cmd, kernel, state);
                 kernel.SetFloat(cmd, NormalFactor, (float)(radius * settings.ParticleMass * WendlandKernel.SlopeFactor(radius) / settings.RestDensity));
                 kernel.SetFloat(cmd, WallNormal, (float)(0.5 * radius * CapillaryRules.WallShare(state.Own.ContactAngle)));
-                kernel.SetOut(cmd, state.Tension.SurfaceNormals);
+                kernel.SetOut(cmd, state.ForceBuffers<TensionBuffers>().SurfaceNormals);
                 kernel.DispatchThreads(cmd, state.ParticleCount);
             }
         }

@@ -31,7 +31,7 @@ namespace SphFluid
                 kernel.SetFloat(cmd, NormalPull, (float)CapillaryRules.NormalPull(own.SurfaceTension, settings));
                 kernel.SetFloat(cmd, WallPull, (float)(CapillaryRules.WallShare(own.ContactAngle) * cohesion / density));
                 kernel.SetFloat(cmd, KickStep, MotionBindings.KickOf(step));
-                kernel.Set(cmd, state.Tension.SurfaceNormals);
+                kernel.Set(cmd, state.ForceBuffers<TensionBuffers>().SurfaceNormals);
                 kernel.SetOut(cmd, state.Buffers.Velocities);
                 kernel.DispatchThreads(cmd, state.ParticleCount);
             }

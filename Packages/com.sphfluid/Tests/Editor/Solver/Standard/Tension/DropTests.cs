@@ -89,7 +89,7 @@ namespace SphFluid.Tests
             using (var rig = new StandardRig(FluidRules.Derive(input), Ball()))
             {
                 rig.Steps(1);
-                Assert.That(rig.State.Tension, Is.Null);
+                Assert.That(rig.State.ForceBuffers<TensionBuffers>(), Is.Null);
             }
         }
 

@@ -24,10 +24,10 @@ namespace SphFluid.Tests
             {
                 FluidParticle[] particles = rig.FillSorted(ParticleSets.Random(count, 0.95f * Domain, 0f, 4));
                 rig.FillList(particles, listed);
-                rig.State.RequireTension();
+                rig.State.RequireForce(new SurfaceTensionForce());
                 var pass = new SurfaceNormalsPass(rig.Shaders);
                 GpuTest.Run(cmd => pass.Record(cmd, rig.State));
-                Vector4[] found = GpuTest.Read<Vector4>(rig.State.Tension.SurfaceNormals, count);
+                Vector4[] found = GpuTest.Read<Vector4>(rig.State.ForceBuffers<TensionBuffers>().SurfaceNormals, count);
                 Double3[] expected = TensionReference.Normals(settings, particles, 0.9);
                 double largest = expected.Max(n => n.Length) + 0.1;
                 for (int i = 0; i < count; i++)

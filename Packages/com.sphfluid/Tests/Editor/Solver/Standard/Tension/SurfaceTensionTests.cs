@@ -52,7 +52,7 @@ namespace SphFluid.Tests
             int count = rig.State.ParticleCount;
             FluidParticle[] start = rig.FillSorted(ParticleSets.Random(count, part, 0f, 4));
             rig.FillList(start, listed);
-            rig.State.RequireTension();
+            rig.State.RequireForce(new SurfaceTensionForce());
             var normalsPass = new SurfaceNormalsPass(rig.Shaders);
             var pass = new SurfaceTensionPass(rig.Shaders);
             GpuTest.Run(cmd =>
@@ -61,7 +61,7 @@ namespace SphFluid.Tests
                 pass.Record(cmd, rig.State, new FluidStep(TimeStep, 0.5f * TimeStep, false));
             });
             particles = start;
-            normals = GpuTest.Read<Vector4>(rig.State.Tension.SurfaceNormals, count).Select(n => (Double3)(Vector3)n).ToArray();
+            normals = GpuTest.Read<Vector4>(rig.State.ForceBuffers<TensionBuffers>().SurfaceNormals, count).Select(n => (Double3)(Vector3)n).ToArray();
             Vector4[] velocities = GpuTest.Read<Vector4>(rig.State.Buffers.Velocities, count);
             Assert.That(velocities.Select(v => StandardStateRig.ToBits(v.w)), Is.EqualTo(start.Select(p => p.Id)));
             return velocities.Select(v => (Double3)(Vector3)v).ToArray();

@@ -1,0 +1,44 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace SphFluid
+{
+    /// <summary>The forces of the Standard method that have passes of their own, and what they say together.</summary>
+    internal static class StandardForces
+    {
+        /// <summary>The forces; a line each.</summary>
+        public static readonly IReadOnlyList<ParticleForce> All = new ParticleForce[]
+        {
+            new SurfaceTensionForce(),
+        };
+
+        /// <summary>Features that are forces: without one a liquid would be another.</summary>
+        public static FluidMethodFeatures Features => All.Aggregate(FluidMethodFeatures.None, (sum, force) => sum | force.Feature);
+
+        /// <summary>Their shaders.</summary>
+        public static IEnumerable<string> Shaders => All.SelectMany(force => force.Shaders);
+
+        /// <summary>The fields of a profile that they read.</summary>
+        public static IEnumerable<string> ProfileFields => All.SelectMany(force => force.ProfileFields);
+
+        /// <summary>Those that act.</summary>
+        public static IEnumerable<ParticleForce> Acting(StandardSettings settings) => All.Where(force => force.Acts(settings));
+
+        /// <summary>Least speed of sound by which a liquid withstands them [m/s].</summary>
+        public static double LeastSoundSpeed(in FluidRuleInput input, in StandardSettings settings)
+        {
+            double least = 0.0;
+            foreach (ParticleForce force in All) least = Math.Max(least, force.LeastSoundSpeed(input, settings));
+            return least;
+        }
+
+        /// <summary>The largest step that all allow [s].</summary>
+        public static double LargestStep(in FluidSolverSettings settings)
+        {
+            double largest = double.PositiveInfinity;
+            foreach (ParticleForce force in All) largest = Math.Min(largest, force.LargestStep(settings));
+            return largest;
+        }
+    }
+}
