@@ -12,7 +12,7 @@ float _DensityCoefficient;            // m 315 / (64 pi h^9)
 
 int _CellsOfH; // 1: cells are h wide and the 27 around a particle are searched; 0: 2h wide, and eight are
 
-// A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_PERIODIC" or defines FLUID_PERIODIC (PeriodicAxes.hlsl).
+// A kernel that includes this file declares "#pragma multi_compile_local _ FLUID_PERIODIC" or defines FLUID_PERIODIC (DomainFaces.hlsl).
 
 // Along periodic axes the cell beyond the last is the first. Cells are one to two beyond the grid at most.
 int3 WrapCell(int3 cell)
