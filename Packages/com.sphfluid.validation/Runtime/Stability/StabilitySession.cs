@@ -106,8 +106,10 @@ namespace SphFluid.Validation
             var criterion = new StabilityCriterion(scene);
             CaseResult result = null;
             yield return runner(scene.Setup, criterion, r => result = r);
+            double share = scene.Setup.Duration / scene.RequestedDuration;
             string cut = scene.IsCut
-                ? FormattableString.Invariant($"{StabilityScenario.CutText} of {result.Steps} steps at {scene.Setup.Duration / scene.RequestedDuration:P0} of {scene.RequestedDuration:G3} s") : "";
+                ? FormattableString.Invariant($"{StabilityScenario.CutText} of {result.Steps} steps at {share:P0} of {scene.RequestedDuration:G3} s")
+                : "";
             table.Add(new StabilityRow(run, criterion.Conclude(result, cut)));
             if (run.X.Equals(run.Map.X.High))
                 Progress.Say(Line(run));

@@ -37,7 +37,8 @@ namespace SphFluid
                 Add($"\n  {liquid.Particles:N0} particles, {liquid.Slots:N0} slots");
                 if (liquid.Removed > 0) Add($", {liquid.Removed:N0} removed");
                 if (liquid.Refused > 0) Add($", {liquid.Refused:N0} not born for want of slots");
-                Add($"\n  {liquid.StepsPerFrame:0.0} steps a frame of {1e3 * liquid.TimeStep:0.00} ms, real time x {liquid.RealTimeFactor:0.00}");
+                Add($"\n  {liquid.StepsPerFrame:0.0} steps a frame of {1e3 * liquid.TimeStep:0.00} ms");
+                Add($", real time x {liquid.RealTimeFactor:0.00}");
                 text.Append("\n  limited by ").Append(TimeStepAdvice.NameOf(liquid.Limit));
                 if (liquid.CapHits > 0) Add($" and Max Substeps Per Frame, {liquid.MostSteps}");
                 Add($"; {Math.Ceiling(liquid.Bytes / 1048576.0):0} MB");

@@ -61,7 +61,8 @@ namespace SphFluid
             if (spec.TimeStepMode != FluidTimeStepMode.Fixed) return cure;
             FluidSolverSettings settings = Derive(spec, start, start.Gravity);
             double step = FluidRules.Advise(settings, settings.MaxSpeed).Step(spec.Profile.Rules.TimeStepFraction);
-            return cure + System.FormattableString.Invariant($" and Fixed Time Step to {System.Math.Min(TimeStepChecks.RoundedDown(step), spec.FixedTimeStep)} s");
+            double shorter = System.Math.Min(TimeStepChecks.RoundedDown(step), spec.FixedTimeStep);
+            return cure + System.FormattableString.Invariant($" and Fixed Time Step to {shorter} s");
         }
 
         static float FastestSource(in FluidSpec spec, float start)
