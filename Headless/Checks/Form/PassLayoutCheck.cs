@@ -6,7 +6,8 @@ namespace Headless.Checks.Form;
 
 /// <summary>
 /// A pass, its kernels and its tests lie at mirrored paths: Runtime/A/XPass.cs with the class XPass,
-/// Shaders/A/X.compute, which the pass names, and Tests/Editor/A/XTests.cs with tests. Every kernel file has a pass.
+/// Shaders/A/X.compute, which the pass names, and Tests/Editor/A/XTests.cs with tests. Every kernel file has a pass. A folder with a Runtime of its own, such as Thesis,
+/// is laid out like a package.
 /// </summary>
 internal sealed class PassLayoutCheck(ProjectPackages packages)
 {
@@ -17,7 +18,7 @@ internal sealed class PassLayoutCheck(ProjectPackages packages)
     {
         var report = new CheckReport("passes, kernels and tests");
         var count = 0;
-        foreach (var package in packages.All)
+        foreach (var package in packages.All.SelectMany(Rooms))
         {
             var owned = new HashSet<string>();
             foreach (var (file, pass) in Passes(package))
@@ -31,6 +32,10 @@ internal sealed class PassLayoutCheck(ProjectPackages packages)
         report.Figures = $"passes with their kernels and tests: {count}";
         return report;
     }
+
+    /// <summary>A package, and folders of it that are laid out like one: com.sphfluid and com.sphfluid/Thesis.</summary>
+    private static IEnumerable<string> Rooms(string package) =>
+        [package, .. Directory.GetDirectories(package).Where(d => Directory.Exists(Path.Combine(d, "Runtime"))).Order(StringComparer.Ordinal)];
 
     private IEnumerable<string> Check(string package, string file, TypeDeclarationSyntax pass, HashSet<string> owned)
     {
@@ -79,8 +84,9 @@ internal sealed class PassLayoutCheck(ProjectPackages packages)
     /// <summary>Classes that derive from the base of passes and are not abstract, each with its file.</summary>
     private static List<(string File, TypeDeclarationSyntax Type)> Passes(string package)
     {
+        string[] rooms = [.. Rooms(package).Skip(1).Select(r => Path.GetFileName(r) + "/")];
         var types = Files(package, "", "*.cs")
-            .Where(f => !f.StartsWith("Tests/", StringComparison.Ordinal) && !f.Contains('~'))
+            .Where(f => !f.StartsWith("Tests/", StringComparison.Ordinal) && !f.Contains('~') && !rooms.Any(f.StartsWith))
             .SelectMany(f => Types(Path.Combine(package, f)).Select(t => (File: f, Type: t))).ToList();
         var bases = new HashSet<string> { Base };
         var found = new List<(string File, TypeDeclarationSyntax Type)>();
