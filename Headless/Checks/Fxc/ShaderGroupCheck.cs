@@ -6,18 +6,16 @@ namespace Headless.Checks.Fxc;
 /// <summary>Holds the numbers of the package's shader groups, which decide what devices it runs on, against FXC's listings.</summary>
 internal sealed partial class ShaderGroupCheck(string packageRoot)
 {
-    private const string Source = "a shader group of Runtime";
+    private const string Source = "a shader group of the package";
 
     private sealed record Needs(string Folder, int GroupThreads, int Buffers, int WritableBuffers, int GroupMemory, int VertexBuffers, string Keyword);
 
     public void Check(IReadOnlyList<FxcResult> results, CheckReport report)
     {
-        var runtime = Path.Combine(packageRoot, "Runtime");
-        if (!Directory.Exists(runtime)) return;
-        var sources = Directory.GetFiles(runtime, "*.cs", SearchOption.AllDirectories);
+        var sources = Directory.GetFiles(packageRoot, "*.cs", SearchOption.AllDirectories).Where(f => !f.Contains("/Tests/", StringComparison.Ordinal)).ToList();
         if (!sources.Any(f => Path.GetFileName(f) == "ShaderGroup.cs")) return;
         var stated = sources.SelectMany(f => Stated().Matches(File.ReadAllText(f))).Select(Read).ToList();
-        if (stated.Count == 0) { report.Findings.Add("Runtime has no shader group that this check can read"); return; }
+        if (stated.Count == 0) { report.Findings.Add("the package has no shader group that this check can read"); return; }
         var parts = results.GroupBy(r => FolderOf(r.Job, stated));
         foreach (var part in parts.Where(p => p.Key is not null))
         {

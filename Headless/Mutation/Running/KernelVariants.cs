@@ -23,7 +23,7 @@ internal sealed class KernelVariants
             string[] parts = label.Split('|');
             string path = parts[0];
             if (!sources.TryGetValue(path, out ComputeSource? source)) sources.Add(path, source = ComputeSource.Parse(System.IO.Path.Combine(overlay.Project, path), includes));
-            HashSet<string> files = [.. source.Expanded.Files.Where(f => f.StartsWith("Packages/com.sphfluid/Shaders/", StringComparison.Ordinal)).Select(f => f["Packages/com.sphfluid/".Length..])];
+            HashSet<string> files = [.. source.Expanded.Files.Where(f => f.StartsWith("Packages/com.sphfluid/", StringComparison.Ordinal)).Select(f => f["Packages/com.sphfluid/".Length..])];
             variants.Add(new Variant(label, path, parts[1], parts[2].Split(' ', StringSplitOptions.RemoveEmptyEntries), files));
         }
     }

@@ -17,15 +17,20 @@ internal sealed class ProjectOverlay
         Assemblies = Path.Combine(folder, "assemblies");
         foreach (string old in new[] { Project, Assemblies })
             if (Directory.Exists(old)) Directory.Delete(old, recursive: true);
-        Link(source, Project, "Packages", ["Assets", "ProjectSettings"]);
-        Link(Path.Combine(source, "Packages"), Path.Combine(Project, "Packages"), "com.sphfluid");
-        Link(Path.Combine(source, PackagePath), Package, "Shaders");
-        foreach (string file in Directory.EnumerateFiles(Path.Combine(source, PackagePath, "Shaders"), "*", SearchOption.AllDirectories))
+        Link(source, Project, ["Packages"], ["Assets", "ProjectSettings"]);
+        Link(Path.Combine(source, "Packages"), Path.Combine(Project, "Packages"), ["com.sphfluid"]);
+        Link(Path.Combine(source, PackagePath), Package, ["Shaders", "Thesis"]);
+        Link(Path.Combine(source, PackagePath, "Thesis"), Path.Combine(Package, "Thesis"), ["Shaders"]);
+        foreach (string shaders in new[] { "Shaders", "Thesis/Shaders" }.Where(s => Directory.Exists(Path.Combine(source, PackagePath, s))))
         {
-            string copy = Path.Combine(Package, Path.GetRelativePath(Path.Combine(source, PackagePath), file));
-            Directory.CreateDirectory(Path.GetDirectoryName(copy)!);
-            File.Copy(file, copy);
+            foreach (string file in Directory.EnumerateFiles(Path.Combine(source, PackagePath, shaders), "*", SearchOption.AllDirectories))
+            {
+                string copy = Path.Combine(Package, Path.GetRelativePath(Path.Combine(source, PackagePath), file));
+                Directory.CreateDirectory(Path.GetDirectoryName(copy)!);
+                File.Copy(file, copy);
+            }
         }
+
         Directory.CreateDirectory(Assemblies);
         foreach (string file in Directory.EnumerateFiles(assemblies, "*.dll")) File.Copy(file, Path.Combine(Assemblies, Path.GetFileName(file)));
     }
@@ -47,14 +52,15 @@ internal sealed class ProjectOverlay
 
     public void RestoreAssembly(string name) => File.Copy(Path.Combine(built, name + ".dll"), Path.Combine(Assemblies, name + ".dll"), overwrite: true);
 
-    // Everything in a folder but the entry that the overlay has itself.
-    private static void Link(string from, string to, string but, IReadOnlyCollection<string>? only = null)
+    // Everything in a folder but the entries that the overlay has itself.
+    private static void Link(string from, string to, IReadOnlyCollection<string> but, IReadOnlyCollection<string>? only = null)
     {
+        if (!Directory.Exists(from)) return;
         Directory.CreateDirectory(to);
         foreach (string entry in Directory.EnumerateFileSystemEntries(from))
         {
             string name = Path.GetFileName(entry);
-            if (name == but || (only is not null && !only.Contains(name))) continue;
+            if (but.Contains(name) || (only is not null && !only.Contains(name))) continue;
             if (Directory.Exists(entry)) Directory.CreateSymbolicLink(Path.Combine(to, name), entry);
             else File.CreateSymbolicLink(Path.Combine(to, name), entry);
         }

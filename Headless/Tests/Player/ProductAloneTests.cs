@@ -10,7 +10,8 @@ namespace Headless.Tests.Player;
 [Category("Gpu")]
 public sealed class ProductAloneTests
 {
-    private static readonly string[] packageFolders = ["Runtime", "Shaders", "Editor", "Universal"];
+    private const string Thesis = "Thesis";
+    private static readonly string[] packageFolders = ["Runtime", "Shaders", "Editor", "Universal", Thesis];
     private static readonly ProjectPackages packages = new(FuzzProject.Repository);
     private string folder = "";
 
@@ -21,9 +22,15 @@ public sealed class ProductAloneTests
     public void Clean() => Directory.Delete(folder, recursive: true);
 
     [Test]
-    public void TheProductPlaysAlone()
+    public void TheProductPlaysAlone([Values] bool withThesis)
     {
         MakeProject("DamBreak", ProjectPackages.ProductName);
+        if (!withThesis)
+        {
+            Directory.Delete(Path.Combine(folder, "Packages", ProjectPackages.ProductName, Thesis), recursive: true);
+            File.Delete(Path.Combine(folder, "Packages", ProjectPackages.ProductName, Thesis + ".meta"));
+            File.Delete(Path.Combine(folder, "Assemblies", "SphFluid.Thesis.dll"));
+        }
         JsonElement summary = Play("DamBreak", "--fps", "30", "--seconds", "0.0334");
         Assert.That(summary.GetProperty("frames").GetInt32(), Is.EqualTo(2));
         Assert.That(summary.TryGetProperty("state_hash", out _), Is.False, "what measures is not there");
