@@ -99,7 +99,7 @@ namespace SphFluid
                 time = time,
                 particles = live.Length,
                 bytes = length,
-                crc32 = FormattableString.Invariant($"{Crc32.Of(new ReadOnlySpan<byte>(bytes, 0, length)):x8}"),
+                crc32 = FormattableString.Invariant($"{Crc32.Compute(new ReadOnlySpan<byte>(bytes, 0, length)):x8}"),
             });
             if (sinceManifest.Elapsed.TotalSeconds > ManifestSeconds) WriteManifest();
         }
@@ -144,7 +144,7 @@ namespace SphFluid
             var live = new StoredParticle[frame.Count];
             int count = 0;
             for (int i = 0; i < live.Length; i++)
-                if (!frame[i].IsRemoved) live[count++] = StoredParticle.Of(frame[i]);
+                if (!frame[i].IsRemoved) live[count++] = StoredParticle.Create(frame[i]);
             if (count > (int.MaxValue - PlyHeader.MostBytes) / StoredParticle.Stride)
                 throw new ArgumentException($"{count} particles are more than a file of 2 GiB holds. Use a coarser spacing.", nameof(frame));
             Array.Resize(ref live, count);

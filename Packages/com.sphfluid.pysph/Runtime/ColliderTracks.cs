@@ -108,7 +108,7 @@ namespace SphFluid
         static bool Moves(Track track) => track.Path.Moves(StillTolerance * track.Solid.Spacing);
 
         static bool IsFloating(Collider collider) => collider != null && RigidbodyFloat.Moves(collider.attachedRigidbody) && !WheelDiscs.IsWheel(collider) &&
-            ColliderSettings.Of(collider)?.MovedByLiquid != false;
+            ColliderSettings.Find(collider)?.MovedByLiquid != false;
 
         // Sentences begin with what the collider is.
         void Report(FluidObstacle solid, string text, string cure) => report(new FluidMessage(

@@ -101,7 +101,7 @@ namespace SphFluid
             request.MaxParticles = int.MaxValue;
             SpawnResult result = FluidSpawner.Fill(request);
             LiquidChecks.Check(spec, found, result, collision, messages);
-            return new FluidStart(result.Particles, result.Needed, LiquidExtent.Of(shapes, spec.DomainSize), result.Fastest) { Gravity = spec.LocalGravity };
+            return new FluidStart(result.Particles, result.Needed, LiquidExtent.Create(shapes, spec.DomainSize), result.Fastest) { Gravity = spec.LocalGravity };
         }
 
         static IReadOnlyList<FluidParticle> Rested(in FluidSpec spec, FluidStart start, CollisionScene collision, in StartWatch watch, Action<FluidMessage> report)

@@ -31,7 +31,7 @@ namespace SphFluid.Editor
                 ("GPU memory", preview.Lack ?? Invariant($"{preview.GpuBytes / Mebibyte:0.0} MiB, without what draws it")),
                 ("Steps a frame", needed <= most ? Invariant($"{steps:0.#} at {Frames} frames a second")
                     : Invariant($"{most:0}, the most allowed; {needed:0.#} keep real time at {Frames} frames a second")),
-                ("GPU time a frame", Estimate(StepCostKey.Of(preview.Constants, preview.HasBodies), preview.Particles, steps)),
+                ("GPU time a frame", Estimate(StepCostKey.Create(preview.Constants, preview.HasBodies), preview.Particles, steps)),
                 ("Error class", Class(preview, 1.0)),
                 ("Half the spacing", Finer(preview, needed)),
             });
@@ -42,7 +42,7 @@ namespace SphFluid.Editor
         {
             if (preview.Particles == 0) return "depends on what is poured";
             long particles = 8L * preview.Particles;
-            string cost = StepCosts.TryFind(StepCostKey.Of(preview.Constants, preview.HasBodies), particles, out StepCost found)
+            string cost = StepCosts.TryFind(StepCostKey.Create(preview.Constants, preview.HasBodies), particles, out StepCost found)
                 ? Invariant($", about {2.0 * found.Milliseconds * steps:0.0} ms") : "";
             return Invariant($"{particles:N0} particles, {2.0 * steps:0.#} steps a frame{cost}; class {Class(preview, 2.0)}");
         }
@@ -51,7 +51,7 @@ namespace SphFluid.Editor
         {
             if (preview.Particles == 0) return "depends on what is poured";
             FluidSolverSettings constants = preview.Constants;
-            return preview.Depth > 0f ? ErrorClass.Of(constants.Method, constants.SupportRadius / constants.Spacing, finer * preview.Depth / constants.Spacing)
+            return preview.Depth > 0f ? ErrorClass.Describe(constants.Method, constants.SupportRadius / constants.Spacing, finer * preview.Depth / constants.Spacing)
                 : "none: without gravity there are no waves to measure it by";
         }
 

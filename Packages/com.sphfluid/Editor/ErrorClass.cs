@@ -65,7 +65,7 @@ namespace SphFluid.Editor
         /// <param name="supportRatio">κ = R/dx.</param>
         /// <param name="particles">Particles of depth.</param>
         /// <returns>For instance "B, waves within 5 %: 15 particles deep".</returns>
-        public static string Of(FluidMethodKind method, double supportRatio, double particles)
+        public static string Describe(FluidMethodKind method, double supportRatio, double particles)
         {
             string deep = Invariant($"{particles:0.#} particles deep");
             foreach (Row row in Table)

@@ -149,7 +149,7 @@ namespace SphFluid.Editor
         {
             FluidSimulation owner = FluidScene.Owner(emitter, emitter.Simulation, SceneObjects.Find<FluidSimulation>(emitter));
             if (owner == null || EmitterChecks.Check(spec, owner.Spec) != null) return;
-            Bounds wall = EmitterPipe.Of(spec, owner.Spacing, owner.Spec.SupportRadius).Mesh.Bounds;
+            Bounds wall = EmitterPipe.Create(spec, owner.Spacing, owner.Spec.SupportRadius).Mesh.Bounds;
             Gizmos.DrawWireCube(wall.center, wall.size);
         }
 

@@ -26,7 +26,7 @@ namespace SphFluid.Editor
             if (Shown.Problem is FluidMessage problem) EditorGUILayout.HelpBox($"{problem.Text} {problem.Cure}", MessageType.Warning);
             if (!Application.isPlaying) return;
             foreach (FluidReading reading in Shown.Readings)
-                EditorGUILayout.LabelField(ObjectNames.NicifyVariableName(InstrumentText.NameOf(reading)), InstrumentText.Of(reading));
+                EditorGUILayout.LabelField(ObjectNames.NicifyVariableName(InstrumentText.NameOf(reading)), InstrumentText.Describe(reading));
         }
     }
 }

@@ -23,9 +23,9 @@ namespace SphFluid.Editor
             else EditorGUILayout.HelpBox("Select one volume to see its messages.", MessageType.None);
         }
 
-        void OnDisable() => Follow(null);
+        void OnDisable() => Watch(null);
 
-        void Follow(FluidSimulation now)
+        void Watch(FluidSimulation now)
         {
             if (validation == null ? now == null : ReferenceEquals(now, owner)) return;
             validation?.Dispose();
@@ -64,7 +64,7 @@ namespace SphFluid.Editor
 
         void DrawOwner(FluidVolume volume)
         {
-            if (Event.current.type == EventType.Layout) Follow(FluidGizmos.OwnerOf(volume));
+            if (Event.current.type == EventType.Layout) Watch(FluidGizmos.OwnerOf(volume));
             if (owner == null && SceneObjects.IsPrefabAsset(volume))
                 EditorGUILayout.HelpBox("This is a prefab asset: the simulation that it belongs to is found once it is in a scene.", MessageType.Info);
             else if (owner == null)

@@ -63,7 +63,7 @@ namespace SphFluid.Editor
 
         static void Label(FluidInstrument instrument, Vector3 place)
         {
-            if (instrument.HasValue) Handles.Label(place, $"{instrument.name}\n{InstrumentText.Of(instrument.Readings[0])}");
+            if (instrument.HasValue) Handles.Label(place, $"{instrument.name}\n{InstrumentText.Describe(instrument.Readings[0])}");
             else if (instrument.Problem.HasValue) Handles.Label(place, $"{instrument.name}\nno reading");
         }
     }

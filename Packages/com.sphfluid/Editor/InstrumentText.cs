@@ -7,7 +7,7 @@ namespace SphFluid.Editor
     internal static class InstrumentText
     {
         /// <summary>A number of four digits with its unit; a dash where there is none.</summary>
-        public static string Of(FluidReading reading) => double.IsNaN(reading.Value) ? "–"
+        public static string Describe(FluidReading reading) => double.IsNaN(reading.Value) ? "–"
             : string.Format(CultureInfo.InvariantCulture, "{0} {1}", Round(reading.Value), reading.Unit);
 
         /// <summary>The name without its unit: peak_pressure of peak_pressure_pa.</summary>

@@ -52,8 +52,8 @@ namespace SphFluid.Editor
 
         static string Line(FluidSimulation simulation, in FluidSolverSettings constants)
         {
-            string tension = SurfaceTensionText.Of(simulation, constants);
-            return ViscosityText.Of(simulation, constants) + (tension == "" ? "" : "\n" + tension);
+            string tension = SurfaceTensionText.Describe(simulation, constants);
+            return ViscosityText.Describe(simulation, constants) + (tension == "" ? "" : "\n" + tension);
         }
     }
 }

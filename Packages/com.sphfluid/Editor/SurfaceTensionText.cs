@@ -9,7 +9,7 @@ namespace SphFluid.Editor
         /// <param name="simulation">The simulation, with a profile.</param>
         /// <param name="constants">Its constants, present ones or those that it would start with.</param>
         /// <returns>A sentence or two; empty where the profile has no surface tension.</returns>
-        public static string Of(FluidSimulation simulation, in FluidSolverSettings constants)
+        public static string Describe(FluidSimulation simulation, in FluidSolverSettings constants)
         {
             FluidProfile profile = simulation.Profile;
             if (!(profile.SurfaceTension > 0f)) return "";

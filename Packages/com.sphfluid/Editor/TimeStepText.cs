@@ -24,7 +24,7 @@ namespace SphFluid.Editor
         /// <returns>The text.</returns>
         public static TimeStepText Before(FluidSimulation simulation, in FluidSolverSettings constants)
         {
-            return Of(constants, constants.MaxSpeed, StepOf(simulation, constants));
+            return Create(constants, constants.MaxSpeed, StepOf(simulation, constants));
         }
 
         /// <summary>The time step of a simulation that would start with these constants, at the fastest speed that they are made for [s].</summary>
@@ -39,10 +39,10 @@ namespace SphFluid.Editor
         public static TimeStepText Now(FluidSimulation simulation)
         {
             float speed = simulation.Solver.Counters.MaxSpeed;
-            return Of(simulation.Solver.Settings, speed < float.PositiveInfinity ? speed : float.MaxValue, simulation.TimeStep);
+            return Create(simulation.Solver.Settings, speed < float.PositiveInfinity ? speed : float.MaxValue, simulation.TimeStep);
         }
 
-        static TimeStepText Of(in FluidSolverSettings settings, float speed, double step)
+        static TimeStepText Create(in FluidSolverSettings settings, float speed, double step)
         {
             TimeStepAdvice advice = FluidRules.Advise(settings, speed);
             var lines = new List<(string, string)>
@@ -58,7 +58,7 @@ namespace SphFluid.Editor
                 lines.Add(("Limited by", TimeStepAdvice.NameOf(advice.Limit)));
                 lines.Add(("Share in use", FormattableString.Invariant($"{100.0 * step / advice.Largest:0} %")));
             }
-            lines.AddRange(FluidMethods.Of(settings.Method).Remarks(settings, step, speed));
+            lines.AddRange(FluidMethods.Get(settings.Method).Remarks(settings, step, speed));
             return new TimeStepText(lines, advice.Explain(step));
         }
 

@@ -16,7 +16,7 @@ namespace SphFluid.Editor
         /// <param name="simulation">The simulation, with a profile.</param>
         /// <param name="constants">Its constants, present ones or those that it would start with.</param>
         /// <returns>One or two sentences.</returns>
-        public static string Of(FluidSimulation simulation, in FluidSolverSettings constants)
+        public static string Describe(FluidSimulation simulation, in FluidSolverSettings constants)
         {
             double set = simulation.Profile.KinematicViscosity, acts = constants.Viscosity / (double)constants.RestDensity;
             if (acts <= set * Same) return $"'{simulation.name}': {Number(acts)} m²/s acts, as set.{Cost(constants)}";
@@ -57,7 +57,7 @@ namespace SphFluid.Editor
             rules.DomainSize = new Vector3(1f, fall, 1f);
             rules.Spacing = spacing;
             rules.LiquidHeight = rules.LiquidDepth = fall;
-            FluidSolverSettings settings = FluidMethods.Of(FluidMethodKind.Standard).Derive(rules);
+            FluidSolverSettings settings = FluidMethods.Get(FluidMethodKind.Standard).Derive(rules);
             return settings.Viscosity / (double)settings.RestDensity;
         }
 

@@ -39,7 +39,7 @@ namespace SphFluid
         {
             SequenceFrame asked = sequence.Frames[frame];
             ReadOnlySpan<byte> file = ReadFile(asked);
-            if (asked.Crc is uint crc && Crc32.Of(file) != crc) throw new SequenceException("was altered since the sequence was written: its CRC-32 is another");
+            if (asked.Crc is uint crc && Crc32.Compute(file) != crc) throw new SequenceException("was altered since the sequence was written: its CRC-32 is another");
             header.Read(file);
             if (asked.Crc != null && header.Vertex.Count != asked.Particles)
                 throw new SequenceException($"has {header.Vertex.Count} particles where {SequenceManifest.FileName} says {asked.Particles}");

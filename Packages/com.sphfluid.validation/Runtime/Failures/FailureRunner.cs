@@ -65,7 +65,7 @@ namespace SphFluid.Validation
         void Look(FailureResult result)
         {
             FluidStatistics now = meter.MeasureNow();
-            result.Note(detectors.Note(now, solver.ReadCountersNow()));
+            result.Note(detectors.Update(now, solver.ReadCountersNow()));
             result.Add(now, FluidSnapshot.Read(solver));
         }
 

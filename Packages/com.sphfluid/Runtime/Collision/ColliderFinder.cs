@@ -90,10 +90,10 @@ namespace SphFluid
             Owners?.Begin(query.Position, query.Rotation);
             foreach (Collider collider in ordered)
             {
-                IColliderSettings own = ColliderSettings.Of(collider);
+                IColliderSettings own = ColliderSettings.Find(collider);
                 if (own != null && !own.AppliesTo(query.Owner)) continue;
                 float friction = own?.EffectiveFriction ?? ColliderSettings.DomainFriction;
-                ColliderState state = kinds.Of(collider, own, friction, worldToSimulation, query.DomainSize, query.Spacing);
+                ColliderState state = kinds.Get(collider, own, friction, worldToSimulation, query.DomainSize, query.Spacing);
                 // A wheel turns and springs beside its Rigidbody, which therefore does not carry it.
                 bool floats = Owners != null && (own == null || own.MovedByLiquid) && !WheelDiscs.IsWheel(collider);
                 states.Add(floats ? state.With(Owners.OwnerOf(collider)) : state);

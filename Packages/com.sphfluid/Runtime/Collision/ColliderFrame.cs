@@ -18,7 +18,7 @@ namespace SphFluid
             if (!a.HasMeshOf(b)) return false;
             if (!(a.Collider is CapsuleCollider || a.Collider is CharacterController)) return true;
             if (a.Size.z != b.Size.z) return false;
-            double first = RoundShape.Of(a).Aspect, second = RoundShape.Of(b).Aspect;
+            double first = RoundShape.FromCollider(a).Aspect, second = RoundShape.FromCollider(b).Aspect;
             return Math.Abs(first - second) <= AspectTolerance * Math.Max(1.0, first);
         }
 
@@ -29,9 +29,9 @@ namespace SphFluid
         public static bool MayDeform(in ColliderState state) => state.Collider is MeshCollider || state.Collider is CharacterController || state.Collider == null;
 
         /// <summary>The own shape's space to simulation space.</summary>
-        public static AffineMap Of(in ColliderState state)
+        public static AffineMap GetMap(in ColliderState state)
         {
-            AffineMap toSimulation = AffineMap.Of(state.ToSimulation);
+            AffineMap toSimulation = AffineMap.FromMatrix(state.ToSimulation);
             switch (state.Collider)
             {
                 case BoxCollider _:
@@ -40,7 +40,7 @@ namespace SphFluid
                 case SphereCollider _:
                 case CapsuleCollider _:
                 case CharacterController _:
-                    RoundShape round = RoundShape.Of(state);
+                    RoundShape round = RoundShape.FromCollider(state);
                     Vector3 centre = toSimulation.Apply(state.Center);
                     AffineMap turned = Turned(toSimulation, round.Axis);
                     return turned.Scaled(round.Radius).At(centre.x, centre.y, centre.z);
@@ -56,7 +56,7 @@ namespace SphFluid
             AffineMap sign = toSimulation.Determinant < 0.0 ? toSimulation.Scaled(-1.0) : toSimulation;
             if (!PolarDecomposition.TryFind(sign, out PolarDecomposition parts)) return AffineMap.Identity;
             Vector3 from = Column(parts.Rotation, axis).normalized, goal = Column(sign, axis).normalized;
-            return AffineMap.Of(Matrix4x4.Rotate(Quaternion.FromToRotation(from, goal))) * parts.Rotation;
+            return AffineMap.FromMatrix(Matrix4x4.Rotate(Quaternion.FromToRotation(from, goal))) * parts.Rotation;
         }
 
         static Vector3 Column(in AffineMap m, int axis) =>
@@ -88,7 +88,7 @@ namespace SphFluid
         public double Aspect => Radius > 0f ? (double)HalfLength / Radius : 0.0;
 
         /// <summary>Unity keeps spheres round: the largest scale acts on the radius, a capsule's own axis on its height.</summary>
-        public static RoundShape Of(in ColliderState state)
+        public static RoundShape FromCollider(in ColliderState state)
         {
             bool sphere = state.Collider is SphereCollider;
             int axis = sphere ? 1 : (int)state.Size.z;

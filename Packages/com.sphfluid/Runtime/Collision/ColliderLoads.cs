@@ -31,7 +31,7 @@ namespace SphFluid
         /// <param name="domain">Edge lengths of the domain, in which the liquid is [m].</param>
         /// <param name="time">Its time [s]; 0: they may be anywhere at its end.</param>
         /// <param name="longestMotion">Farthest that a point of one went in it, where that is known [m].</param>
-        public void Note(IReadOnlyList<FluidObstacle> solids, Vector3 domain, double time, double longestMotion)
+        public void Record(IReadOnlyList<FluidObstacle> solids, Vector3 domain, double time, double longestMotion)
         {
             (tracks, before) = (before, tracks);
             tracks.Clear();

@@ -113,7 +113,7 @@ namespace SphFluid
 
         static TriangleMesh FromRound(in ColliderState state, float spacing, List<FluidMessage> messages)
         {
-            RoundShape round = RoundShape.Of(state);
+            RoundShape round = RoundShape.FromCollider(state);
             if (!(round.Radius > 0f) || !AffineMath.IsFinite(round.Radius)) return Shapeless(state, messages);
             Quaternion turn = Quaternion.FromToRotation(Vector3.up, AxisOf(state.ToSimulation, round.Axis));
             Matrix4x4 pose = Matrix4x4.TRS(state.ToSimulation.MultiplyPoint3x4(state.Center), turn, Vector3.one);

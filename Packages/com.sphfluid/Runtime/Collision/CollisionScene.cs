@@ -69,12 +69,12 @@ namespace SphFluid
         public bool Gather(in CollisionQuery query)
         {
             if (!finder.Find(query)) return false;
-            Take(finder.States, query);
+            SetColliders(finder.States, query);
             return true;
         }
 
         /// <summary>Makes the triangles of obstacles, again only of those that changed; <see cref="Upload"/> is due then.</summary>
-        public void Take(IReadOnlyList<ColliderState> states, in CollisionQuery query)
+        public void SetColliders(IReadOnlyList<ColliderState> states, in CollisionQuery query)
         {
             Changes++;
             messages.Clear();

@@ -29,7 +29,7 @@ namespace SphFluid
         public const float DomainFriction = -1f;
 
         /// <summary>The nearest settings upwards of a collider or a renderer; null where there are none or they are switched off.</summary>
-        public static IColliderSettings Of(Component collider)
+        public static IColliderSettings Find(Component collider)
         {
             var nearest = collider.GetComponentInParent<IColliderSettings>();
             return nearest != null && nearest.IsActive ? nearest : null;

@@ -17,7 +17,7 @@ namespace SphFluid
                 bool counts = collider.enabled && !collider.isTrigger && (query.Layers & (1 << collider.gameObject.layer)) != 0;
                 if (!counts || !(ColliderTriangles.Problem(collider) is FluidMessage problem)) continue;
                 if (messages.Exists(m => m.Context == collider)) continue;
-                if (ColliderSettings.Of(collider) is IColliderSettings own && !own.AppliesTo(query.Owner)) continue;
+                if (ColliderSettings.Find(collider) is IColliderSettings own && !own.AppliesTo(query.Owner)) continue;
                 if (IntersectsDomain(collider, worldToSimulation, query.HalfExtents)) messages.Add(problem);
             }
         }

@@ -25,7 +25,7 @@ namespace SphFluid
 
         Entry Current(Mesh mesh)
         {
-            MeshStamp stamp = MeshStamp.Of(mesh);
+            MeshStamp stamp = MeshStamp.Read(mesh);
             if (!entries.TryGetValue(mesh, out Entry entry))
             {
                 GoneKeys.Forget(entries);
@@ -92,7 +92,7 @@ namespace SphFluid
             this.bounds = bounds;
         }
 
-        public static MeshStamp Of(Mesh mesh)
+        public static MeshStamp Read(Mesh mesh)
         {
             if (mesh == null) return default;
             long indices = 0;

@@ -99,7 +99,7 @@ namespace SphFluid
         static BodyTriangle Triangle(TriangleMesh mesh, int index)
         {
             mesh.GetTriangle(index, out Vector3 a, out Vector3 b, out Vector3 c);
-            return BodyTriangle.Of(a, b, c);
+            return BodyTriangle.Create(a, b, c);
         }
 
         (int root, bool turned) Find(int t)

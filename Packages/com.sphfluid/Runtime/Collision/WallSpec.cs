@@ -18,6 +18,6 @@ namespace SphFluid
 
         /// <summary>Whether a part below its object is this component's, on one of the layers: the nearest one upwards counts.</summary>
         public readonly bool Has(Component part, LayerMask layers) =>
-            (layers & (1 << part.gameObject.layer)) != 0 && ReferenceEquals(ColliderSettings.Of(part), Settings);
+            (layers & (1 << part.gameObject.layer)) != 0 && ReferenceEquals(ColliderSettings.Find(part), Settings);
     }
 }

@@ -101,7 +101,7 @@ namespace SphFluid
             meter.MeasuredAt += Receive;
             detectors = new FluidDetectors(solver.Settings, simulation.Profile.KinematicViscosity);
             colliderChanges = simulation.Collision.Changes + solver.BirthCount;
-            Take(IsJudged ? detectors.Check() : Array.Empty<FluidFinding>());
+            Publish(IsJudged ? detectors.Check() : Array.Empty<FluidFinding>());
         }
 
         void Measure()
@@ -121,11 +121,11 @@ namespace SphFluid
             if (moment.WorkDone) detectors.Rebase();
             Statistics = statistics;
             MeasurementCount++;
-            Take(IsJudged ? detectors.Note(statistics, meter.Solver.Counters) : Array.Empty<FluidFinding>());
+            Publish(IsJudged ? detectors.Update(statistics, meter.Solver.Counters) : Array.Empty<FluidFinding>());
             Measured?.Invoke(statistics);
         }
 
-        void Take(IReadOnlyList<FluidFinding> findings)
+        void Publish(IReadOnlyList<FluidFinding> findings)
         {
             Findings = findings;
             episodes.Begin();

@@ -71,7 +71,7 @@ namespace SphFluid
                 : Warn($"It is outside of the domain of '{liquid.name}', where there is no liquid.", "Move it into the domain, or assign another Simulation.");
         }
 
-        private protected override double Take(FluidSimulation liquid)
+        private protected override double Measure(FluidSimulation liquid)
         {
             FluidQueries all = liquid.Queries;
             if (query.Equals(default) || all.Answer == answer || !all.TryGetPatch(query, out FluidPatchResult passed)) return -1.0;

@@ -58,7 +58,7 @@ namespace SphFluid
                 : Warn("Its line does not go through the domain, so it reads 0.", "Move this object below the liquid, turn its up axis upwards, or raise Length.");
         }
 
-        private protected override double Take(FluidSimulation liquid)
+        private protected override double Measure(FluidSimulation liquid)
         {
             FluidQueries all = liquid.Queries;
             if (all.Answer == answer || !(reading.Densities(all, out _) is IReadOnlyList<float> densities)) return -1.0;
@@ -75,7 +75,7 @@ namespace SphFluid
         SensorLine Line(FluidSimulation liquid)
         {
             Matrix4x4 toSimulation = DomainSpace.FromWorld(liquid.transform.position, liquid.transform.rotation);
-            return SensorLine.Of(toSimulation.MultiplyPoint3x4(transform.position), toSimulation.MultiplyVector(transform.up), Length, liquid.DomainSize,
+            return SensorLine.Create(toSimulation.MultiplyPoint3x4(transform.position), toSimulation.MultiplyVector(transform.up), Length, liquid.DomainSize,
                 liquid.Solver.Settings.Spacing);
         }
     }

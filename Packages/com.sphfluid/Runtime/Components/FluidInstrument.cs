@@ -65,11 +65,11 @@ namespace SphFluid
         public void ReadNow()
         {
             if (!isActiveAndEnabled) return;
-            Follow();
+            Track();
             if (read == null || !read.IsRunning) return;
             read.Queries.Complete();
             if (read.Solver.MeasuresWallForces) read.Solver.WallForces.Complete();
-            Follow();
+            Track();
         }
 
         /// <summary>Forgets what was read; means, peaks and totals begin anew.</summary>
@@ -81,7 +81,7 @@ namespace SphFluid
 
         /// <summary>Takes what has arrived.</summary>
         /// <returns>Simulated time of a new reading [s]; −1: there is none.</returns>
-        private protected abstract double Take(FluidSimulation liquid);
+        private protected abstract double Measure(FluidSimulation liquid);
 
         /// <summary>Ends the questions to a liquid that may have stopped.</summary>
         private protected abstract void Leave(FluidSimulation liquid);
@@ -101,9 +101,9 @@ namespace SphFluid
             Begin(null);
         }
 
-        void Update() => Follow();
+        void Update() => Track();
 
-        void Follow()
+        void Track()
         {
             FluidSimulation owner = FluidScene.Owner(this, simulation, FluidSimulation.Active);
             if (owner != read) Begin(owner);
@@ -125,7 +125,7 @@ namespace SphFluid
             if (!read.IsRunning) return;
             bool isPlaced = AffineMath.IsFinite(transform.position) && AffineMath.IsFinite(transform.up);
             SetProblem(isPlaced ? Ask(read) : Warn("Its position is not finite, so nothing is read.", "Set it to numbers in metres."));
-            double time = isPlaced ? Take(read) : -1.0;
+            double time = isPlaced ? Measure(read) : -1.0;
             if (time < 0.0 || time == ReadTime) return;
             ReadTime = time;
             Received?.Invoke(this);

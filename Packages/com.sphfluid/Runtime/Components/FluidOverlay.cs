@@ -75,7 +75,7 @@ namespace SphFluid
                 return;
             }
             meter ??= new OverlayMeter(StageTimes.Best);
-            if (!meter.Note(simulation, Time.unscaledDeltaTime, 1.0 / RefreshRate, stageTimes)) return;
+            if (!meter.Update(simulation, Time.unscaledDeltaTime, 1.0 / RefreshRate, stageTimes)) return;
             content.text = meter.Text;
             measured = false;
         }

@@ -145,7 +145,7 @@ namespace SphFluid
                     "Raise Patch Size to four spacings or more, or lower the simulation's Particle Spacing.");
         }
 
-        private protected override double Take(FluidSimulation liquid) => Kind == FluidProbeKind.WallPressure ? TakeWall() : TakePoint(liquid);
+        private protected override double Measure(FluidSimulation liquid) => Kind == FluidProbeKind.WallPressure ? TakeWall() : TakePoint(liquid);
 
         double TakeWall()
         {

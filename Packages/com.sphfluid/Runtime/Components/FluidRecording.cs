@@ -34,7 +34,7 @@ namespace SphFluid
                 simulation.Detach(this);
                 throw;
             }
-            simulation.Updated += Note;
+            simulation.Updated += Remember;
             simulation.Stopped += End;
         }
 
@@ -48,7 +48,7 @@ namespace SphFluid
         public void Dispose()
         {
             IsRecording = false;
-            simulation.Updated -= Note;
+            simulation.Updated -= Remember;
             simulation.Stopped -= End;
             simulation.Detach(this);
         }
@@ -62,7 +62,7 @@ namespace SphFluid
 
         void End(FluidSimulation liquid) => Dispose();
 
-        void Note(FluidSimulation liquid)
+        void Remember(FluidSimulation liquid)
         {
             if (!taken) return;
             taken = false;

@@ -112,13 +112,13 @@ namespace SphFluid
             {
                 PlaceShape();
                 if (read.Queries.Answer == answer) return;
-                if (read.Queries.TryGetBox(shape, out FluidBoxResult held)) Take(held.Fill);
+                if (read.Queries.TryGetBox(shape, out FluidBoxResult held)) SetReading(held.Fill);
                 if (read.Queries.TryGetPatch(shape, out FluidPatchResult passed)) TakeFlow((double)passed.Particles * passed.ParticleVolume);
                 return;
             }
             SensorLine line = Line();
             reading.Place(read.Queries, line, transform.position, transform.up);
-            if (read.Queries.Answer != answer) Take(line);
+            if (read.Queries.Answer != answer) SetReading(line);
         }
 
         void OnDisable() => Begin(null);
@@ -158,7 +158,7 @@ namespace SphFluid
         {
             if (Kind != FluidSensorKind.Level) return SensorLine.Point;
             Matrix4x4 toSimulation = DomainSpace.FromWorld(read.transform.position, read.transform.rotation);
-            return SensorLine.Of(toSimulation.MultiplyPoint3x4(transform.position), toSimulation.MultiplyVector(transform.up), Length, read.DomainSize,
+            return SensorLine.Create(toSimulation.MultiplyPoint3x4(transform.position), toSimulation.MultiplyVector(transform.up), Length, read.DomainSize,
                 read.Solver.Settings.Spacing);
         }
 
@@ -178,27 +178,27 @@ namespace SphFluid
             double time = read.Queries.AnsweredTime, before = flowed, passed = time - flowedTime;
             if (passed <= 0.0 && !double.IsNaN(before)) return;
             (flowed, flowedTime) = (volume, time);
-            if (!double.IsNaN(before)) Take((float)((volume - before) / passed));
+            if (!double.IsNaN(before)) SetReading((float)((volume - before) / passed));
         }
 
-        void Take(in SensorLine line)
+        void SetReading(in SensorLine line)
         {
             if (!(reading.Densities(read.Queries, out FluidPointResult point) is IReadOnlyList<float> densities)) return;
             float restDensity = read.Solver.Settings.RestDensity;
-            Take(Kind == FluidSensorKind.Level ? line.Level(densities, restDensity)
+            SetReading(Kind == FluidSensorKind.Level ? line.Level(densities, restDensity)
                 : Kind == FluidSensorKind.Speed ? point.IsWet ? point.Velocity.magnitude : 0f
                 : Kind == FluidSensorKind.Pressure ? point.Pressure
                 : point.Density / restDensity);
         }
 
-        void Take(float now)
+        void SetReading(float now)
         {
             FluidQueries all = read.Queries;
             double passed = Math.Max(0.0, all.AnsweredTime - answeredTime);
             double share = HasValue && AveragingTime > 0f ? 1.0 - Math.Exp(-passed / AveragingTime) : 1.0;
             Value += (float)share * (now - Value);
             (HasValue, answer, answeredTime) = (true, all.Answer, all.AnsweredTime);
-            int crossed = state.Take(Value, Threshold, Hysteresis);
+            int crossed = state.Update(Value, Threshold, Hysteresis);
             if (crossed > 0) roseAbove.Invoke(Value);
             else if (crossed < 0) fellBelow.Invoke(Value);
         }

@@ -221,7 +221,7 @@ namespace SphFluid
         /// </summary>
         /// <returns>FNV-1a, 64 bits, of the particles by number and the bodies.</returns>
         /// <exception cref="InvalidOperationException">The liquid does not run.</exception>
-        public ulong ComputeStateHash() => StateHash.Of(Running("it has no state").Solver);
+        public ulong ComputeStateHash() => StateHash.Compute(Running("it has no state").Solver);
 
         /// <summary>Ends the liquid's sleep: it takes steps until it has rested again.</summary>
         public void Wake() => run?.Wake();
@@ -237,7 +237,7 @@ namespace SphFluid
             if (!FluidMethods.IsChosen(Method)) throw new InvalidOperationException($"The method of '{name}' is {Method}: there is nothing to choose. Set Method to Automatic.");
             if (run == null || IsPlayedBack) return StartSimulation();
             automatic.ChooseAgain(Spec, run, true, Report);
-            return run.Key.Equals(FluidStartKey.Of(Spec)) || StartSimulation();
+            return run.Key.Equals(FluidStartKey.Create(Spec)) || StartSimulation();
         }
 
         /// <summary>Adds the liquid of a box to the running liquid, where there is a place for it: not in colliders, and not where liquid is.</summary>
@@ -397,16 +397,16 @@ namespace SphFluid
         void LateUpdate()
         {
             if (!requested) return;
-            if (run != null && Profile != null) automatic.Follow(Spec, run, Report);
+            if (run != null && Profile != null) automatic.Update(Spec, run, Report);
             FluidSpec spec = Spec;
-            if (run == null || !run.Key.Equals(FluidStartKey.Of(spec)))
+            if (run == null || !run.Key.Equals(FluidStartKey.Create(spec)))
             {
                 if (!failed.IsUnchanged(spec, Sources())) StartSimulation();
                 if (!IsPlayedBack) return; // what is played is there at once
             }
             run.Timer = Timer;
             FluidScene.Own(this, parts.Volumes);
-            if (!IsPlayedBack) volumeWatch.Follow(spec, run, parts.Volumes, Report);
+            if (!IsPlayedBack) volumeWatch.Update(spec, run, parts.Volumes, Report);
             Advance(spec);
         }
 
@@ -423,7 +423,7 @@ namespace SphFluid
             }
             foreach (FluidMessage message in FluidReports.ErrorsOf(Validate(), failure)) Report(message);
             Release();
-            failed.Note(Spec, Sources());
+            failed.Remember(Spec, Sources());
         }
 
         int Sources()
@@ -436,10 +436,10 @@ namespace SphFluid
         bool Begin(FluidRun started)
         {
             run = started;
-            if (run != null) automatic.Take(run.Start.Choice, Spec);
+            if (run != null) automatic.Accept(run.Start.Choice, Spec);
             if (run?.Start.Choice != null) timing.BeginCosts();
             volumeWatch.Begin(OwnSpec, FluidScene.Volumes(this));
-            if (run == null) failed.Note(Spec, Sources());
+            if (run == null) failed.Remember(Spec, Sources());
             else failed.Forget();
             if (run != null) Started?.Invoke(this);
             return run != null;

@@ -33,7 +33,7 @@ namespace SphFluid
         /// <param name="interval">Time between two texts [s]; the first comes at once.</param>
         /// <param name="withTimes">Whether times of the stages are measured.</param>
         /// <returns>Whether there is a new text.</returns>
-        public bool Note(FluidSimulation only, double deltaTime, double interval, bool withTimes)
+        public bool Update(FluidSimulation only, double deltaTime, double interval, bool withTimes)
         {
             if (withTimes) times ??= new StageTimes(FluidStage.All, clock);
             else DropTimes();

@@ -43,10 +43,10 @@ namespace SphFluid
         /// <param name="statistics">The liquid now. The first ones are what energies are compared with: measure at the start.</param>
         /// <param name="counters">The guards' counts now; what they gained since the last call counts.</param>
         /// <returns>What is wrong now, the findings of <see cref="Check"/> first; empty when all is well.</returns>
-        public IReadOnlyList<FluidFinding> Note(in FluidStatistics statistics, in FluidCounters counters)
+        public IReadOnlyList<FluidFinding> Update(in FluidStatistics statistics, in FluidCounters counters)
         {
             IReadOnlyList<FluidFinding> known = Check();
-            evidence.Note(statistics, counters);
+            evidence.AddStatistics(statistics, counters);
             return Look(OfStatistics, known);
         }
 
@@ -61,7 +61,7 @@ namespace SphFluid
         /// <param name="settings">The constants now.</param>
         public void Apply(in FluidSolverSettings settings)
         {
-            if (evidence.Take(settings)) ofSettings = null;
+            if (evidence.SetConstants(settings)) ofSettings = null;
         }
 
         IReadOnlyList<FluidFinding> Look(FluidDetector[] detectors, IReadOnlyList<FluidFinding> known)

@@ -19,7 +19,7 @@ namespace SphFluid
         public FluidEvidence(in FluidSolverSettings settings, double realViscosity)
         {
             RealViscosity = realViscosity;
-            Take(settings);
+            SetConstants(settings);
         }
 
         public double RealViscosity { get; }
@@ -46,13 +46,13 @@ namespace SphFluid
         public double WaveSpeed => settings.MaxSpeed / Math.Sqrt(2.0);
 
         /// <summary>Whether the density leaves out the particle's own share.</summary>
-        public bool OmitsOwnDensity => FluidMethods.Of(settings.Method).OmitsOwnDensity(settings);
+        public bool OmitsOwnDensity => FluidMethods.Get(settings.Method).OmitsOwnDensity(settings);
 
         /// <summary>Whether the liquid's method has a feature.</summary>
         public bool Has(FluidMethodFeatures feature) => FluidMethods.Has(settings.Method, feature);
 
         /// <summary>What makes the steps shorter, the beginning of a cure.</summary>
-        public string ShorterSteps => FluidMethods.Of(settings.Method).ShorterSteps;
+        public string ShorterSteps => FluidMethods.Get(settings.Method).ShorterSteps;
 
         /// <summary>What makes the liquid stiffer, a cure without its end; for methods whose steps follow the frame that is the number of substeps.</summary>
         public string StifferLiquid => Has(FluidMethodFeatures.StepsByFrame) ? "raise the profile's Substeps" : "raise Expected Speed, or the profile's Sound Speed Ratio";
@@ -81,7 +81,7 @@ namespace SphFluid
 
         /// <summary>Takes note of the constants.</summary>
         /// <returns>Whether they changed.</returns>
-        public bool Take(in FluidSolverSettings now)
+        public bool SetConstants(in FluidSolverSettings now)
         {
             if (Advice.SoundSpeed > 0.0 && Same(now, settings)) return false;
             bool energyStays = now.Gravity == settings.Gravity && now.BodyForce.Equals(settings.BodyForce) &&
@@ -95,7 +95,7 @@ namespace SphFluid
             return true;
         }
 
-        public void Note(in FluidStatistics statistics, in FluidCounters counts)
+        public void AddStatistics(in FluidStatistics statistics, in FluidCounters counts)
         {
             if (HasStatistics && statistics.Step > Now.Step) TimeStep = (statistics.Time - Now.Time) / (statistics.Step - Now.Step);
             else if (!HasStatistics && statistics.Step > 0) TimeStep = statistics.Time / statistics.Step;

@@ -75,7 +75,7 @@ namespace SphFluid
         {
             float gravity = e.Settings.Gravity.magnitude;
             if (!(gravity > 0f) || e.IsDriven) return null;
-            double sound = FluidMethods.Of(e.Settings.Method).EffectiveSoundSpeed(e.Settings, e.TimeStep, e.Now.MaxSpeed);
+            double sound = FluidMethods.Get(e.Settings.Method).EffectiveSoundSpeed(e.Settings, e.TimeStep, e.Now.MaxSpeed);
             double expected = gravity * Depth(e) / (sound * sound);
             double compression = Math.Max(expected, 2.0 * e.Now.MeanCompression);
             if (!(compression > DepthLimit)) return null;

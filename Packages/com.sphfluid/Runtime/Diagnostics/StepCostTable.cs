@@ -46,7 +46,7 @@ namespace SphFluid
         /// <param name="key">Of which steps it is.</param>
         /// <param name="cost">What was measured.</param>
         /// <returns>False where the numbers are none of a measurement, or one of play is known.</returns>
-        public bool Note(in StepCostKey key, in StepCost cost)
+        public bool Record(in StepCostKey key, in StepCost cost)
         {
             if (cost.Particles < 1 || !(cost.Milliseconds > 0.0) || double.IsInfinity(cost.Milliseconds)) return false;
             if (!costs.TryGetValue(key, out SortedList<int, StepCost> sizes)) costs.Add(key, sizes = new SortedList<int, StepCost>());
@@ -101,7 +101,7 @@ namespace SphFluid
                 if (words.Length != 4 || words[3] != "play" && words[3] != "start") continue;
                 if (!long.TryParse(words[1], NumberStyles.None, CultureInfo.InvariantCulture, out long particles)) continue;
                 if (!double.TryParse(words[2], NumberStyles.Float, CultureInfo.InvariantCulture, out double milliseconds)) continue;
-                table.Note(StepCostKey.Parse(words[0]), new StepCost { Particles = particles, Milliseconds = milliseconds, InPlay = words[3] == "play" });
+                table.Record(StepCostKey.Parse(words[0]), new StepCost { Particles = particles, Milliseconds = milliseconds, InPlay = words[3] == "play" });
             }
             return table;
         }

@@ -24,9 +24,9 @@ namespace SphFluid
         /// <summary>Takes in a measurement.</summary>
         /// <param name="key">Of which steps it is.</param>
         /// <param name="cost">What was measured; numbers that are none of a measurement are passed over.</param>
-        public static void Note(in StepCostKey key, in StepCost cost)
+        public static void Record(in StepCostKey key, in StepCost cost)
         {
-            if (Table.Note(key, cost)) Keep();
+            if (Table.Record(key, cost)) Keep();
         }
 
         /// <summary>The cost of a step with a number of particles.</summary>
@@ -41,7 +41,7 @@ namespace SphFluid
         }
 
         /// <summary>Time of a step where the device cannot be timed [ms].</summary>
-        public static double Estimate(FluidMethodKind method, long particles) => 1e-6 * EstimatedPass * FluidMethods.Of(method).PassesAStep * particles;
+        public static double Estimate(FluidMethodKind method, long particles) => 1e-6 * EstimatedPass * FluidMethods.Get(method).PassesAStep * particles;
 
         /// <summary>Puts another table in the place of the present one, which is not kept; for tests.</summary>
         /// <param name="other">The table; null: the kept one again.</param>

@@ -27,7 +27,7 @@ namespace SphFluid
         EmitterOutline(in EmitterSpec emitter, float spacing)
         {
             mesh = emitter.Mesh;
-            stamp = MeshStamp.Of(mesh);
+            stamp = MeshStamp.Read(mesh);
             scale = emitter.Scale;
             this.spacing = spacing;
             Places = Find(mesh, scale, spacing);
@@ -39,10 +39,10 @@ namespace SphFluid
         /// <summary>The outline of an emitter of the shape Mesh, made anew where its mesh, scale or spacing are others.</summary>
         /// <param name="emitter">The emitter; without a mesh that can be read it has no places.</param>
         /// <param name="spacing">Particle spacing [m].</param>
-        public static EmitterOutline Of(in EmitterSpec emitter, float spacing)
+        public static EmitterOutline Create(in EmitterSpec emitter, float spacing)
         {
             EmitterOutline known = emitter.State?.Outline;
-            bool serves = known != null && ReferenceEquals(known.mesh, emitter.Mesh) && known.stamp.Equals(MeshStamp.Of(emitter.Mesh)) &&
+            bool serves = known != null && ReferenceEquals(known.mesh, emitter.Mesh) && known.stamp.Equals(MeshStamp.Read(emitter.Mesh)) &&
                 known.scale.Equals(emitter.Scale) && known.spacing.Equals(spacing);
             if (serves) return known;
             var made = new EmitterOutline(emitter, spacing);

@@ -44,7 +44,7 @@ namespace SphFluid
         /// <param name="emitter">The emitter, with a size that can be computed with.</param>
         /// <param name="spacing">Particle spacing [m].</param>
         /// <param name="reach">Support radius [m].</param>
-        public static EmitterPipe Of(in EmitterSpec emitter, float spacing, float reach)
+        public static EmitterPipe Create(in EmitterSpec emitter, float spacing, float reach)
         {
             EmitterPipe known = emitter.State.Pipe;
             bool serves = known != null && known.shape == emitter.Shape && known.size.Equals(emitter.Size) && known.spacing.Equals(spacing) && known.reach.Equals(reach);

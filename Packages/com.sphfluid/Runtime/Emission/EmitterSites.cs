@@ -29,7 +29,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">The nozzle needs more than <see cref="Most"/>.</exception>
         public static EmitterSites For(in EmitterSpec emitter, float spacing)
         {
-            if (emitter.Shape == FluidEmitterShape.Mesh) return new EmitterSites(EmitterOutline.Of(emitter, spacing).Places, spacing);
+            if (emitter.Shape == FluidEmitterShape.Mesh) return new EmitterSites(EmitterOutline.Create(emitter, spacing).Places, spacing);
             double area = emitter.Area(spacing), cell = (double)spacing * spacing;
             double needed = Math.Max(1.0, Math.Ceiling(area / cell - 1e-3));
             if (!(needed <= Most))

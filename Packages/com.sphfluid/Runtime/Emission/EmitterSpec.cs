@@ -44,7 +44,7 @@ namespace SphFluid
         {
             FluidEmitterShape.Disc => System.Math.PI / 4.0 * Size.x * Size.y,
             FluidEmitterShape.Line => (double)Size.x * spacing,
-            FluidEmitterShape.Mesh => EmitterOutline.Of(this, spacing).Places.Length * ((double)spacing * spacing),
+            FluidEmitterShape.Mesh => EmitterOutline.Create(this, spacing).Places.Length * ((double)spacing * spacing),
             _ => (double)Size.x * Size.y,
         };
 

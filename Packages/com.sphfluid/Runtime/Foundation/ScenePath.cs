@@ -11,7 +11,7 @@ namespace SphFluid
     internal static class ScenePath
     {
         /// <summary>The path of a component of a loaded scene.</summary>
-        public static string Of(Component component)
+        public static string GetPath(Component component)
         {
             string path = "";
             for (Transform t = component.transform; t != null; t = t.parent) path = $"{(t.parent == null ? "" : "/")}{t.name}{Numbered(NumberOf(t))}{path}";

@@ -37,7 +37,7 @@ namespace SphFluid
         {
             this.buffer = buffer;
             RestDensity = restDensity;
-            readback = new NumberReadback(Slots, Take);
+            readback = new NumberReadback(Slots, Receive);
         }
 
         public FluidCounters Counters => counters;
@@ -82,7 +82,7 @@ namespace SphFluid
             readback.Dispose();
         }
 
-        void Take(uint[] values)
+        void Receive(uint[] values)
         {
             counters.AccelerationLimitHits += Added(values, AccelerationLimit);
             counters.DomainClamps += Added(values, DomainClamp);

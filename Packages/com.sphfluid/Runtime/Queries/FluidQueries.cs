@@ -48,7 +48,7 @@ namespace SphFluid
         internal long Answer => Current?.Number ?? 0;
 
         /// <summary>All present answers of points, by <see cref="FluidQuery.Index"/>, for jobs that end within the frame; empty while there are none. Only <see cref="TryGet"/> knows whose they are.</summary>
-        public NativeArray<FluidPointResult>.ReadOnly Points => Current == null ? default : Current.Of<FluidPointResult>(QueryKind.Point).AsReadOnly();
+        public NativeArray<FluidPointResult>.ReadOnly Points => Current == null ? default : Current.GetAnswers<FluidPointResult>(QueryKind.Point).AsReadOnly();
 
         QueryReadback Current => answers.Current;
 

@@ -26,7 +26,7 @@ namespace SphFluid
         {
             this.asked = asked;
             this.received = received;
-            for (int i = 0; i < Readbacks; i++) readbacks[i] = new QueryReadback(Take);
+            for (int i = 0; i < Readbacks; i++) readbacks[i] = new QueryReadback(Receive);
         }
 
         /// <summary>The newest answers; null while there are none.</summary>
@@ -117,7 +117,7 @@ namespace SphFluid
             results = GpuBuffers.Create("Fluid Query Results", capacity, QueryReadback.Stride);
         }
 
-        void Take(QueryReadback arrived)
+        void Receive(QueryReadback arrived)
         {
             if (arrived.Run != run || Current != null && Current.Number > arrived.Number) return;
             Current = arrived;

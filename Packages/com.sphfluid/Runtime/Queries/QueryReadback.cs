@@ -52,7 +52,7 @@ namespace SphFluid
         }
 
         /// <summary>The answers of a kind, without a copy.</summary>
-        public NativeArray<T> Of<T>(QueryKind kind) where T : struct
+        public NativeArray<T> GetAnswers<T>(QueryKind kind) where T : struct
         {
             (int first, int count) = Range(kind);
             return values.GetSubArray(first, count).Reinterpret<T>(Stride);
@@ -62,7 +62,7 @@ namespace SphFluid
         public bool TryGet<T>(QueryKind kind, int index, out T result) where T : struct
         {
             bool wasAsked = index < Range(kind).count;
-            result = wasAsked ? Of<T>(kind)[index] : default;
+            result = wasAsked ? GetAnswers<T>(kind)[index] : default;
             return wasAsked;
         }
 

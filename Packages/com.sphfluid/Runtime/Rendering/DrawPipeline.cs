@@ -28,12 +28,12 @@ namespace SphFluid
             get
             {
                 RenderPipelineAsset asset = GraphicsSettings.currentRenderPipeline;
-                return asset == null ? DrawPipelineKind.BuiltIn : Of(asset.GetType().Name);
+                return asset == null ? DrawPipelineKind.BuiltIn : Identify(asset.GetType().Name);
             }
         }
 
         /// <summary>The pipeline that an asset of this class belongs to.</summary>
-        public static DrawPipelineKind Of(string assetClass) =>
+        public static DrawPipelineKind Identify(string assetClass) =>
             assetClass == HighDefinitionAsset ? DrawPipelineKind.HighDefinition : DrawPipelineKind.Universal;
 
         /// <summary>

@@ -32,7 +32,7 @@ namespace SphFluid
         public Light Light { get; private set; }
 
         /// <summary>Keeps the map of this light from now on; of none where it is null or casts no shadows.</summary>
-        public void Follow(Light light)
+        public void Watch(Light light)
         {
             Light wanted = light != null && light.shadows != LightShadows.None && QualitySettings.shadows != ShadowQuality.Disable ? light : null;
             if (wanted != Light || (wanted == null && !ReferenceEquals(Light, null)))

@@ -76,14 +76,14 @@ namespace SphFluid
         static void PrepareBuiltIn(Camera camera)
         {
             Shader.SetGlobalVector(RenderShaderIds.FluidShadowSource, Vector4.zero);
-            map.Follow(lighting.MainLight());
+            map.Watch(lighting.MainLight());
         }
 
         // The pipeline sets the strength where it draws a map for this camera, and leaves it as it is where it does not.
         static void PrepareScriptable(ScriptableRenderContext context, Camera camera)
         {
             bool universal = DrawPipeline.Active == DrawPipelineKind.Universal;
-            map.Follow(null);
+            map.Watch(null);
             cmd.Clear();
             cmd.SetGlobalVector(RenderShaderIds.FluidShadowSource, new Vector4(universal ? Universal : None, 0f, 0f, 0f));
             if (universal)

@@ -16,12 +16,12 @@ namespace SphFluid
         public string Text { get; }
 
         /// <summary>The route of the pipeline that draws now.</summary>
-        public static WaterRoute Active => Of(DrawPipeline.Active, WaterCameras.Universal != null);
+        public static WaterRoute Active => Choose(DrawPipeline.Active, WaterCameras.Universal != null);
 
         /// <summary>The route of a pipeline.</summary>
         /// <param name="kind">The pipeline.</param>
         /// <param name="hasUniversal">Whether the package's assembly for the Universal Render Pipeline is compiled.</param>
-        public static WaterRoute Of(DrawPipelineKind kind, bool hasUniversal)
+        public static WaterRoute Choose(DrawPipelineKind kind, bool hasUniversal)
         {
             switch (kind)
             {

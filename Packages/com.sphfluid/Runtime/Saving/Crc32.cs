@@ -17,7 +17,7 @@ namespace SphFluid
         /// <summary>The check of bytes that follow others.</summary>
         /// <param name="bytes">The bytes.</param>
         /// <param name="before">The check of those before; 0 where there are none.</param>
-        public static uint Of(ReadOnlySpan<byte> bytes, uint before = 0u)
+        public static uint Compute(ReadOnlySpan<byte> bytes, uint before = 0u)
         {
             uint crc = ~before;
             while (bytes.Length >= Slices)

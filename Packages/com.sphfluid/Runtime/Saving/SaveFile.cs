@@ -48,7 +48,7 @@ namespace SphFluid
         {
             var header = new Header { Magic = Magic, Version = Version, Sections = sections.Count };
             foreach ((string _, SaveWriter contents) in sections) header.Length += SectionHeaderSize + contents.Bytes.Length;
-            header.Check = Crc32.Of(SaveWriter.BytesOf(header).Slice(0, HeaderSize - sizeof(uint)));
+            header.Check = Crc32.Compute(SaveWriter.BytesOf(header).Slice(0, HeaderSize - sizeof(uint)));
             stream.Write(SaveWriter.BytesOf(header));
             foreach ((string name, SaveWriter contents) in sections)
             {
@@ -65,17 +65,17 @@ namespace SphFluid
         /// <exception cref="InvalidDataException">It is none, of another version, or not whole; the message ends a sentence that begins with "the save".</exception>
         public static Dictionary<string, byte[]> Read(Stream stream)
         {
-            byte[] first = Take(stream, HeaderSize);
+            byte[] first = ReadBytes(stream, HeaderSize);
             Header header = MemoryMarshal.Read<Header>(first);
             if (header.Magic != Magic) throw new InvalidDataException("is no save of a liquid");
             if (header.Version != Version) throw new InvalidDataException($"has the version {header.Version}, and this version of the package reads {Version}");
-            if (header.Check != Crc32.Of(first.AsSpan(0, HeaderSize - sizeof(uint)))) throw Altered();
+            if (header.Check != Crc32.Compute(first.AsSpan(0, HeaderSize - sizeof(uint)))) throw Altered();
             var sections = new Dictionary<string, byte[]>();
             for (int i = 0; i < header.Sections; i++)
             {
-                SectionHeader section = MemoryMarshal.Read<SectionHeader>(Take(stream, SectionHeaderSize));
+                SectionHeader section = MemoryMarshal.Read<SectionHeader>(ReadBytes(stream, SectionHeaderSize));
                 if (section.Length < 0 || section.Length > Math.Min(header.Length, int.MaxValue - Chunk)) throw Altered();
-                byte[] contents = Take(stream, section.Length);
+                byte[] contents = ReadBytes(stream, section.Length);
                 if (section.Check != CheckOf(section, contents)) throw Altered();
                 sections[NameOf(section.Name)] = contents;
             }
@@ -85,7 +85,7 @@ namespace SphFluid
         static InvalidDataException Altered() => new InvalidDataException("was altered since it was written");
 
         // In pieces: a length that is wrong makes no array of its size.
-        static byte[] Take(Stream stream, long count)
+        static byte[] ReadBytes(Stream stream, long count)
         {
             var taken = new byte[(int)Math.Min(count, Chunk)];
             int read = 0;
@@ -100,7 +100,7 @@ namespace SphFluid
         }
 
         static uint CheckOf(in SectionHeader section, ReadOnlySpan<byte> contents) =>
-            Crc32.Of(contents, Crc32.Of(SaveWriter.BytesOf(section).Slice(0, SectionHeaderSize - sizeof(uint))));
+            Crc32.Compute(contents, Crc32.Compute(SaveWriter.BytesOf(section).Slice(0, SectionHeaderSize - sizeof(uint))));
 
         static ulong NumberOf(string name)
         {

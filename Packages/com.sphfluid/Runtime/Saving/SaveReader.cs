@@ -27,7 +27,7 @@ namespace SphFluid
 
         /// <summary>Reads a value.</summary>
         /// <exception cref="InvalidDataException">The section ends before it.</exception>
-        public T Read<T>() where T : unmanaged => MemoryMarshal.Read<T>(Take(SizeOf<T>()));
+        public T Read<T>() where T : unmanaged => MemoryMarshal.Read<T>(ReadBytes(SizeOf<T>()));
 
         /// <summary>Reads items and their number.</summary>
         /// <exception cref="InvalidDataException">The section ends before them.</exception>
@@ -35,7 +35,7 @@ namespace SphFluid
         {
             int count = Read<int>();
             if (count < 0) throw Ended();
-            return MemoryMarshal.Cast<byte, T>(Take((long)count * SizeOf<T>())).ToArray();
+            return MemoryMarshal.Cast<byte, T>(ReadBytes((long)count * SizeOf<T>())).ToArray();
         }
 
         /// <summary>Reads a text.</summary>
@@ -64,11 +64,11 @@ namespace SphFluid
         {
             var found = new Dictionary<string, T>();
             for (int i = 0; i < (items?.Count ?? 0); i++)
-                if (component(items[i]) != null) found.TryAdd(ScenePath.Of(component(items[i])), items[i]);
+                if (component(items[i]) != null) found.TryAdd(ScenePath.GetPath(component(items[i])), items[i]);
             return found;
         }
 
-        ReadOnlySpan<byte> Take(long count)
+        ReadOnlySpan<byte> ReadBytes(long count)
         {
             if (count > bytes.Length - place) throw Ended();
             place += (int)count;

@@ -31,7 +31,7 @@ namespace SphFluid
         public void WriteText(string text) => WriteItems(new ReadOnlySpan<byte>(Encoding.UTF8.GetBytes(text)));
 
         /// <summary>Writes what a component is found again by, in this session or another.</summary>
-        public void WriteKey(Component component) => WriteText(component == null ? "" : ScenePath.Of(component));
+        public void WriteKey(Component component) => WriteText(component == null ? "" : ScenePath.GetPath(component));
 
         /// <summary>Writes what a reader may pass over as a whole.</summary>
         public void WritePart(Action<SaveWriter> write)

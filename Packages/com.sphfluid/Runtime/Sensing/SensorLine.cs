@@ -35,7 +35,7 @@ namespace SphFluid
         /// <param name="length">Its length [m].</param>
         /// <param name="domain">Edge lengths of the domain [m].</param>
         /// <param name="spacing">Particle spacing [m].</param>
-        public static SensorLine Of(Vector3 foot, Vector3 direction, float length, Vector3 domain, float spacing)
+        public static SensorLine Create(Vector3 foot, Vector3 direction, float length, Vector3 domain, float spacing)
         {
             length = length > 0f ? Math.Min(length, 2f * domain.magnitude) : 0f;
             float from = 0f, to = length;

@@ -16,7 +16,7 @@ namespace SphFluid
         /// <param name="threshold">What it crosses.</param>
         /// <param name="hysteresis">Width of the band, 0 or more.</param>
         /// <returns>1 when it rose above, -1 when it fell below, else 0.</returns>
-        public int Take(float value, float threshold, float hysteresis)
+        public int Update(float value, float threshold, float hysteresis)
         {
             float half = hysteresis > 0f ? 0.5f * hysteresis : 0f;
             bool above = !isKnown ? value > threshold : IsAbove ? value >= threshold - half : value > threshold + half;

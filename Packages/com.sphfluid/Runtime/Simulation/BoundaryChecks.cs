@@ -22,7 +22,7 @@ namespace SphFluid
         public static bool FacesAreWrong(FluidSpec spec) => Fault(() => CheckFaces(spec)) != null;
 
         /// <summary>Whether the simulation, with a profile, searches cells of 2R.</summary>
-        public static bool SearchesOctants(in FluidSpec spec) => FluidMethods.Has(spec.Method) && FluidMethods.Of(spec.Method).SearchesOctants(spec.Profile.Rules);
+        public static bool SearchesOctants(in FluidSpec spec) => FluidMethods.Has(spec.Method) && FluidMethods.Get(spec.Method).SearchesOctants(spec.Profile.Rules);
 
         static string Fault(FluidSpec spec) =>
             Fault(() => CheckFaces(spec)) ?? Fault(() => spec.BodyForce.Validate(spec.Boundaries.Periodic));
@@ -42,7 +42,7 @@ namespace SphFluid
 
         static void CheckFaces(in FluidSpec spec)
         {
-            FluidMethods.Of(spec.Method).CheckFaces(spec.Boundaries);
+            FluidMethods.Get(spec.Method).CheckFaces(spec.Boundaries);
             if (spec.Boundaries.Periodic == FluidAxes.None || !spec.HasProfile) return;
             FluidGrid.For(new FluidSolverSettings
             {

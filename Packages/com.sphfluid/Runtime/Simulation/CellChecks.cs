@@ -22,7 +22,7 @@ namespace SphFluid
             double needed = Needed(settings);
             long most = Most(settings.Method);
             if (needed <= most) return;
-            string owner = most < FluidMethods.Of(settings.Method).MaxCells ? $"a buffer of this device ({SystemInfo.graphicsDeviceName}) holds" : $"the method {settings.Method} holds";
+            string owner = most < FluidMethods.Get(settings.Method).MaxCells ? $"a buffer of this device ({SystemInfo.graphicsDeviceName}) holds" : $"the method {settings.Method} holds";
             messages.Add(new FluidMessage(FluidSeverity.Error, FluidIssue.TooManyCells, spec.Owner,
                 Invariant($"The domain of {FluidMessage.Lengths(spec.DomainSize)} m needs {needed:N0} cells for the neighbour search at a spacing of {spec.Spacing} m, but {owner} {most:N0}."),
                 Invariant($"Use a smaller Domain Size, or a Particle Spacing of {FittingSpacing(spec):G3} m or more.")));
@@ -30,10 +30,10 @@ namespace SphFluid
 
         /// <summary>Cells that a solver of these settings has; along periodic axes that are too short none.</summary>
         public static double Needed(in FluidSolverSettings settings) =>
-            FluidMethods.Of(settings.Method).CellCount(settings);
+            FluidMethods.Get(settings.Method).CellCount(settings);
 
         /// <summary>Most cells that a method may have on this device.</summary>
-        public static long Most(FluidMethodKind method) => Math.Min(FluidMethods.Of(method).MaxCells, SystemInfo.maxGraphicsBufferSize / CellStride);
+        public static long Most(FluidMethodKind method) => Math.Min(FluidMethods.Get(method).MaxCells, SystemInfo.maxGraphicsBufferSize / CellStride);
 
         /// <summary>Least spacing at which the domain's cells are few enough [m].</summary>
         public static float FittingSpacing(in FluidSpec spec)

@@ -91,7 +91,7 @@ namespace SphFluid
                 return Wrong(emitter, $"The mesh '{emitter.Mesh.name}' of the emitter's nozzle is not readable.", "Tick Read/Write in the mesh's import settings.");
             if (emitter.UnderWater)
                 return Wrong(emitter, "A nozzle of the shape of a mesh has no pipe to pump through under water.", "Switch Under Water off, or choose another Shape.");
-            if (EmitterOutline.Of(emitter, spacing).Places.Length == 0)
+            if (EmitterOutline.Create(emitter, spacing).Places.Length == 0)
                 return Wrong(emitter, FormattableString.Invariant($"The mesh '{emitter.Mesh.name}', seen along the emitter's forward axis, has no place for a particle at a spacing of {spacing} m, or for too many."),
                     "Turn or scale the emitter, so that the mesh is at least a spacing and at most a few hundred wide.");
             return null;

@@ -97,7 +97,7 @@ namespace SphFluid
         bool HasOutline(in EmitterSpec emitter, float spacing) => ReferenceEquals(outline, Outline(emitter, spacing));
 
         static EmitterOutline Outline(in EmitterSpec emitter, float spacing) =>
-            emitter.Shape == FluidEmitterShape.Mesh ? EmitterOutline.Of(emitter, spacing) : null;
+            emitter.Shape == FluidEmitterShape.Mesh ? EmitterOutline.Create(emitter, spacing) : null;
 
         static bool IsSame(in EmitterSpec a, in EmitterSpec b) => a.Shape == b.Shape && a.Size.Equals(b.Size);
     }

@@ -9,7 +9,7 @@ namespace SphFluid
         /// <summary>It failed.</summary>
         /// <param name="spec">The simulation.</param>
         /// <param name="sources">What its volumes, emitters and zones are, as <see cref="SceneParts.Sources"/>.</param>
-        public void Note(in FluidSpec spec, int sources)
+        public void Remember(in FluidSpec spec, int sources)
         {
             keys = KeysOf(spec);
             this.sources = sources;
@@ -24,6 +24,6 @@ namespace SphFluid
         public bool IsUnchanged(in FluidSpec spec, int sources) => keys != null && keys.Value.Equals(KeysOf(spec)) && this.sources == sources;
 
         static (FluidStartKey, FluidLiveKey, FluidCapacityPolicy, int) KeysOf(in FluidSpec spec) =>
-            (FluidStartKey.Of(spec), FluidLiveKey.AsGiven(spec), spec.CapacityPolicy, spec.Capacity);
+            (FluidStartKey.Create(spec), FluidLiveKey.AsGiven(spec), spec.CapacityPolicy, spec.Capacity);
     }
 }

@@ -106,7 +106,7 @@ namespace SphFluid
             else if (spec.Profile.Shaders == null)
                 messages.Add(Error(spec.Profile.Asset, FluidIssue.ShadersMissing, "The profile has no shader set.",
                     "Assign the package's DefaultFluidShaderSet from Runtime/Assets to the profile's Shaders."));
-            else if (spec.Profile.Shaders.Missing(FluidMethods.Of(spec.Method).Shaders.AllShaders) is { Count: > 0 } missing)
+            else if (spec.Profile.Shaders.Missing(FluidMethods.Get(spec.Method).Shaders.AllShaders) is { Count: > 0 } missing)
                 messages.Add(Error(spec.Profile.Shaders, FluidIssue.ShadersMissing, $"The shader set has no {string.Join(", ", missing)}.",
                     "Add the shaders of these names from the package's Shaders folder, or use the package's DefaultFluidShaderSet."));
         }
@@ -209,7 +209,7 @@ namespace SphFluid
             SpawnResult result = spawn(SpawnRequests.For(spec, shapes, collision));
             if (!LiquidChecks.CheckCount(spec, result, messages)) return null; // far more than that are not gone through
             LiquidChecks.Check(spec, found, result, collision, messages);
-            return new FluidStart(result.Particles, result.Needed, LiquidExtent.Of(shapes, spec.DomainSize), result.Fastest) { Gravity = spec.LocalGravity };
+            return new FluidStart(result.Particles, result.Needed, LiquidExtent.Create(shapes, spec.DomainSize), result.Fastest) { Gravity = spec.LocalGravity };
         }
 
         static FluidMessage Unplaced(in FluidSpec spec) => new FluidMessage(

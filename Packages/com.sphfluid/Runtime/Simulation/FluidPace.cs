@@ -100,7 +100,7 @@ namespace SphFluid
         /// <param name="loads">How the colliders drive the liquid.</param>
         public int Advance(double deltaTime, double bodyMotion, ColliderLoads loads)
         {
-            if (deltaTime > 0.0) Follow(deltaTime, bodyMotion / deltaTime, loads);
+            if (deltaTime > 0.0) UpdateSpeed(deltaTime, bodyMotion / deltaTime, loads);
             Prepare(deltaTime, bodyMotion);
             int steps = Clock.Advance(deltaTime);
             solver.LongestStep = (float)((Clock as FrameClock)?.LongestOfLate ?? 0.0);
@@ -131,7 +131,7 @@ namespace SphFluid
         }
 
         // A collider that moves is known before it hits.
-        void Follow(double deltaTime, double bodySpeed, ColliderLoads loads)
+        void UpdateSpeed(double deltaTime, double bodySpeed, ColliderLoads loads)
         {
             double head = Math.Min(speeds == null ? double.PositiveInfinity : Math.Max(speeds.Sample.Head, bodySpeed), reference?.Most ?? solver.Settings.MaxSpeed);
             FluidRuleInput rules = spec.Profile.Rules;
@@ -140,7 +140,7 @@ namespace SphFluid
             Driven = Math.Min(Math.Max(loads.Speed, loaded), FluidSpec.MostSpeed);
             if (reference == null || yields) return;
             double leap = Math.Sqrt(PressedByRule / Math.Max(Compression, LeastCompression));
-            if (reference.Follow(Follows(spec) ? Math.Max(speeds.Sample.Head, bodySpeed) : reference.Most, deltaTime, Driven, Math.Min(loaded, Driven), leap))
+            if (reference.Update(Follows(spec) ? Math.Max(speeds.Sample.Head, bodySpeed) : reference.Most, deltaTime, Driven, Math.Min(loaded, Driven), leap))
                 solver.ApplySettings(AtReference());
         }
 
@@ -152,7 +152,7 @@ namespace SphFluid
         public void Stepped(double time)
         {
             if (speeds == null) return;
-            if (sleep != null) sleep.Note(speeds.Sample, time, keepPlaces, forgetPlaces);
+            if (sleep != null) sleep.AddSample(speeds.Sample, time, keepPlaces, forgetPlaces);
             speeds.Request();
         }
 
@@ -219,7 +219,7 @@ namespace SphFluid
             if (StepsByFrame(spec))
             {
                 adaptive = null;
-                IStepClock made = FluidMethods.Of(spec.Method).MakeClock(solver.Settings, most);
+                IStepClock made = FluidMethods.Get(spec.Method).MakeClock(solver.Settings, most);
                 if (!(Clock is FrameClock frames) || !frames.IsLike(made as FrameClock)) Clock = made;
             }
             else if (!IsAdaptive)
@@ -245,7 +245,7 @@ namespace SphFluid
             double depth = FluidConstants.DepthAtRest(now, start, start.Gravity);
             if (!now.SleepsAtRest) sleep = null;
             else if (sleep == null) sleep = new SleepWatch(rule, depth);
-            else sleep.Take(rule, depth);
+            else sleep.Configure(rule, depth);
         }
 
         void DropSpeeds()

@@ -51,7 +51,7 @@ namespace SphFluid
 
         static long BytesOf(in FluidSpec spec, FluidStart start, CollisionScene collision)
         {
-            FluidMethod method = FluidMethods.Of(spec.Method);
+            FluidMethod method = FluidMethods.Get(spec.Method);
             FluidSolverSettings settings = method.Prepare(start.Constants);
             (long colliders, int bodies) = method.Has(FluidMethodFeatures.BodyContact) ? PlanBodies(settings, collision) : (collision.PlannedBytes, 0);
             int slots = LoadedParticles.SlotsFor(method, (int)Math.Min(start.Count, int.MaxValue), spec.FixedSlots);

@@ -34,8 +34,8 @@ namespace SphFluid
         {
             this.start = start;
             this.report = report;
-            Key = FluidStartKey.Of(spec);
-            live = FluidLiveKey.Of(spec);
+            Key = FluidStartKey.Create(spec);
+            live = FluidLiveKey.Create(spec);
             (position, rotation) = (spec.Position, spec.Rotation);
             Solver = new FluidSolver(start.Constants, spec.Profile.Shaders, particles, spec.FixedSlots);
             flows = new FluidFlows(Solver, start, report);
@@ -120,36 +120,36 @@ namespace SphFluid
         void Advance(in FluidSpec spec, float? frameTime)
         {
             float deltaTime = frameTime ?? 0f;
-            if (WasChanged() | ApplyChanges(spec) | GatherColliders(spec) | Moved(spec) | frameTime == null | flows.Acts(spec) | zones.Waits(spec) | zones.Follow(spec, 0.0)) pace.Wake();
+            if (WasChanged() | ApplyChanges(spec) | GatherColliders(spec) | Moved(spec) | frameTime == null | flows.Acts(spec) | zones.Waits(spec) | zones.Update(spec, 0.0)) pace.Wake();
             if (pace.IsAsleep)
             {
                 Rest(deltaTime);
                 return;
             }
-            floats?.Follow(spec.Owner.gameObject.scene);
+            floats?.Track(spec.Owner.gameObject.scene);
             FollowBodies(spec);
             motionTime += deltaTime; // frames without a step join into one motion
             double moved = obstacles.Bodies?.LongestMotion ?? 0.0;
             if (motionTime > deltaTime && deltaTime > 0f) moved *= deltaTime / motionTime;
             double motion = Math.Max(moved, deltaTime * flows.FastestSpeed(spec));
-            loads.Note(Collision.Solids, spec.DomainSize, deltaTime, moved);
+            loads.Record(Collision.Solids, spec.DomainSize, deltaTime, moved);
             int steps = frameTime == null ? pace.StepOnce(motion) : pace.Advance(deltaTime, motion, loads);
             flows.Begin(spec, steps * pace.Clock.TimeStep);
-            if (zones.Waits(spec)) zones.Follow(spec, steps * pace.Clock.TimeStep);
+            if (zones.Waits(spec)) zones.Update(spec, steps * pace.Clock.TimeStep);
             Execute(steps);
             flows.End(spec, steps);
-            if (steps > 0) floats?.Note(obstacles.Bodies.Floating, Solver.SimulatedTime);
+            if (steps > 0) floats?.Record(obstacles.Bodies.Floating, Solver.SimulatedTime);
             floats?.GiveAhead();
             if (steps > 0) motionTime = 0.0;
             if (steps > 0) pace.Stepped(steps * pace.Clock.TimeStep);
             Know();
-            if (softness.Note(spec, start, pace, Solver.Settings, loads, deltaTime) is FluidMessage soft) report(soft);
-            if (substeps.Note(pace.Clock, steps, deltaTime) is string text)
+            if (softness.Update(spec, start, pace, Solver.Settings, loads, deltaTime) is FluidMessage soft) report(soft);
+            if (substeps.Update(pace.Clock, steps, deltaTime) is string text)
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.SubstepCap, spec.Owner, text,
                     "Raise Max Substeps Per Frame, " + (spec.TimeStepMode == FluidTimeStepMode.Fixed ? "or Fixed Time Step." :
                     FluidMethods.Has(spec.Method, FluidMethodFeatures.StepsByFrame) ? "or lower the profile's Substeps."
                     : $"or use a larger Particle Spacing; {FluidRules.Advise(Solver.Settings, Solver.Settings.MaxSpeed).Cure}.")));
-            if (guards.Note(Solver.Counters, FluidMethods.Of(spec.Method).ShorterSteps, Solver.Squeezers, obstacles.Bodies) is string guard)
+            if (guards.Update(Solver.Counters, FluidMethods.Get(spec.Method).ShorterSteps, Solver.Squeezers, obstacles.Bodies) is string guard)
                 report(new FluidMessage(FluidSeverity.Warning, FluidIssue.GuardActed, spec.Owner, guard, guards.Cure));
         }
 
@@ -191,7 +191,7 @@ namespace SphFluid
         public void Save(in FluidSpec spec, Stream stream)
         {
             AsyncGPUReadback.WaitAllRequests();
-            List<(string name, SaveWriter contents)> sections = FluidSave.Of(spec, start, Solver);
+            List<(string name, SaveWriter contents)> sections = FluidSave.Collect(spec, start, Solver);
             SaveWriter Section(string name)
             {
                 sections.Add((name, new SaveWriter()));
@@ -224,7 +224,7 @@ namespace SphFluid
             pace.Load(save.Section(FluidSave.Pace));
             flows.Load(save.Section(FluidSave.Flows), spec);
             zones.Load(save.Section(FluidSave.Zones), spec);
-            zones.Follow(spec, 0.0);
+            zones.Update(spec, 0.0);
             SaveReader run = save.Section(FluidSave.Run);
             (position, rotation, restedTime) = (run.Read<Vector3>(), run.Read<Quaternion>(), run.Read<double>());
             FollowBodies(spec);
@@ -251,7 +251,7 @@ namespace SphFluid
 
         bool ApplyChanges(in FluidSpec spec)
         {
-            FluidLiveKey now = FluidLiveKey.Of(spec);
+            FluidLiveKey now = FluidLiveKey.Create(spec);
             if (now.Equals(live)) return false;
             live = now;
             pace.Update(spec);
@@ -301,7 +301,7 @@ namespace SphFluid
 
         void FollowBodies(in FluidSpec spec)
         {
-            foreach (BodyJump jump in obstacles.Follow()) report(jump.Message);
+            foreach (BodyJump jump in obstacles.TrackMotion()) report(jump.Message);
             if (obstacles.Bodies == null) return;
             foreach (FluidMessage message in obstacles.Bodies.Floating.Messages) report(message);
             if (obstacles.Bodies.Floating.LeftOut > 0) report(FluidReports.TooManyBodies(spec.Owner, FloatingBodies.Most));

@@ -37,7 +37,7 @@ namespace SphFluid
             playback = spec.Playback;
         }
 
-        public static FluidStartKey Of(in FluidSpec spec) => new FluidStartKey(spec);
+        public static FluidStartKey Create(in FluidSpec spec) => new FluidStartKey(spec);
 
         // Same and Equals of numbers, unlike ==, hold for NaN: a wrong number is reported once, not every frame.
         public bool Equals(FluidStartKey other) =>
@@ -83,7 +83,7 @@ namespace SphFluid
         }
 
         /// <summary>Settings as a running simulation sees them: gravity turns with the domain.</summary>
-        public static FluidLiveKey Of(in FluidSpec spec) => new FluidLiveKey(spec, spec.LocalGravity);
+        public static FluidLiveKey Create(in FluidSpec spec) => new FluidLiveKey(spec, spec.LocalGravity);
 
         /// <summary>Settings as the user gave them: turning the domain is no change.</summary>
         public static FluidLiveKey AsGiven(in FluidSpec spec) => new FluidLiveKey(spec, spec.Gravity);

@@ -42,7 +42,7 @@ namespace SphFluid
         /// <summary>Whether the device runs the kernels of a method.</summary>
         /// <param name="method">The method.</param>
         /// <returns>True when it does.</returns>
-        public bool Supports(FluidMethodKind method) => Runs(FluidMethods.Of(method).Shaders);
+        public bool Supports(FluidMethodKind method) => Runs(FluidMethods.Get(method).Shaders);
 
         internal static FluidSupport From(in DeviceCapabilities device) => new FluidSupport(device);
 
@@ -53,7 +53,7 @@ namespace SphFluid
             if (!device.ComputeShaders)
                 Add(messages, FluidSeverity.Error, NoComputeShaders, ComputeCure);
             else
-                AddShortfalls(messages, FluidSeverity.Error, FluidMethods.Of(method).Shaders, CureFor(FluidMethods.Of(method).Shaders));
+                AddShortfalls(messages, FluidSeverity.Error, FluidMethods.Get(method).Shaders, CureFor(FluidMethods.Get(method).Shaders));
             return messages;
         }
 

@@ -74,7 +74,7 @@ namespace SphFluid
         /// <param name="spec">The simulation.</param>
         /// <param name="time">Time that the frame's steps take [s]; 0 where there are none, and bursts wait.</param>
         /// <returns>Whether one changed.</returns>
-        public bool Follow(in FluidSpec spec, double time)
+        public bool Update(in FluidSpec spec, double time)
         {
             if (zones == null && pushes.Count == 0 && !(spec.Zones?.Count > 0) && !HasPumps(spec)) return false;
             if (!FluidMethods.Has(spec.Method, FluidMethodFeatures.ForceZones)) return false; // a check has said so
@@ -98,7 +98,7 @@ namespace SphFluid
                 if (EmitterPipes.TryDrive(emitter, spec, solver.Settings.SoundSpeed, out ForceZone drive)) Add(emitter.Owner, spec, drive);
             }
             if (time > 0.0) AddBlows(spec, worldToLocal, (float)time);
-            bool changed = zones.Take(now);
+            bool changed = zones.SetZones(now);
             solver.SetZones(zones);
             return changed;
         }

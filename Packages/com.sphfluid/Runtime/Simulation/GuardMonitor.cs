@@ -16,7 +16,7 @@ namespace SphFluid
         /// <param name="squeezers">Numbers of the bodies that squeezed particles last.</param>
         /// <param name="bodies">The scene's bodies; null for none.</param>
         /// <returns>What to report to the user; null when nothing new.</returns>
-        public string Note(in FluidCounters counters, string shorterSteps, uint squeezers = 0u, CollisionBodies bodies = null)
+        public string Update(in FluidCounters counters, string shorterSteps, uint squeezers = 0u, CollisionBodies bodies = null)
         {
             List<string> news = null;
             bool wasSqueezed = squeezed, wasOverlapped = overlapped;

@@ -25,7 +25,7 @@ namespace SphFluid
         /// <summary>Reads what <see cref="Save"/> wrote.</summary>
         public static LiquidExtent Load(SaveReader reader) => new LiquidExtent(reader.ReadItems<Vector3>(), reader.Read<Vector3>());
 
-        public static LiquidExtent Of(IReadOnlyList<LiquidShape> shapes, Vector3 domainSize)
+        public static LiquidExtent Create(IReadOnlyList<LiquidShape> shapes, Vector3 domainSize)
         {
             var corners = new Vector3[shapes.Count * 8];
             for (int s = 0; s < shapes.Count; s++)

@@ -46,7 +46,7 @@ namespace SphFluid
                     $"The liquid is played back, so {spec.IdleParts} emitters, drains and force zones do nothing.", ""));
             if (messages.Exists(m => m.Severity == FluidSeverity.Error)) return null;
             var whole = new LiquidBox("Playback", Matrix4x4.Scale(spec.DomainSize), Vector3.zero);
-            return new FluidStart(new List<FluidParticle>(), count, LiquidExtent.Of(new LiquidShape[] { whole }, spec.DomainSize), 0f) { Gravity = spec.LocalGravity };
+            return new FluidStart(new List<FluidParticle>(), count, LiquidExtent.Create(new LiquidShape[] { whole }, spec.DomainSize), 0f) { Gravity = spec.LocalGravity };
         }
     }
 }

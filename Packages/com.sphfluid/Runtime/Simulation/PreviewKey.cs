@@ -19,7 +19,7 @@ namespace SphFluid
         /// <summary>As of now.</summary>
         public PreviewKey(in FluidSpec spec, IReadOnlyList<VolumeSpec> volumes)
         {
-            start = FluidStartKey.Of(spec);
+            start = FluidStartKey.Create(spec);
             live = FluidLiveKey.AsGiven(spec);
             (position, rotation) = (spec.Position, spec.Rotation);
             slots = (spec.CapacityPolicy, spec.Capacity);

@@ -31,13 +31,13 @@ namespace SphFluid
         /// <summary>A watch for a liquid.</summary>
         /// <param name="settings">Its constants.</param>
         /// <param name="depth">Its depth at rest [m].</param>
-        public SleepWatch(in FluidSolverSettings settings, double depth) => Take(settings, depth);
+        public SleepWatch(in FluidSolverSettings settings, double depth) => Configure(settings, depth);
 
         /// <summary>Whether the liquid rests.</summary>
         public bool IsAsleep { get; private set; }
 
         /// <summary>Takes over changed constants. Without any force there is nothing that brings liquid to rest: it is never asleep.</summary>
-        public void Take(in FluidSolverSettings settings, double depth)
+        public void Configure(in FluidSolverSettings settings, double depth)
         {
             double acceleration = LiquidPotential.Acceleration(settings);
             speedLimit = QuietSpeed * Math.Sqrt(acceleration * settings.Spacing);
@@ -74,7 +74,7 @@ namespace SphFluid
         /// <param name="time">The frame's time [s].</param>
         /// <param name="keepPlaces">Keeps the particles' places of this frame and gives that keeping's number.</param>
         /// <param name="forgetPlaces">Ends the measuring of distances.</param>
-        public void Note(in SpeedSample sample, double time, Func<int> keepPlaces, Action forgetPlaces)
+        public void AddSample(in SpeedSample sample, double time, Func<int> keepPlaces, Action forgetPlaces)
         {
             if (!(sample.Present < speedLimit))
             {

@@ -25,7 +25,7 @@ namespace SphFluid
 
         /// <summary>Takes note of a frame.</summary>
         /// <returns>What to report; null when nothing new.</returns>
-        public FluidMessage? Note(in FluidSpec spec, FluidStart start, FluidPace pace, in FluidSolverSettings settings, ColliderLoads loads, double time)
+        public FluidMessage? Update(in FluidSpec spec, FluidStart start, FluidPace pace, in FluidSolverSettings settings, ColliderLoads loads, double time)
         {
             Watch(!pace.FollowsColliders && pace.Driven > MostDriven * settings.MaxSpeed, pace.Driven, time, ref driven, ref drivenTime);
             Watch(FluidMethods.Has(spec.Method, FluidMethodFeatures.FollowingSoundSpeed) && pace.Compression > MostPressed * pace.PressedByRule, pace.Compression, time, ref pressed, ref pressedTime);

@@ -97,7 +97,7 @@ namespace SphFluid
         public int Kept;
 
         /// <summary>From the numbers of a measurement.</summary>
-        public static SpeedSample Of(IReadOnlyList<uint> counts, int kept) => new SpeedSample
+        public static SpeedSample Evaluate(IReadOnlyList<uint> counts, int kept) => new SpeedSample
         {
             Fastest = Finite(BitConverter.Int32BitsToSingle(unchecked((int)counts[SpeedCounts.Fastest]))),
             Bulk = SpeedCounts.Quantile(counts, SpeedCounts.Speeds, BulkShare),

@@ -114,8 +114,8 @@ namespace SphFluid
             var slot = new Slot { Sample = Sample, Kept = hasPlaces ? keepings : 0 };
             slots[next] = slot;
             next = (next + 1) % Delay;
-            if (SystemInfo.supportsAsyncGPUReadback) slot.Request = AsyncGPUReadback.Request(counts, slot.Take);
-            else slot.Take(counts);
+            if (SystemInfo.supportsAsyncGPUReadback) slot.Request = AsyncGPUReadback.Request(counts, slot.Receive);
+            else slot.Receive(counts);
         }
 
         /// <inheritdoc/>
@@ -137,26 +137,26 @@ namespace SphFluid
             public bool Known;
             public int Kept;
 
-            public void Take(AsyncGPUReadbackRequest request)
+            public void Receive(AsyncGPUReadbackRequest request)
             {
                 if (Known) return;
                 Known = true;
                 if (request.hasError) return;
                 request.GetData<uint>().CopyTo(Numbers);
-                Sample = SpeedSample.Of(Numbers, Kept);
+                Sample = SpeedSample.Evaluate(Numbers, Kept);
             }
 
-            public void Take(GraphicsBuffer counts)
+            public void Receive(GraphicsBuffer counts)
             {
                 Known = true;
                 counts.GetData(Numbers);
-                Sample = SpeedSample.Of(Numbers, Kept);
+                Sample = SpeedSample.Evaluate(Numbers, Kept);
             }
 
             public void Wait()
             {
                 Request.WaitForCompletion();
-                Take(Request);
+                Receive(Request);
             }
         }
     }

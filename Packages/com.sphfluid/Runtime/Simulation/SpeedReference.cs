@@ -62,7 +62,7 @@ namespace SphFluid
         /// <param name="loaded">The part of that by accelerations, which comes with the pressure that a stiffer liquid needs [m/s].</param>
         /// <param name="leap">Times that the speed may be at once for such a part: liquid under no pressure does not feel it.</param>
         /// <returns>Whether the speed in use changed.</returns>
-        public bool Follow(double measured, double time, double driven = 0.0, double loaded = 0.0, double leap = 1.0)
+        public bool Update(double measured, double time, double driven = 0.0, double loaded = 0.0, double leap = 1.0)
         {
             double before = Speed, target = Math.Max(Math.Min(measured, Most), driven), frame = Math.Min(time, LongestFrame);
             if (target > Speed) Speed = Math.Min(target, Math.Max(Speed * Math.Exp(frame / RiseTime), Math.Min(loaded, Speed * leap)));

@@ -46,7 +46,7 @@ namespace SphFluid
         /// <param name="steps">Steps that it gave.</param>
         /// <param name="deltaTime">Frame time [s].</param>
         /// <returns>What to report; null when nothing new.</returns>
-        public string Note(IStepClock clock, int steps, double deltaTime)
+        public string Update(IStepClock clock, int steps, double deltaTime)
         {
             if (!(deltaTime > 0.0)) return null;
             frames++;

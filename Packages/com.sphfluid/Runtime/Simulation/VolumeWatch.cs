@@ -21,11 +21,11 @@ namespace SphFluid
         {
             filled.Clear();
             present.Clear();
-            for (int i = 0; i < volumes.Count; i++) Note(spec, volumes[i]);
+            for (int i = 0; i < volumes.Count; i++) Remember(spec, volumes[i]);
         }
 
         /// <summary>A volume's liquid was filled, or is about to be.</summary>
-        public void Note(in FluidSpec spec, VolumeSpec volume)
+        public void Remember(in FluidSpec spec, VolumeSpec volume)
         {
             present.Add(volume.Owner);
             volume.LocalToWorld = spec.WorldToLocal * volume.LocalToWorld;
@@ -37,7 +37,7 @@ namespace SphFluid
         /// <param name="run">Its liquid.</param>
         /// <param name="volumes">Its enabled volumes now.</param>
         /// <param name="report">Receives why one is not filled, or not wholly.</param>
-        public void Follow(in FluidSpec spec, FluidRun run, IReadOnlyList<VolumeSpec> volumes, Action<FluidMessage> report)
+        public void Update(in FluidSpec spec, FluidRun run, IReadOnlyList<VolumeSpec> volumes, Action<FluidMessage> report)
         {
             before.Clear();
             before.UnionWith(present);
@@ -46,7 +46,7 @@ namespace SphFluid
             {
                 present.Add(volumes[i].Owner);
                 if (before.Contains(volumes[i].Owner)) continue;
-                Note(spec, volumes[i]);
+                Remember(spec, volumes[i]);
                 if (run.Solver.Exchanges) Fill(spec, run, volumes[i], report);
                 else report(Fixed(spec, volumes[i]));
             }
@@ -63,7 +63,7 @@ namespace SphFluid
             var found = new List<FluidMessage>();
             LiquidShape shape = VolumeChecks.Check(volume, spec, run.Collision, found);
             if (shape == null) throw new InvalidOperationException(FluidReports.Worst(found));
-            Note(spec, volume);
+            Remember(spec, volume);
             return run.AddLiquid(spec, shape);
         }
 

@@ -63,7 +63,7 @@ namespace SphFluid
 
         /// <summary>A method.</summary>
         /// <exception cref="ArgumentException">There is none of that number.</exception>
-        public static FluidMethod Of(FluidMethodKind kind) => Find(kind) ?? throw new ArgumentException($"There is no fluid method {kind}.", nameof(kind));
+        public static FluidMethod Get(FluidMethodKind kind) => Find(kind) ?? throw new ArgumentException($"There is no fluid method {kind}.", nameof(kind));
 
         static FluidMethod Find(FluidMethodKind kind)
         {

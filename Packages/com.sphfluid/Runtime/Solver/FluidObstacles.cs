@@ -33,7 +33,7 @@ namespace SphFluid
         public FluidObstacles(in FluidSolverSettings settings)
             : this(settings, new CollisionScene())
         {
-            FluidMethods.Of(settings.Method).Check(settings);
+            FluidMethods.Get(settings.Method).Check(settings);
         }
 
         /// <summary>The colliders of a scene, which is taken over.</summary>
@@ -190,18 +190,18 @@ namespace SphFluid
             foreach (Entry entry in entries)
             {
                 if (entry.Mesh != null) states.Add(new ColliderState(entry, entry.Mesh, entry.Friction, entry.Pose).With(entry.Body));
-                else if (entry.Collider != null) states.Add(scene.States.Of(entry.Collider, null, entry.Friction, worldToSimulation, settings.DomainSize, settings.Spacing));
+                else if (entry.Collider != null) states.Add(scene.States.Get(entry.Collider, null, entry.Friction, worldToSimulation, settings.DomainSize, settings.Spacing));
             }
 
             if (!IsSame())
             {
-                scene.Take(states, new CollisionQuery { DomainSize = settings.DomainSize, Spacing = settings.Spacing });
+                scene.SetColliders(states, new CollisionQuery { DomainSize = settings.DomainSize, Spacing = settings.Spacing });
                 Share();
             }
 
             messages.Clear();
             messages.AddRange(scene.Messages);
-            foreach (BodyJump jump in Follow()) messages.Add(jump.Message);
+            foreach (BodyJump jump in TrackMotion()) messages.Add(jump.Message);
             if (bodies != null) messages.AddRange(bodies.Floating.Messages);
         }
 
@@ -220,7 +220,7 @@ namespace SphFluid
 
         /// <summary>Hands the colliders' motion to methods that follow it.</summary>
         /// <returns>Those that could not be followed.</returns>
-        internal IReadOnlyList<BodyJump> Follow()
+        internal IReadOnlyList<BodyJump> TrackMotion()
         {
             if (bodies == null) return Array.Empty<BodyJump>();
             bodies.Update(scene.Solids);

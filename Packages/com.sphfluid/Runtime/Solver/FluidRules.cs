@@ -11,7 +11,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">An input is out of range, or there is no such method.</exception>
         public static FluidSolverSettings Derive(in FluidRuleInput input)
         {
-            FluidMethod method = FluidMethods.Of(input.Method);
+            FluidMethod method = FluidMethods.Get(input.Method);
             input.Validate();
             return method.Derive(input);
         }
@@ -28,7 +28,7 @@ namespace SphFluid
                 throw new ArgumentOutOfRangeException(nameof(maxSpeed), maxSpeed, "The fastest speed must be zero or more, and finite.");
             }
 
-            return FluidMethods.Of(settings.Method).Advise(settings, maxSpeed);
+            return FluidMethods.Get(settings.Method).Advise(settings, maxSpeed);
         }
 
         /// <summary>The speed of sound that a liquid has in steps of a length: less than that of its settings with the method Robust, whose iterations are few.</summary>
@@ -38,7 +38,7 @@ namespace SphFluid
         /// <returns>Speed of sound c [m/s]; the liquid's weight compresses it by g D/c² at a depth D.</returns>
         /// <exception cref="ArgumentException">The step is not positive, or the speed is negative or not finite.</exception>
         public static double EffectiveSoundSpeed(in FluidSolverSettings settings, double timeStep, double maxSpeed) =>
-            FluidMethods.Of(settings.Method).EffectiveSoundSpeed(settings, Require.Positive(timeStep, nameof(timeStep)), Require.NotNegative(maxSpeed, nameof(maxSpeed)));
+            FluidMethods.Get(settings.Method).EffectiveSoundSpeed(settings, Require.Positive(timeStep, nameof(timeStep)), Require.NotNegative(maxSpeed, nameof(maxSpeed)));
 
         /// <summary>The viscosity that acts in steps of a length: with the method Robust, which has no limit of its steps, no more than they hold.</summary>
         /// <param name="settings">Its constants.</param>
@@ -46,6 +46,6 @@ namespace SphFluid
         /// <returns>Kinematic viscosity ν [m²/s].</returns>
         /// <exception cref="ArgumentException">The step is not positive.</exception>
         public static double ActingViscosity(in FluidSolverSettings settings, double timeStep) =>
-            FluidMethods.Of(settings.Method).ActingViscosity(settings, Require.Positive(timeStep, nameof(timeStep)));
+            FluidMethods.Get(settings.Method).ActingViscosity(settings, Require.Positive(timeStep, nameof(timeStep)));
     }
 }

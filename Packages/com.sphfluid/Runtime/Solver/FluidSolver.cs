@@ -38,7 +38,7 @@ namespace SphFluid
 
         internal FluidSolver(in FluidSolverSettings settings, FluidShaderSet shaders, IReadOnlyList<FluidParticle> initial, int capacity)
         {
-            method = FluidMethods.Of(settings.Method);
+            method = FluidMethods.Get(settings.Method);
             method.Check(settings);
             FluidParticle[] first = LoadedParticles.Check(settings, initial, !method.Has(FluidMethodFeatures.ChangingCount), nameof(initial));
             if (shaders == null) throw new ArgumentException("No fluid shader set is given. Assign one in the fluid profile.", nameof(shaders));
@@ -348,7 +348,7 @@ namespace SphFluid
         /// <exception cref="ArgumentException">A constant is out of range, there is no particle, or one lies outside the domain.</exception>
         public static FluidParticle[] CheckParticles(in FluidSolverSettings settings, IReadOnlyList<FluidParticle> initial)
         {
-            FluidMethods.Of(settings.Method).Check(settings);
+            FluidMethods.Get(settings.Method).Check(settings);
             return LoadedParticles.Check(settings, initial, true, nameof(initial));
         }
 

@@ -25,7 +25,7 @@ namespace SphFluid
         /// <summary>Takes over the zones as they are now.</summary>
         /// <returns>Whether one changed.</returns>
         /// <exception cref="ArgumentException">There are more than <see cref="ForceZone.Most"/>.</exception>
-        public bool Take(IReadOnlyList<ForceZone> now)
+        public bool SetZones(IReadOnlyList<ForceZone> now)
         {
             if (now.Count > ForceZone.Most) throw new ArgumentException($"A liquid has at most {ForceZone.Most} force zones, and {now.Count} are given.", nameof(now));
             bool changed = Count != now.Count;

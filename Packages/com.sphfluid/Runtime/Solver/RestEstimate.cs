@@ -26,7 +26,7 @@ namespace SphFluid
         /// <param name="excess">Largest acceleration over the one that may be left.</param>
         public double Settling(double time, double excess)
         {
-            Follow(time, Math.Log(Math.Max(excess, 1e-6)));
+            AddSample(time, Math.Log(Math.Max(excess, 1e-6)));
             double atLeast = Math.Max(0.0, crossing - time), most = Math.Max(0.0, settle - time);
             if (excess <= 1.0) return atLeast;
             double needed = double.IsNaN(rate) ? most : rate > 0.0 ? Math.Log(excess) / rate : double.PositiveInfinity;
@@ -44,7 +44,7 @@ namespace SphFluid
 
         double FlowAndSettle(double time) => Math.Max(0.0, flow - time) + 0.5 * settle;
 
-        void Follow(double time, double log)
+        void AddSample(double time, double log)
         {
             if (double.IsNaN(windowLog) || time < windowStart)
             {

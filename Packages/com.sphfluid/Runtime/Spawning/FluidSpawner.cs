@@ -65,15 +65,15 @@ namespace SphFluid
             for (long k = z.first; k <= z.last; k++)
                 for (long j = y.first; j <= y.last; j++)
                     for (long i = x.first; i <= x.last; i++)
-                        Take(request, lattice.Site(i, j, k), -1, tallies, place, most, ref needed);
+                        Place(request, lattice.Site(i, j, k), -1, tallies, place, most, ref needed);
             Vector3 half = InnerHalf(request);
             for (int b = 0; b < request.Shapes.Count; b++)
                 foreach (Vector3 site in request.Shapes[b].Sites ?? Array.Empty<Vector3>())
-                    if (Mathf.Abs(site.x) <= half.x && Mathf.Abs(site.y) <= half.y && Mathf.Abs(site.z) <= half.z) Take(request, site, b, tallies, place, most, ref needed);
+                    if (Mathf.Abs(site.x) <= half.x && Mathf.Abs(site.y) <= half.y && Mathf.Abs(site.z) <= half.z) Place(request, site, b, tallies, place, most, ref needed);
             return MeasureOutside(request, tallies);
         }
 
-        static void Take(SpawnRequest request, Vector3 site, int owner, SpawnTally[] tallies, Action<Vector3, LiquidShape> place, long most, ref long needed)
+        static void Place(SpawnRequest request, Vector3 site, int owner, SpawnTally[] tallies, Action<Vector3, LiquidShape> place, long most, ref long needed)
         {
             owner = FindOwner(request, site, owner, tallies);
             if (owner < 0) return;
@@ -159,8 +159,8 @@ namespace SphFluid
         static FluidParticle Particle(SpawnRequest request, Vector3 site, LiquidShape shape, int id)
         {
             float amplitude = Mathf.Clamp(request.Jitter, 0f, MaxJitter) * request.Spacing;
-            uint state = PcgHash.Of((uint)id ^ PcgHash.Of((uint)request.Seed));
-            Vector3 offset = new Vector3(Signed(state), Signed(PcgHash.Of(state + 1)), Signed(PcgHash.Of(state + 2))) * amplitude;
+            uint state = PcgHash.Hash((uint)id ^ PcgHash.Hash((uint)request.Seed));
+            Vector3 offset = new Vector3(Signed(state), Signed(PcgHash.Hash(state + 1)), Signed(PcgHash.Hash(state + 2))) * amplitude;
             Vector3 velocity = Velocity(request, site + offset, shape);
             return new FluidParticle { Position = site + offset, Id = (uint)id, VelT0 = velocity, VelT1 = velocity };
         }

@@ -71,7 +71,7 @@ namespace SphFluid
         List<Vector3> Trimmed(List<Vector3> sites, int most, float spacing)
         {
             if (sites.Count <= most) return sites;
-            int[] surface = Enumerable.Range(0, sites.Count).Where(i => !IsDeep(sites[i], spacing)).OrderBy(i => PcgHash.Of((uint)i)).Take(sites.Count - most).ToArray();
+            int[] surface = Enumerable.Range(0, sites.Count).Where(i => !IsDeep(sites[i], spacing)).OrderBy(i => PcgHash.Hash((uint)i)).Take(sites.Count - most).ToArray();
             var dropped = new HashSet<int>(surface);
             return sites.Where((site, i) => !dropped.Contains(i)).ToList();
         }

@@ -4,7 +4,7 @@ namespace SphFluid
     internal static class PcgHash
     {
         /// <summary>32 bits that look random, the same for the same value.</summary>
-        public static uint Of(uint value)
+        public static uint Hash(uint value)
         {
             uint state = unchecked(value * 747796405u + 2891336453u);
             uint word = unchecked(((state >> (int)((state >> 28) + 4)) ^ state) * 277803737u);

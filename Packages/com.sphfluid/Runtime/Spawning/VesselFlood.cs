@@ -95,7 +95,7 @@ namespace SphFluid
             void Add(int cell)
             {
                 Vector3 place = Place(cell, out float clear);
-                if (clear < 0.5f) cut.Add((clear, PcgHash.Of((uint)cell), place));
+                if (clear < 0.5f) cut.Add((clear, PcgHash.Hash((uint)cell), place));
                 else Keep(place);
             }
             Vector3 steep = Absolute(input.Up);

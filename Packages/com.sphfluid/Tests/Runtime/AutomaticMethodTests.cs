@@ -300,7 +300,7 @@ namespace SphFluid.Tests
             Start();
             Assert.That(simulation.MethodChoice.FitsBudget);
             for (int i = 0; i < 10 * StepTimer.Window && Choices().Length == 1; i++) yield return null;
-            Assert.That(StepCosts.TryFind(StepCostKey.Of(simulation.Solver.Settings, false), 64, out StepCost cost));
+            Assert.That(StepCosts.TryFind(StepCostKey.Create(simulation.Solver.Settings, false), 64, out StepCost cost));
             Assert.That(cost.InPlay);
             Assert.That(cost.Milliseconds, Is.GreaterThan(1e-4));
             Assert.That(Choices().Last().Text, Does.Contain("ms a frame in play, where"));

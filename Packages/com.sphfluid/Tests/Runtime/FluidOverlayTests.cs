@@ -108,9 +108,9 @@ namespace SphFluid.Tests
             yield return Frames(3);
             using (var meter = new OverlayMeter(StageTimes.Best))
             {
-                meter.Note(null, 0.01, 10.0, true);
+                meter.Update(null, 0.01, 10.0, true);
                 long before = GC.GetAllocatedBytesForCurrentThread();
-                for (int i = 0; i < 100; i++) meter.Note(null, 0.01, 10.0, true);
+                for (int i = 0; i < 100; i++) meter.Update(null, 0.01, 10.0, true);
                 Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
                 Assert.That(meter.Text, Does.Contain(tank.name));
             }

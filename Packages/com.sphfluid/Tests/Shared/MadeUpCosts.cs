@@ -15,7 +15,7 @@ namespace SphFluid.Tests
         /// <summary>Sets what a step costs.</summary>
         public MadeUpCosts Set(FluidMethodKind method, double milliseconds, long particles = 64, bool inPlay = true, bool hasBodies = false, double supportRatio = 2.25, string variant = "")
         {
-            table.Note(StepCostKey.Of(method, supportRatio, hasBodies, variant), new StepCost { Particles = particles, Milliseconds = milliseconds, InPlay = inPlay });
+            table.Record(StepCostKey.Create(method, supportRatio, hasBodies, variant), new StepCost { Particles = particles, Milliseconds = milliseconds, InPlay = inPlay });
             return this;
         }
 

@@ -42,7 +42,7 @@ namespace SphFluid
             }
         }
 
-        public static AffineMap Of(in Matrix4x4 m) =>
+        public static AffineMap FromMatrix(in Matrix4x4 m) =>
             new AffineMap(m.m00, m.m01, m.m02, m.m10, m.m11, m.m12, m.m20, m.m21, m.m22, m.m03, m.m13, m.m23);
 
         /// <summary>The map, each element rounded once.</summary>

@@ -43,13 +43,13 @@ namespace SphFluid
         /// <param name="stretch">The stretch of the collider's own space, which the corners have in them.</param>
         public void MoveTo(FluidObstacle solid, Quaternion rotation, Vector3 position, in AffineMap stretch)
         {
-            BodyStretch found = BodyStretch.Of(stretch, lastStretch);
+            BodyStretch found = BodyStretch.Create(stretch, lastStretch);
             bool same = !isNew && solid.State.HasShapeOf(Last) && found.Equals(lastStretch);
             Last = solid.State;
             lastStretch = found;
             isNew = false;
             if (same) return;
-            AffineMap toFrame = AffineMap.Of(Matrix4x4.TRS(position, rotation, Vector3.one)).Inverse;
+            AffineMap toFrame = AffineMap.FromMatrix(Matrix4x4.TRS(position, rotation, Vector3.one)).Inverse;
             var corners = new Vector3[Start.Vertices.Length];
             Vector3[] now = solid.Mesh.Vertices, before = Start.Vertices;
             float longest = 0f;

@@ -107,7 +107,7 @@ namespace SphFluid
 
         void AddTriangle(Vector3 a, Vector3 b, Vector3 c, uint own, int solid)
         {
-            triangles.Add(BodyTriangle.Of(a, b, c));
+            triangles.Add(BodyTriangle.Create(a, b, c));
             edges.Add(own + (surfaces << MeshSurfaces.NumberShift) + (solid > 0 ? MeshSurfaces.Deep : 0u));
             solids.Add(solid);
         }

@@ -34,7 +34,7 @@ namespace SphFluid
             Name = solid.Name;
             Friction = solid.State.Friction;
             floats = solid.State.Body;
-            toShape = ColliderFrame.Of(reference).Inverse;
+            toShape = ColliderFrame.GetMap(reference).Inverse;
             Begin();
             if (deforms) Deformation = new BodyDeformation(mesh, reference);
         }
@@ -97,12 +97,12 @@ namespace SphFluid
         public Matrix4x4 Begun(in ColliderState last)
         {
             if (IsAtRest) return last.ToSimulation;
-            AffineMap start = AffineMap.Of(Matrix4x4.TRS(Position0, Rotation0, Vector3.one)) * Stretch0.Map;
-            return (start * toShape.Inverse * ColliderFrame.Of(reference).Inverse * AffineMap.Of(reference.ToSimulation)).Matrix;
+            AffineMap start = AffineMap.FromMatrix(Matrix4x4.TRS(Position0, Rotation0, Vector3.one)) * Stretch0.Map;
+            return (start * toShape.Inverse * ColliderFrame.GetMap(reference).Inverse * AffineMap.FromMatrix(reference.ToSimulation)).Matrix;
         }
 
         /// <summary>Corners of a body that deforms, in simulation space, where the last steps left them [m]; null of others.</summary>
-        public Vector3[] BegunCorners => Deformation?.Start.Transformed(AffineMap.Of(Matrix4x4.TRS(Position0, Rotation0, Vector3.one))).Vertices;
+        public Vector3[] BegunCorners => Deformation?.Start.Transformed(AffineMap.FromMatrix(Matrix4x4.TRS(Position0, Rotation0, Vector3.one))).Vertices;
 
         /// <summary>Ends the motion: it begins where it ended.</summary>
         public void Arrive()
@@ -120,7 +120,7 @@ namespace SphFluid
         {
             ColliderState state = solid.State;
             bool deforms = Deformation != null, begins = !deforms && !ColliderFrame.HasSameShape(reference, state);
-            AffineMap frame = ColliderFrame.Of(state);
+            AffineMap frame = ColliderFrame.GetMap(state);
             if ((begins || deforms) && !(ColliderFrame.MayDeform(state) && Mesh.HasTrianglesOf(solid.Mesh)))
                 return (frame * toShape).Determinant < 0.0 ? BodyFollowing.Mirrored : BodyFollowing.Reshaped;
             Friction = state.Friction;
@@ -160,7 +160,7 @@ namespace SphFluid
             if (settled != null)
             {
                 reference = settled.Last;
-                toShape = ColliderFrame.Of(reference).Inverse * AffineMap.Of(Matrix4x4.TRS(displacement, turn, Vector3.one));
+                toShape = ColliderFrame.GetMap(reference).Inverse * AffineMap.FromMatrix(Matrix4x4.TRS(displacement, turn, Vector3.one));
             }
             Rotation1 = turn;
             Position1 = displacement;
@@ -214,14 +214,14 @@ namespace SphFluid
             Rotation1 = parts.Quaternion;
             Position1 = new Vector3((float)motion.X, (float)motion.Y, (float)motion.Z);
             if (Deformation != null) Deformation.MoveTo(solid, Rotation1, Position1, parts.Stretch);
-            else Stretch1 = BodyStretch.Of(parts.Stretch, Stretch1);
+            else Stretch1 = BodyStretch.Create(parts.Stretch, Stretch1);
             return BodyFollowing.Followed;
         }
 
         // The triangles rest from now on where they are at the start of the frame, so that nothing on the GPU moves.
         void TakeOver()
         {
-            AffineMap start = AffineMap.Of(Matrix4x4.TRS(Position0, Rotation0, Vector3.one)) * Stretch0.Map;
+            AffineMap start = AffineMap.FromMatrix(Matrix4x4.TRS(Position0, Rotation0, Vector3.one)) * Stretch0.Map;
             mesh = Mesh.Transformed(start);
             Deformation = null;
             toShape = toShape * start.Inverse;

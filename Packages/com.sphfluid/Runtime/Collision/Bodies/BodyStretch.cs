@@ -29,7 +29,7 @@ namespace SphFluid
         public AffineMap Map => new AffineMap(Diagonal.x, Shear.z, Shear.y, Shear.z, Diagonal.y, Shear.x, Shear.y, Shear.x, Diagonal.z);
 
         /// <summary>The stretch of a decomposition, or the last one where they differ by rounding alone.</summary>
-        public static BodyStretch Of(in AffineMap stretch, BodyStretch last)
+        public static BodyStretch Create(in AffineMap stretch, BodyStretch last)
         {
             var found = new BodyStretch(new Vector3((float)stretch.M00, (float)stretch.M11, (float)stretch.M22),
                 new Vector3((float)stretch.M12, (float)stretch.M02, (float)stretch.M01));

@@ -98,7 +98,7 @@ namespace SphFluid
         /// <param name="solids">Colliders that take part.</param>
         public void Update(IReadOnlyList<FluidObstacle> solids)
         {
-            bool outgrown = moving.Follow(solids) | moving.Settle();
+            bool outgrown = moving.Track(solids) | moving.Settle();
             stale |= moving.FrictionChanged;
             if (outgrown) Rebuild(solids);
             else if (motions.Exists(m => m?.Deformation != null && m.Deformation.IsChanged)) Deform(solids);
@@ -221,7 +221,7 @@ namespace SphFluid
                 foreach (FluidObstacle solid in alike) geometry.Add(solid.Mesh, domain);
                 AddBody(null, alike.Key);
             }
-            foreach (BodyMotion motion in moving.Of(solids, false))
+            foreach (BodyMotion motion in moving.GetMotions(solids, false))
             {
                 geometry.Add(motion.Mesh, null);
                 AddBody(motion, motion.Friction);
@@ -244,7 +244,7 @@ namespace SphFluid
 
         void AddDeforming(IReadOnlyList<FluidObstacle> solids)
         {
-            foreach (BodyMotion motion in moving.Of(solids, true))
+            foreach (BodyMotion motion in moving.GetMotions(solids, true))
             {
                 geometry.AddDeforming(motion.Deformation.Start, motion.Deformation.End);
                 motion.Deformation.IsChanged = false;

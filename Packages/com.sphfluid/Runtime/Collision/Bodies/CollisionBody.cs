@@ -67,7 +67,7 @@ namespace SphFluid
             ((double)point.x - A.x) * NormalX + ((double)point.y - A.y) * NormalY + ((double)point.z - A.z) * NormalZ;
 
         /// <summary>A triangle with its unit normal; zero for a needle.</summary>
-        public static BodyTriangle Of(Vector3 a, Vector3 b, Vector3 c)
+        public static BodyTriangle Create(Vector3 a, Vector3 b, Vector3 c)
         {
             double ux = (double)b.x - a.x, uy = (double)b.y - a.y, uz = (double)b.z - a.z;
             double vx = (double)c.x - a.x, vy = (double)c.y - a.y, vz = (double)c.z - a.z;

@@ -34,7 +34,7 @@ namespace SphFluid
         /// <summary>The motions of those that move.</summary>
         /// <param name="solids">The colliders.</param>
         /// <param name="deform">Of those whose triangles deform, or of the others.</param>
-        public IEnumerable<BodyMotion> Of(IReadOnlyList<FluidObstacle> solids, bool deform)
+        public IEnumerable<BodyMotion> GetMotions(IReadOnlyList<FluidObstacle> solids, bool deform)
         {
             foreach (FluidObstacle solid in solids)
                 if (movers.TryGetValue(solid.State.Key, out BodyMotion motion) && motion.Deformation != null == deform) yield return motion;
@@ -51,7 +51,7 @@ namespace SphFluid
 
         /// <summary>Looks where the colliders are now.</summary>
         /// <returns>Whether the set of bodies or their cells changed.</returns>
-        public bool Follow(IReadOnlyList<FluidObstacle> solids)
+        public bool Track(IReadOnlyList<FluidObstacle> solids)
         {
             newJumps.Clear();
             FrictionChanged = false;
@@ -61,7 +61,7 @@ namespace SphFluid
             foreach (FluidObstacle solid in solids)
             {
                 present.Add(solid.State.Key);
-                changed |= Follow(solid);
+                changed |= Track(solid);
             }
             foreach (FluidObstacle solid in lastSolids)
             {
@@ -128,7 +128,7 @@ namespace SphFluid
             }
         }
 
-        bool Follow(FluidObstacle solid)
+        bool Track(FluidObstacle solid)
         {
             object key = solid.State.Key;
             if (movers.TryGetValue(key, out BodyMotion motion))

@@ -63,7 +63,7 @@ namespace SphFluid
 
             public Slot()
             {
-                received = Take;
+                received = Receive;
             }
 
             public long Frame { get; private set; }
@@ -108,10 +108,10 @@ namespace SphFluid
             {
                 if (known) return;
                 request.WaitForCompletion();
-                Take(request);
+                Receive(request);
             }
 
-            void Take(AsyncGPUReadbackRequest done)
+            void Receive(AsyncGPUReadbackRequest done)
             {
                 if (known) return;
                 known = true;

@@ -87,7 +87,7 @@ namespace SphFluid
             public TriangleMesh Bake(SkinnedMeshRenderer renderer)
             {
                 renderer.BakeMesh(baked, true);
-                MeshStamp now = MeshStamp.Of(renderer.sharedMesh);
+                MeshStamp now = MeshStamp.Read(renderer.sharedMesh);
                 if (mesh == null || !ReferenceEquals(source, renderer.sharedMesh) || !stamp.Equals(now) || IsStale)
                 {
                     (source, stamp, IsStale) = (renderer.sharedMesh, now, false);

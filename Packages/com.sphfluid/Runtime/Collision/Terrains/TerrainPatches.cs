@@ -68,7 +68,7 @@ namespace SphFluid
             if (collider is TerrainCollider terrain && Find(terrain, worldToSimulation, domain, spacing) is TriangleMesh mesh)
                 return new ColliderState(collider, mesh, friction, worldToSimulation * Matrix4x4.Translate(collider.transform.position));
 #endif
-            return ColliderState.Of(collider, friction, worldToSimulation);
+            return ColliderState.Read(collider, friction, worldToSimulation);
         }
 
 #if SPHFLUID_TERRAIN
@@ -92,7 +92,7 @@ namespace SphFluid
             // A quarter more than what is near, so that a domain that moves seldom asks again.
             RectInt taken = held ? patch.Cells : Cells(centre, 1.25f * extents, cell, data.heightmapResolution - 1);
             if ((long)taken.width * taken.height > MaxCells) return null;
-            patch.Take(data, cell, taken, held ? patch.Floor : floor - 0.25f * extents.y - spacing);
+            patch.Read(data, cell, taken, held ? patch.Floor : floor - 0.25f * extents.y - spacing);
             patch.Edits = edits;
             return patch.Mesh;
         }
@@ -132,7 +132,7 @@ namespace SphFluid
                 Mesh != null && ReferenceEquals(terrain, data) && cellSize == cell && resolution == terrain.heightmapResolution && Floor <= lowest &&
                 near.xMin >= Cells.xMin && near.yMin >= Cells.yMin && near.xMax <= Cells.xMax && near.yMax <= Cells.yMax;
 
-            public void Take(TerrainData terrain, Vector3 cellSize, RectInt cells, float lowest)
+            public void Read(TerrainData terrain, Vector3 cellSize, RectInt cells, float lowest)
             {
                 float[,] newHeights = terrain.GetHeights(cells.xMin, cells.yMin, cells.width + 1, cells.height + 1);
                 bool[,] newSurface = terrain.GetHoles(cells.xMin, cells.yMin, cells.width, cells.height);

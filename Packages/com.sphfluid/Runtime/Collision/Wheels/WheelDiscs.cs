@@ -39,11 +39,11 @@ namespace SphFluid
             if (collider is WheelCollider wheel)
             {
                 if (!discs.TryGetValue(wheel, out Disc disc)) disc = Add(wheel);
-                disc.Take(RadiusOf(wheel), WidthOf(wheel, settings), spacing);
+                disc.Set(RadiusOf(wheel), WidthOf(wheel, settings), spacing);
                 return new ColliderState(wheel, disc.Mesh, friction, worldToSimulation * PoseOf(wheel));
             }
 #endif
-            return ColliderState.Of(collider, friction, worldToSimulation);
+            return ColliderState.Read(collider, friction, worldToSimulation);
         }
 
         /// <summary>Adds the wheels near a domain that Unity's overlap query did not find.</summary>
@@ -111,7 +111,7 @@ namespace SphFluid
             /// <summary>The triangles about the origin, the axle along x; none where the wheel has no size.</summary>
             public TriangleMesh Mesh { get; private set; } = None;
 
-            public void Take(float radius, float width, float spacing)
+            public void Set(float radius, float width, float spacing)
             {
                 var asked = new Vector3(radius, width, spacing);
                 if ((asked - made).magnitude <= Tolerance * made.magnitude && made.z == asked.z) return;

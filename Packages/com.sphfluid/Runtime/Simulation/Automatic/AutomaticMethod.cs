@@ -32,7 +32,7 @@ namespace SphFluid
         /// <summary>A start or a restored save came with a choice; null: with none.</summary>
         /// <param name="choice">The choice.</param>
         /// <param name="spec">The simulation, with a profile.</param>
-        public void Take(FluidMethodChoice choice, in FluidSpec spec)
+        public void Accept(FluidMethodChoice choice, in FluidSpec spec)
         {
             (Choice, advised) = (choice, null);
             if (choice != null) (asked, key) = (spec.Automatic, KeyOf(spec));
@@ -45,7 +45,7 @@ namespace SphFluid
         /// <param name="spec">The simulation, by the present choice.</param>
         /// <param name="run">The running liquid.</param>
         /// <param name="report">Receives what changed.</param>
-        public void Follow(in FluidSpec spec, FluidRun run, Action<FluidMessage> report)
+        public void Update(in FluidSpec spec, FluidRun run, Action<FluidMessage> report)
         {
             if (Choice == null || !spec.Automatic.IsOn) return;
             FluidLiveKey now = KeyOf(spec);
@@ -102,7 +102,7 @@ namespace SphFluid
             (fallback, fallbackOf) = (FluidMethodKind.Standard, spec.Profile.Shaders);
             foreach (FluidMethod method in FluidMethods.All)
             {
-                if (!method.MayBePicked || MethodObstacles.Of(new FluidSpec { Profile = spec.Profile }, method) != null) continue;
+                if (!method.MayBePicked || MethodObstacles.Find(new FluidSpec { Profile = spec.Profile }, method) != null) continue;
                 fallback = method.Kind;
                 break;
             }

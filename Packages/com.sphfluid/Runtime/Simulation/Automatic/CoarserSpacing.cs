@@ -36,8 +36,8 @@ namespace SphFluid
             {
                 if (candidate.Obstacle != null || double.IsNaN(candidate.MillisecondsAStep) || !asked.Add(candidate.Method)) continue;
                 double cost = candidate.CostSource == FluidCostSource.Estimated ? StepCosts.Estimate(candidate.Method, particles)
-                    : StepCosts.TryFind(StepCostKey.Of(FluidMethods.Of(candidate.Method).Derive(candidate.Offer.Apply(input)), hasBodies), particles, out StepCost known) ? known.Milliseconds : double.NaN;
-                foreach (MethodOffer offer in MethodChooser.Offers(FluidMethods.Of(candidate.Method), input, choice.Asked, cost))
+                    : StepCosts.TryFind(StepCostKey.Create(FluidMethods.Get(candidate.Method).Derive(candidate.Offer.Apply(input)), hasBodies), particles, out StepCost known) ? known.Milliseconds : double.NaN;
+                foreach (MethodOffer offer in MethodChooser.Offers(FluidMethods.Get(candidate.Method), input, choice.Asked, cost))
                     if (offer.StepsAFrame * offer.CostRatio * cost <= choice.FrameBudget && offer.SoundSpeed >= offer.LeastSoundSpeed) return candidate.Method;
             }
             return null;

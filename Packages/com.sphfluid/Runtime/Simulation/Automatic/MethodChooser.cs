@@ -50,7 +50,7 @@ namespace SphFluid
         {
             IReadOnlyList<MethodOffer> offers = Offers(method, input, spec.Automatic, double.NaN);
             if (offers.Count == 0) return;
-            string obstacle = MethodObstacles.Of(spec, input, method);
+            string obstacle = MethodObstacles.Find(spec, input, method);
             double cost = obstacle == null ? CostOf(method, input, offers[0], particles, hasBodies, meter, out FluidCostSource source) : Unknown(out source);
             foreach (MethodOffer offer in Offers(method, input, spec.Automatic, cost))
                 candidates.Add(new FluidMethodCandidate(offer, cost, source, obstacle));
@@ -60,7 +60,7 @@ namespace SphFluid
         {
             if (particles == 0) return Unknown(out source);
             FluidSolverSettings settings = method.Derive(offer.Apply(input));
-            StepCostKey key = StepCostKey.Of(settings, hasBodies);
+            StepCostKey key = StepCostKey.Create(settings, hasBodies);
             bool known = StepCosts.TryFind(key, particles, out StepCost cost) && StepCostTable.IsNear(cost, particles);
             if (!known && meter != null)
             {
@@ -70,7 +70,7 @@ namespace SphFluid
                     return StepCosts.Estimate(method.Kind, particles);
                 }
                 measured.Milliseconds *= method.PassesAStep / method.PassesOf(settings, settings.TimeStep, settings.MaxSpeed);
-                StepCosts.Note(key, measured);
+                StepCosts.Record(key, measured);
                 known = StepCosts.TryFind(key, particles, out cost);
             }
             if (!known) return Unknown(out source);

@@ -10,7 +10,7 @@ namespace SphFluid
         /// <param name="spec">The simulation.</param>
         /// <param name="method">The method.</param>
         /// <returns>Null where there is none.</returns>
-        public static string Of(in FluidSpec spec, FluidMethod method)
+        public static string Find(in FluidSpec spec, FluidMethod method)
         {
             if (!FluidSupport.Query().Supports(method.Kind)) return "does not run on this device";
             if (spec.Profile.Shaders != null && spec.Profile.Shaders.Missing(method.Shaders.AllShaders).Count > 0) return "has shaders that the shader set lacks";
@@ -23,7 +23,7 @@ namespace SphFluid
         /// <param name="method">The method.</param>
         /// <returns>Null where there is none.</returns>
         /// <exception cref="ArgumentException">An input is out of range.</exception>
-        public static string Of(in FluidSpec spec, in FluidRuleInput input, FluidMethod method) => Of(spec, method) ?? MissingPhysics(input, method);
+        public static string Find(in FluidSpec spec, in FluidRuleInput input, FluidMethod method) => Find(spec, method) ?? MissingPhysics(input, method);
 
         /// <summary>Those of all methods that Automatic may pick, a sentence each.</summary>
         /// <param name="given">The simulation.</param>
@@ -35,7 +35,7 @@ namespace SphFluid
             FluidRuleInput input = FluidConstants.Input(spec, start, start.Gravity);
             var sentences = new List<string>();
             foreach (FluidMethod method in FluidMethods.All)
-                if (method.MayBePicked && Of(spec, input, method) is string obstacle) sentences.Add($"{method.Kind} {obstacle}.");
+                if (method.MayBePicked && Find(spec, input, method) is string obstacle) sentences.Add($"{method.Kind} {obstacle}.");
             return string.Join(" ", sentences);
         }
 

@@ -25,7 +25,7 @@ namespace SphFluid
         {
             if (!IsUnderWay || timer == null || timer.FrameCount < StepTimer.Window) return null;
             IsUnderWay = false;
-            Note(timer, run.Solver, run.HasBodies);
+            Record(timer, run.Solver, run.HasBodies);
             if (choice == null || !choice.IsMeasured || !choice.FitsBudget || timer.MillisecondsAFrame <= Tolerance * choice.FrameBudget) return null;
             return new FluidMessage(FluidSeverity.Info, FluidIssue.MethodChoice, owner,
                 System.FormattableString.Invariant($"The steps take {timer.MillisecondsAFrame:0.00} ms a frame in play, where {choice.Pick.MillisecondsAFrame:0.00} ms at most were expected and {choice.FrameBudget:0.##} ms are allowed."),
@@ -33,11 +33,11 @@ namespace SphFluid
         }
 
         /// <summary>Notes the means of a timer.</summary>
-        public static void Note(StepTimer timer, FluidSolver solver, bool hasBodies)
+        public static void Record(StepTimer timer, FluidSolver solver, bool hasBodies)
         {
-            FluidMethod method = FluidMethods.Of(solver.Kind);
+            FluidMethod method = FluidMethods.Get(solver.Kind);
             double passes = method.PassesOf(solver.Settings, solver.LastTimeStep, solver.Counters.MaxSpeed);
-            StepCosts.Note(StepCostKey.Of(solver.Settings, hasBodies), new StepCost
+            StepCosts.Record(StepCostKey.Create(solver.Settings, hasBodies), new StepCost
             {
                 Particles = solver.LiveCount,
                 Milliseconds = timer.MillisecondsAFrame / timer.StepsAFrame * method.PassesAStep / passes,

@@ -56,7 +56,7 @@ namespace SphFluid
         /// <param name="motion">The body.</param>
         /// <param name="acted">Time that physics was stepped since the last one [s].</param>
         /// <param name="lead">How much later the liquid's time is than the last of these steps [s].</param>
-        public void Note(long frame, double time, in FloatMotion motion, double acted, double lead = 0.0)
+        public void Record(long frame, double time, in FloatMotion motion, double acted, double lead = 0.0)
         {
             if (newest < 0) oldest = frame;
             newest = frame;

@@ -67,7 +67,7 @@ namespace SphFluid
                 foreach (RigidbodyFloat member in members)
                 {
                     Vector3 centre = member.Motion.Pose.Centre;
-                    member.Take(new FloatChange
+                    member.Apply(new FloatChange
                     {
                         Velocity = velocity.At(centre, out Vector3 spin), AngularVelocity = spin,
                         Displacement = place.At(centre, out Vector3 turn), Rotation = turn,

@@ -10,7 +10,7 @@ namespace SphFluid
         Rigidbody hand;
 
         /// <summary>Time that was stepped since the last call [s].</summary>
-        public float Take(Scene scene)
+        public float Advance(Scene scene)
         {
             if (hand == null) Begin(scene);
             float time = hand.position.x;

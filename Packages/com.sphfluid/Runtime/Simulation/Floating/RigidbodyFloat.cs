@@ -52,7 +52,7 @@ namespace SphFluid
         {
             this.rigidbody = rigidbody;
             this.reach = reach;
-            state.Mass = RigidbodyMass.Of(rigidbody, space.ToSimulation);
+            state.Mass = RigidbodyMass.Read(rigidbody, space.ToSimulation);
             Body = new FloatingBody(state.Mass, PoseOf(space, rigidbody.transform.position, rigidbody.transform.rotation));
         }
 
@@ -116,7 +116,7 @@ namespace SphFluid
         }
 
         /// <summary>Of a body of a stack: it takes the part of the correction that all have; by the rest the GPU's body goes its way.</summary>
-        public void Take(in FloatChange common)
+        public void Apply(in FloatChange common)
         {
             var rest = new FloatChange { Displacement = state.Correction.Displacement - common.Displacement, Rotation = state.Correction.Rotation - common.Rotation };
             follower.Give(rest);
@@ -149,7 +149,7 @@ namespace SphFluid
         public void See(in FloatSpace space)
         {
             Sample(space);
-            FloatingMass found = RigidbodyMass.Of(rigidbody, space.ToSimulation);
+            FloatingMass found = RigidbodyMass.Read(rigidbody, space.ToSimulation);
             if (!found.IsNear(state.Mass)) state.Mass = found;
             Rest();
         }
@@ -176,7 +176,7 @@ namespace SphFluid
         public void Wake() => rigidbody.WakeUp();
 
         /// <summary>After that: what others than the liquid did to it.</summary>
-        public void Follow(in FloatSpace space)
+        public void Track(in FloatSpace space)
         {
             Body.Mass = rigidbody.IsSleeping() ? FloatingMass.Held : state.Mass;
             Look(space); // as the colliders are seen: interpolated, where it is
@@ -196,13 +196,13 @@ namespace SphFluid
         /// <param name="frame">Number of the frame.</param>
         /// <param name="time">The liquid's time [s].</param>
         /// <param name="lead">How much later that is than the last physics step [s].</param>
-        public void Note(long frame, double time, float lead)
+        public void Record(long frame, double time, float lead)
         {
             if (state.Epoch != Body.Epoch) follower.Restart(); // of what was before a seed nothing holds
             state.Epoch = Body.Epoch;
             FloatMotion now = state.Last;
             now.Pose = Turned(now.Pose, lead * now.Velocity, lead * now.AngularVelocity);
-            follower.Note(frame, time, now, state.Acted, lead);
+            follower.Record(frame, time, now, state.Acted, lead);
             state.Acted = 0f;
         }
 

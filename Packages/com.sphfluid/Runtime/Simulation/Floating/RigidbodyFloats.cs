@@ -52,7 +52,7 @@ namespace SphFluid
 
         /// <summary>Once a frame after the look, before the liquid's steps.</summary>
         /// <param name="scene">Where they are.</param>
-        public void Follow(Scene scene)
+        public void Track(Scene scene)
         {
             if (ordered.Count == 0) return;
             Leave();
@@ -62,19 +62,19 @@ namespace SphFluid
             else clock.Dispose();
             foreach (RigidbodyFloat known in ordered) known.See(space);
             stacks.Find(ordered);
-            foreach (RigidbodyFloat known in ordered) known.Follow(space);
+            foreach (RigidbodyFloat known in ordered) known.Track(space);
         }
 
         /// <summary>The steps of a frame were given to the GPU.</summary>
         /// <param name="bodies">The bodies on the GPU.</param>
         /// <param name="time">The liquid's time [s].</param>
-        public void Note(FloatingBodies bodies, double time)
+        public void Record(FloatingBodies bodies, double time)
         {
             if (ordered.Count == 0) return;
             bodies.Request();
             float age = atAnyTime ? behind : Time.time - Time.fixedTime;
             foreach (RigidbodyFloat known in ordered)
-                if (bodies.Has(known.Body)) known.Note(bodies.Frame - 1, time, age);
+                if (bodies.Has(known.Body)) known.Record(bodies.Frame - 1, time, age);
         }
 
         /// <summary>Before a physics step.</summary>
@@ -133,7 +133,7 @@ namespace SphFluid
 
         void TakeSteps(Scene scene)
         {
-            taken = clock.Take(scene);
+            taken = clock.Advance(scene);
             if (taken > 0f) stepped = taken;
             behind = Mathf.Clamp(behind + Time.deltaTime - taken, 0f, stepped);
             foreach (RigidbodyFloat known in ordered) known.Stepped(taken, true);
@@ -142,7 +142,7 @@ namespace SphFluid
         string KeyOf(FloatingBody body)
         {
             RigidbodyFloat known = ordered.Find(f => f.Body == body);
-            return known == null || known.Rigidbody == null ? "" : ScenePath.Of(known.Rigidbody);
+            return known == null || known.Rigidbody == null ? "" : ScenePath.GetPath(known.Rigidbody);
         }
 
         void Leave()

@@ -9,7 +9,7 @@ namespace SphFluid
         /// <summary>How it answers to impulses. Frozen positions are the world's axes, frozen rotations the body's own.</summary>
         /// <param name="body">The body.</param>
         /// <param name="toSimulation">Rotation of the world to simulation space.</param>
-        public static FloatingMass Of(Rigidbody body, Quaternion toSimulation)
+        public static FloatingMass Read(Rigidbody body, Quaternion toSimulation)
         {
             RigidbodyConstraints constraints = body.constraints;
             var mass = new FloatingMass(body.mass, Moments(body, constraints), body.useGravity ? toSimulation * Physics.gravity : Vector3.zero);

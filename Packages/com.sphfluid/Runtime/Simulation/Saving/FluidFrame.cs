@@ -25,7 +25,7 @@ namespace SphFluid
         public readonly ReadOnlySpan<byte> Bytes => SaveWriter.BytesOf(this);
 
         /// <summary>The check that the numbers ask for.</summary>
-        public readonly uint Expected => Crc32.Of(Bytes.Slice(0, Size - sizeof(uint)));
+        public readonly uint Expected => Crc32.Compute(Bytes.Slice(0, Size - sizeof(uint)));
     }
 
     /// <summary>Sees, or settles, what a liquid is given in each frame.</summary>

@@ -37,7 +37,7 @@ namespace SphFluid
 
         static FluidMessage? Refusal(in FluidSpec spec, FluidSave save)
         {
-            if (save.Identity.Difference(SaveIdentity.Of(spec), out string cure) is string difference) return Refused(spec, difference, cure);
+            if (save.Identity.Difference(SaveIdentity.Create(spec), out string cure) is string difference) return Refused(spec, difference, cure);
             long most = LiquidChecks.MostParticles(spec, out string reason);
             return save.Live.Length > most
                 ? Refused(spec, FormattableString.Invariant($"The save has {save.Live.Length} particles, but {reason}."), "Raise Max Particles of the profile.")

@@ -48,13 +48,13 @@ namespace SphFluid
         public IReadOnlyList<string> Missing => missing;
 
         /// <summary>Sections of a liquid, waiting for the GPU; the run adds its own.</summary>
-        public static List<(string name, SaveWriter contents)> Of(in FluidSpec spec, FluidStart start, FluidSolver solver)
+        public static List<(string name, SaveWriter contents)> Collect(in FluidSpec spec, FluidStart start, FluidSolver solver)
         {
             var about = new SaveWriter();
             about.WriteText(PresentDevice);
             about.WriteText(Application.unityVersion);
             var liquid = new SaveWriter();
-            liquid.Write(SaveIdentity.Of(spec));
+            liquid.Write(SaveIdentity.Create(spec));
             start.Extent.Save(liquid);
             liquid.Write(start.Count);
             liquid.Write(start.InitialSpeed);

@@ -13,7 +13,7 @@ namespace SphFluid
         public FluidAxes Periodic;
 
         /// <summary>That of a simulation.</summary>
-        public static SaveIdentity Of(in FluidSpec spec) => new SaveIdentity
+        public static SaveIdentity Create(in FluidSpec spec) => new SaveIdentity
         {
             Method = spec.Method,
             DomainSize = spec.DomainSize,

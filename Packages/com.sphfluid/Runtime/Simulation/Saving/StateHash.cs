@@ -11,7 +11,7 @@ namespace SphFluid
         const ulong Offset = 0xCBF29CE484222325ul, Prime = 0x100000001B3ul;
 
         /// <summary>The hash of items that follow others.</summary>
-        public static ulong Of<T>(ReadOnlySpan<T> items, ulong before = Offset) where T : unmanaged
+        public static ulong Compute<T>(ReadOnlySpan<T> items, ulong before = Offset) where T : unmanaged
         {
             ulong hash = before;
             foreach (byte value in MemoryMarshal.AsBytes(items)) hash = unchecked((hash ^ value) * Prime);
@@ -19,11 +19,11 @@ namespace SphFluid
         }
 
         /// <summary>Waits for the GPU and hashes a liquid: its particles by number, and the bodies that it moves.</summary>
-        public static ulong Of(FluidSolver solver)
+        public static ulong Compute(FluidSolver solver)
         {
-            ulong hash = Of(new ReadOnlySpan<FluidParticle>(SavedParticles.Read(solver)));
+            ulong hash = Compute(new ReadOnlySpan<FluidParticle>(SavedParticles.Read(solver)));
             FloatingBodies floating = solver.State.Bodies?.Floating;
-            return floating == null || floating.Count == 0 ? hash : Of(new ReadOnlySpan<FloatingState>(floating.ReadNow()), hash);
+            return floating == null || floating.Count == 0 ? hash : Compute(new ReadOnlySpan<FloatingState>(floating.ReadNow()), hash);
         }
     }
 }

@@ -31,7 +31,7 @@ namespace SphFluid
         /// <summary>Births that were taken since the start.</summary>
         public long Taken { get; private set; }
 
-        /// <summary>What <see cref="Take"/> took last.</summary>
+        /// <summary>What <see cref="CollectDue"/> took last.</summary>
         public ParticleBirth[] Due => due;
 
         /// <summary>Whether those are of several sources.</summary>
@@ -70,7 +70,7 @@ namespace SphFluid
         /// <param name="length">Length of the step [s]: velocities are half of it older than positions.</param>
         /// <param name="gravity">Gravity [m/s²], simulation space.</param>
         /// <returns>Their number in <see cref="Due"/>.</returns>
-        public int Take(double end, float length, Vector3 gravity)
+        public int CollectDue(double end, float length, Vector3 gravity)
         {
             int kept = 0, taken = 0;
             HasRivals = false;

@@ -86,8 +86,8 @@ namespace SphFluid
         {
             state.ParticleCount = Math.Min(state.ParticleCount, ceiling); // the sort has left the recycled behind
             ceiling = int.MaxValue;
-            expired = Lifetimes.Take(end, Births.Unborn);
-            due = Births.Take(end, length, state.Settings.Gravity);
+            expired = Lifetimes.RemoveDue(end, Births.Unborn);
+            due = Births.CollectDue(end, length, state.Settings.Gravity);
             bool recycles = Recycles && due > 0 && (long)state.ParticleCount + due > MostParticles;
             if (drains == 0 && expired == 0 && !recycles) return;
             stepper.RecordDrains(cmd, Drains(cmd, recycles));

@@ -20,7 +20,7 @@ namespace SphFluid
         /// <summary>Ranges that wait for their time.</summary>
         public int Waiting { get; private set; }
 
-        /// <summary>What <see cref="Take"/> took last: their number as the first of element 0, and behind it the ranges.</summary>
+        /// <summary>What <see cref="RemoveDue"/> took last: their number as the first of element 0, and behind it the ranges.</summary>
         public IdRange[] Due => due;
 
         /// <summary>Adds a range.</summary>
@@ -61,7 +61,7 @@ namespace SphFluid
         /// <param name="end">Simulated time at its end [s].</param>
         /// <param name="unborn">Id from which on nobody is born yet: a range of such ids waits.</param>
         /// <returns>Their number in <see cref="Due"/>.</returns>
-        public int Take(double end, uint unborn)
+        public int RemoveDue(double end, uint unborn)
         {
             due[0] = default;
             if (!(earliest <= end)) return 0;

@@ -32,7 +32,7 @@ namespace SphFluid
         public SourceCounts()
         {
             for (int i = Removed + 1; i < Most; i++) free.Enqueue(i);
-            readback = new NumberReadback(Kinds * Most, Take);
+            readback = new NumberReadback(Kinds * Most, Receive);
             buffer = GpuBuffers.Create("Fluid Source Counts", Kinds * Most, sizeof(uint));
             buffer.SetData(new uint[Kinds * Most]);
         }
@@ -95,7 +95,7 @@ namespace SphFluid
         }
 
         // The GPU counts modulo 2^32; a read-back older than one that was waited for adds nothing.
-        void Take(uint[] values)
+        void Receive(uint[] values)
         {
             for (int i = 0; i < values.Length; i++)
             {

@@ -87,7 +87,7 @@ namespace SphFluid
             Impulse = Seconds = 0.0;
         }
 
-        internal void Take(in WallSample sample)
+        internal void SetSample(in WallSample sample)
         {
             samples.Add(sample.Time, sample.Seconds, sample.Impulse);
             Impulse += sample.Impulse;

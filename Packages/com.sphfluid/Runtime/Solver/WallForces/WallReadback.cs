@@ -128,7 +128,7 @@ namespace SphFluid
                     {
                         int at = 2 * (part * patches.Count + p);
                         long units = unchecked((long)((ulong)words[at + 1] << 32 | words[at]));
-                        patches[p].Take(new WallSample(times[part], lengths[part], units * Unit));
+                        patches[p].SetSample(new WallSample(times[part], lengths[part], units * Unit));
                     }
                 }
             }

@@ -105,7 +105,7 @@ namespace SphFluid
             FluidSolverSettings settings = input.Solver.Settings;
             thesis.SetFloat(cmd, LowDensityId, LowDensity);
             thesis.SetFloat(cmd, DensityScale, 1f / settings.RestDensity);
-            bool ownMissing = FluidMethods.Of(settings.Method).OmitsOwnDensity(settings);
+            bool ownMissing = FluidMethods.Get(settings.Method).OmitsOwnDensity(settings);
             thesis.SetFloat(cmd, DensityOffset, ownMissing ? (float)KernelAtZero(input) : 0f);
             thesis.SetBuffer(cmd, FluidShaderIds.Density, input.Solver.Density);
         }

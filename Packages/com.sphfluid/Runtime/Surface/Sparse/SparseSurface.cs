@@ -36,7 +36,7 @@ namespace SphFluid
             passes = new SurfacePasses(shaders);
             triangles = new SurfaceTriangles();
             capacity = new SurfaceCapacity(firstBlocks, firstTriangles);
-            readback = new NumberReadback(SurfaceCounters.Slots, Take);
+            readback = new NumberReadback(SurfaceCounters.Slots, UpdateCounts);
             sprayReadback = new NumberReadback(SprayParticles.ArgumentWords, TakeSpray);
         }
 
@@ -135,7 +135,7 @@ namespace SphFluid
         /// reported once.
         /// </summary>
         /// <returns>A sentence with the cure, or null.</returns>
-        public string TakeWarning() => warnings.Take();
+        public string TakeWarning() => warnings.Dequeue();
 
         /// <summary>
         /// Waits for the GPU and reads what became of the surface that was recorded and executed last; for tools and tests.
@@ -234,7 +234,7 @@ namespace SphFluid
                 throw new FluidDeviceException(obstacle);
         }
 
-        void Take(uint[] counters)
+        void UpdateCounts(uint[] counters)
         {
             Status = new SurfaceStatus(counters);
             warnings.Check(Status, capacity.Obstacle(Status));

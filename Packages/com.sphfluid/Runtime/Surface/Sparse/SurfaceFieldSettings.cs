@@ -105,7 +105,7 @@ namespace SphFluid
         /// <param name="quality">Cells of 1, 0.75 or 0.5 spacings, and a filter to match.</param>
         /// <param name="settings">The liquid: spacing and support radius.</param>
         public static SurfaceFieldSettings For(FluidSurfaceQuality quality, in FluidSolverSettings settings) =>
-            For(quality, settings, Preset.Of(quality).CellRatio);
+            For(quality, settings, Preset.Get(quality).CellRatio);
 
         /// <summary>The smooth field on cells of another size.</summary>
         /// <param name="quality">Smoothing and filter.</param>
@@ -115,7 +115,7 @@ namespace SphFluid
         /// positive number.</exception>
         public static SurfaceFieldSettings For(FluidSurfaceQuality quality, in FluidSolverSettings settings,
             float cellSizeInSpacings) =>
-            Smooth(settings, Preset.Of(quality), cellSizeInSpacings, FieldKind.Smooth);
+            Smooth(settings, Preset.Get(quality), cellSizeInSpacings, FieldKind.Smooth);
 
         /// <summary>
         /// A field whose kernels are stretched along the surface (Yu and Turk 2010), λ = 0.9, no filter: flatter pools
@@ -194,7 +194,7 @@ namespace SphFluid
 
             public static Preset OfAnisotropic => new Preset(0.5f, 0.9f, 0, 0f);
 
-            public static Preset Of(FluidSurfaceQuality quality)
+            public static Preset Get(FluidSurfaceQuality quality)
             {
                 switch (quality)
                 {

@@ -51,7 +51,7 @@ namespace SphFluid
         bool nonFiniteReported;
 
         /// <summary>The next sentence that nobody took; null when there is none.</summary>
-        public string Take() => pending.Count > 0 ? pending.Dequeue() : null;
+        public string Dequeue() => pending.Count > 0 ? pending.Dequeue() : null;
 
         /// <param name="status">A surface that was read back.</param>
         /// <param name="obstacle">Why it will not fit, or null.</param>

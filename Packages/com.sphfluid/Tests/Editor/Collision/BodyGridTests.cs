@@ -21,7 +21,7 @@ namespace SphFluid.Tests
                 Vector3 b = a + size * ParticleSets.RandomVector(random), c = a + size * ParticleSets.RandomVector(random);
                 if (i % 5 == 0) c = b + 1e-4f * (c - b); // needles
                 if (i % 7 == 0) b.y = c.y = a.y;         // along the cells
-                triangles.Add(BodyTriangle.Of(a, b, c));
+                triangles.Add(BodyTriangle.Create(a, b, c));
             }
             return triangles;
         }
@@ -95,7 +95,7 @@ namespace SphFluid.Tests
         public void ListsThatWouldBeTooLongAreOfLargerCells()
         {
             BodyTriangle[] Large(int count) => Enumerable.Range(0, count)
-                .Select(i => BodyTriangle.Of(new Vector3(-1f, -1f, 1e-3f * i), new Vector3(1f, 1f, 1e-3f * i), new Vector3(-1f, -1f, 1e-3f * i + 1f))).ToArray();
+                .Select(i => BodyTriangle.Create(new Vector3(-1f, -1f, 1e-3f * i), new Vector3(1f, 1f, 1e-3f * i), new Vector3(-1f, -1f, 1e-3f * i + 1f))).ToArray();
             using (var few = new BodyGrid(Large(3), null, 1f, null))
             using (var many = new BodyGrid(Large(80000), null, 1f, null))
             {
@@ -137,7 +137,7 @@ namespace SphFluid.Tests
             List<BodyTriangle> triangles = Soup(101, 5);
             var random = new System.Random(7);
             Vector3 Near(Vector3 corner) => corner + 2f * Reach * ParticleSets.RandomVector(random);
-            BodyTriangle[] ends = triangles.Select(t => BodyTriangle.Of(Near(t.A), Near(t.B), Near(t.C))).ToArray();
+            BodyTriangle[] ends = triangles.Select(t => BodyTriangle.Create(Near(t.A), Near(t.B), Near(t.C))).ToArray();
             using var grid = new BodyGrid(triangles.ToArray(), ends, Reach, null);
             int near = 0, listedInAll = 0;
             for (int i = 0; i < 3000; i++)

@@ -37,8 +37,8 @@ namespace SphFluid.Tests
         static List<Vector3> Corners(BodyMotion motion, bool end)
         {
             AffineMap pose = end
-                ? AffineMap.Of(Matrix4x4.TRS(motion.Position1, motion.Rotation1, Vector3.one)) * motion.Stretch1.Map
-                : AffineMap.Of(Matrix4x4.TRS(motion.Position0, motion.Rotation0, Vector3.one)) * motion.Stretch0.Map;
+                ? AffineMap.FromMatrix(Matrix4x4.TRS(motion.Position1, motion.Rotation1, Vector3.one)) * motion.Stretch1.Map
+                : AffineMap.FromMatrix(Matrix4x4.TRS(motion.Position0, motion.Rotation0, Vector3.one)) * motion.Stretch0.Map;
             return (end && motion.Deformation != null ? motion.Deformation.End : motion.Mesh).Vertices.Select(v => pose.Apply(v)).ToList();
         }
 
@@ -114,7 +114,7 @@ namespace SphFluid.Tests
                 FluidObstacle solid = Gather();
                 Assert.That(motion.MoveTo(solid), Is.EqualTo(BodyFollowing.Followed).Or.EqualTo(BodyFollowing.CellsOutgrown));
                 Bounds bounds = new TriangleMesh(Corners(motion, true).ToArray(), motion.Mesh.Indices).Bounds;
-                float radius = RoundShape.Of(solid.State).Radius;
+                float radius = RoundShape.FromCollider(solid.State).Radius;
                 Assert.That((bounds.center - solid.Mesh.Bounds.center).magnitude, Is.LessThan(0.05f * radius));
                 Assert.That((bounds.size - solid.Mesh.Bounds.size).magnitude, Is.LessThan(0.2f * radius), "to the error of the chords");
             }

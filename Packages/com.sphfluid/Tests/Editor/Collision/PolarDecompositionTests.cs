@@ -10,7 +10,7 @@ namespace SphFluid.Tests
         static AffineMap Random(System.Random random, double unevenness)
         {
             double Scale() => Math.Pow(10.0, unevenness * (2.0 * random.NextDouble() - 1.0));
-            AffineMap Turn() => AffineMap.Of(Matrix4x4.Rotate(ParticleSets.RandomRotation(random)));
+            AffineMap Turn() => AffineMap.FromMatrix(Matrix4x4.Rotate(ParticleSets.RandomRotation(random)));
             return Turn() * new AffineMap(Scale(), 0, 0, 0, Scale(), 0, 0, 0, Scale()) * Turn();
         }
 
@@ -33,7 +33,7 @@ namespace SphFluid.Tests
                 Assert.That(AffineMap.Difference(r * s, a), Is.LessThan(1e-12 * Size(a)));
                 // Sylvester: the leading minors of a positive definite matrix are positive.
                 Assert.That(s.M00 > 0.0 && s.M00 * s.M11 - s.M01 * s.M10 > 0.0 && s.Determinant > 0.0);
-                AffineMap turned = AffineMap.Of(Matrix4x4.Rotate(parts.Quaternion));
+                AffineMap turned = AffineMap.FromMatrix(Matrix4x4.Rotate(parts.Quaternion));
                 Assert.That(AffineMap.Difference(turned, r), Is.LessThan(1e-6), "the quaternion is the rotation");
             }
         }
@@ -81,7 +81,7 @@ namespace SphFluid.Tests
             for (int i = 0; i < 200; i++)
             {
                 PolarDecomposition.TryFind(Random(random, 0.5), out PolarDecomposition parts);
-                BodyStretch stretch = BodyStretch.Of(parts.Stretch, BodyStretch.None);
+                BodyStretch stretch = BodyStretch.Create(parts.Stretch, BodyStretch.None);
                 (double least, double most) = stretch.Range();
                 double shortest = double.MaxValue, longest = 0.0;
                 for (int k = 0; k < 2000; k++)
@@ -99,8 +99,8 @@ namespace SphFluid.Tests
         [Test]
         public void TheChangeOfAStretchIsTheNormOfTheDifference()
         {
-            BodyStretch a = BodyStretch.Of(new AffineMap(2, 1, 0, 1, 7, 0, 0, 0, 1), BodyStretch.None);
-            BodyStretch b = BodyStretch.Of(new AffineMap(5, 7, 0, 7, 3, 0, 0, 0, 1), BodyStretch.None);
+            BodyStretch a = BodyStretch.Create(new AffineMap(2, 1, 0, 1, 7, 0, 0, 0, 1), BodyStretch.None);
+            BodyStretch b = BodyStretch.Create(new AffineMap(5, 7, 0, 7, 3, 0, 0, 0, 1), BodyStretch.None);
             Assert.That(BodyStretch.Change(a, b), Is.EqualTo(Math.Sqrt(97.0)).Within(1e-6));
             Assert.That(BodyStretch.Change(b, a), Is.EqualTo(Math.Sqrt(97.0)).Within(1e-6));
             Assert.That(BodyStretch.Change(a, a), Is.Zero);
@@ -111,9 +111,9 @@ namespace SphFluid.Tests
         {
             BodyStretch stretch = BodyStretch.None;
             AffineMap Even(double s) => new AffineMap(s, 0, 0, 0, s, 0, 0, 0, s);
-            stretch = BodyStretch.Of(Even(1.000002), stretch);
+            stretch = BodyStretch.Create(Even(1.000002), stretch);
             Assert.That(stretch.IsNone, Is.True);
-            for (int frame = 1; frame <= 10; frame++) stretch = BodyStretch.Of(Even(1.0 + 2e-6 * frame), stretch);
+            for (int frame = 1; frame <= 10; frame++) stretch = BodyStretch.Create(Even(1.0 + 2e-6 * frame), stretch);
             Assert.That(stretch.Diagonal.x, Is.EqualTo(1.00002f).Within(1e-5f).And.GreaterThan(1f));
         }
     }

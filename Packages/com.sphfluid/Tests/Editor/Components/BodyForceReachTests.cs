@@ -15,7 +15,7 @@ namespace SphFluid.Tests
         public void TheFarthestCornerCounts(float centre, float distance)
         {
             var box = new LiquidBox("box", Matrix4x4.TRS(new Vector3(0f, 0.5f, 0f), Quaternion.identity, Vector3.one), Vector3.zero);
-            LiquidExtent extent = LiquidExtent.Of(new[] { box }, new Vector3(2f, 3f, 4f));
+            LiquidExtent extent = LiquidExtent.Create(new[] { box }, new Vector3(2f, 3f, 4f));
             var force = new FluidBodyForce { RateSquared = new Vector3(0f, 9f, 0f), Centre = new Vector3(0f, centre, 0f) };
             Assert.That(extent.SpeedBy(force), Is.EqualTo(3f * distance).Within(1e-5f));
         }

@@ -27,7 +27,7 @@ namespace SphFluid.Tests
         {
             using (var edited = new SerializedObject(profile))
             {
-                foreach (string field in FluidMethods.Of(kind).ProfileFields) Assert.That(edited.FindProperty(field), Is.Not.Null, field);
+                foreach (string field in FluidMethods.Get(kind).ProfileFields) Assert.That(edited.FindProperty(field), Is.Not.Null, field);
             }
         }
 

@@ -8,7 +8,7 @@ namespace SphFluid.Tests
         [Test]
         public void NothingActedSaysNothing()
         {
-            Assert.That(new GuardMonitor().Note(default, ""), Is.Null);
+            Assert.That(new GuardMonitor().Update(default, ""), Is.Null);
         }
 
         [Test]
@@ -16,20 +16,20 @@ namespace SphFluid.Tests
         {
             var monitor = new GuardMonitor();
             var counters = new FluidCounters { Squeezed = 2 };
-            Assert.That(monitor.Note(counters, ""), Does.Contain("2 times a particle had no place between colliders"));
+            Assert.That(monitor.Update(counters, ""), Does.Contain("2 times a particle had no place between colliders"));
             counters.Squeezed = 3;
-            Assert.That(monitor.Note(counters, ""), Is.Null);
+            Assert.That(monitor.Update(counters, ""), Is.Null);
         }
 
         [Test]
         public void EachKindHasItsOwnCure()
         {
             var monitor = new GuardMonitor();
-            monitor.Note(new FluidCounters { Squeezed = 2 }, "Shorter steps");
+            monitor.Update(new FluidCounters { Squeezed = 2 }, "Shorter steps");
             Assert.That(monitor.Cure, Does.StartWith("Stop colliders that close").And.Not.Contain("Shorter steps"), "no step parts them");
-            monitor.Note(new FluidCounters { Squeezed = 2, Overlaps = 1 }, "Shorter steps");
+            monitor.Update(new FluidCounters { Squeezed = 2, Overlaps = 1 }, "Shorter steps");
             Assert.That(monitor.Cure, Is.EqualTo("Enable and place colliders where no liquid is."));
-            monitor.Note(new FluidCounters { Squeezed = 2, Overlaps = 1, NonFinite = 1, ShortenedSteps = 1 }, "Shorter steps");
+            monitor.Update(new FluidCounters { Squeezed = 2, Overlaps = 1, NonFinite = 1, ShortenedSteps = 1 }, "Shorter steps");
             Assert.That(monitor.Cure, Does.StartWith("Shorter steps, or raise Expected Speed"));
         }
     }

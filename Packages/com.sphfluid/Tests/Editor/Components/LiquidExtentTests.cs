@@ -37,6 +37,6 @@ namespace SphFluid.Tests
         }
 
         static LiquidExtent Extent(Vector3 center, Vector3 size) =>
-            LiquidExtent.Of(new[] { new LiquidBox("box", Matrix4x4.TRS(center, Quaternion.identity, size), Vector3.zero) }, Domain);
+            LiquidExtent.Create(new[] { new LiquidBox("box", Matrix4x4.TRS(center, Quaternion.identity, size), Vector3.zero) }, Domain);
     }
 }

@@ -95,6 +95,6 @@ namespace SphFluid.Tests
         }
 
         static string Note(SubstepMonitor monitor, StepClock clock, double deltaTime) =>
-            monitor.Note(clock, clock.Advance(deltaTime), deltaTime);
+            monitor.Update(clock, clock.Advance(deltaTime), deltaTime);
     }
 }

@@ -30,21 +30,21 @@ namespace SphFluid.Tests
         [TestCase(0.002f, "'Tank': the surface tension of 0.073 N/m acts, with a contact angle of 30°.")]
         public void CoarseParticlesDoNotResolveIt(float spacing, string text)
         {
-            Assert.That(SurfaceTensionText.Of(tank, Constants(spacing, 0.2f)), Is.EqualTo(text));
+            Assert.That(SurfaceTensionText.Describe(tank, Constants(spacing, 0.2f)), Is.EqualTo(text));
         }
 
         [Test]
         public void WithoutGravityItActsWhereItIsAskedFor()
         {
-            Assert.That(SurfaceTensionText.Of(tank, Constants(0.025f, 0.2f, 0f)), Does.EndWith("It does at 2.7 mm and finer, the liquid's capillary length on Earth, or with Tension At Any Spacing."));
+            Assert.That(SurfaceTensionText.Describe(tank, Constants(0.025f, 0.2f, 0f)), Does.EndWith("It does at 2.7 mm and finer, the liquid's capillary length on Earth, or with Tension At Any Spacing."));
             profile.TensionAtAnySpacing = true;
-            Assert.That(SurfaceTensionText.Of(tank, Constants(0.025f, 0.2f, 0f)), Is.EqualTo("'Tank': the surface tension of 0.073 N/m acts, with a contact angle of 30°."));
+            Assert.That(SurfaceTensionText.Describe(tank, Constants(0.025f, 0.2f, 0f)), Is.EqualTo("'Tank': the surface tension of 0.073 N/m acts, with a contact angle of 30°."));
         }
 
         [Test]
         public void WhereItSetsTheStepItSaysSo()
         {
-            Assert.That(SurfaceTensionText.Of(tank, Constants(0.0002f, 0.001f)), Does.Contain("acts, with a contact angle of 30°. It sets the time step of "));
+            Assert.That(SurfaceTensionText.Describe(tank, Constants(0.0002f, 0.001f)), Does.Contain("acts, with a contact angle of 30°. It sets the time step of "));
         }
 
         [Test]
@@ -52,7 +52,7 @@ namespace SphFluid.Tests
         {
             tank.Method = FluidMethodKind.Thesis;
             FluidSolverSettings constants = Constants(0.002f, 0.2f);
-            Assert.That(SurfaceTensionText.Of(tank, constants), Does.EndWith("does not act: the method Thesis has none."));
+            Assert.That(SurfaceTensionText.Describe(tank, constants), Does.EndWith("does not act: the method Thesis has none."));
         }
 
         [TestCase(FluidMethodKind.Standard, "'Tank': the surface tension of 0.073 N/m acts, with a contact angle of 30°.")]
@@ -62,14 +62,14 @@ namespace SphFluid.Tests
             tank.Method = inUse;
             FluidSolverSettings constants = Constants(0.002f, 0.2f);
             tank.Method = FluidMethodKind.Automatic;
-            Assert.That(SurfaceTensionText.Of(tank, constants), Is.EqualTo(text));
+            Assert.That(SurfaceTensionText.Describe(tank, constants), Is.EqualTo(text));
         }
 
         [Test]
         public void WithoutThereIsNothingToSay()
         {
             profile.SurfaceTension = 0f;
-            Assert.That(SurfaceTensionText.Of(tank, Constants(0.002f, 0.2f)), Is.Empty);
+            Assert.That(SurfaceTensionText.Describe(tank, Constants(0.002f, 0.2f)), Is.Empty);
         }
 
         FluidSolverSettings Constants(float spacing, float height, float gravity = 9.81f)

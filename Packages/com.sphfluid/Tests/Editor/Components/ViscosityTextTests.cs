@@ -29,7 +29,7 @@ namespace SphFluid.Tests
         {
             FluidSimulation tank = Tank(0.025f);
             profile.KinematicViscosity = 1.246e-4f;
-            Assert.That(ViscosityText.Of(tank, Constants(tank)), Is.EqualTo(
+            Assert.That(ViscosityText.Describe(tank, Constants(tank)), Is.EqualTo(
                 "'Tank': 0.0012 m²/s acts, the least of its method at a spacing of 25 mm. The 0.00012 m²/s that are set act at 2.5 mm and finer."));
         }
 
@@ -37,7 +37,7 @@ namespace SphFluid.Tests
         public void WaterNamesNoSpacingThatNobodyReaches()
         {
             FluidSimulation tank = Tank(0.025f);
-            Assert.That(ViscosityText.Of(tank, Constants(tank)), Is.EqualTo("'Tank': 0.0012 m²/s acts, the least of its method at a spacing of 25 mm."));
+            Assert.That(ViscosityText.Describe(tank, Constants(tank)), Is.EqualTo("'Tank': 0.0012 m²/s acts, the least of its method at a spacing of 25 mm."));
         }
 
         [Test]
@@ -45,7 +45,7 @@ namespace SphFluid.Tests
         {
             FluidSimulation tank = Tank(0.025f);
             profile.KinematicViscosity = 0.02f;
-            Assert.That(ViscosityText.Of(tank, Constants(tank)), Is.EqualTo("'Tank': 0.02 m²/s acts, as set."));
+            Assert.That(ViscosityText.Describe(tank, Constants(tank)), Is.EqualTo("'Tank': 0.02 m²/s acts, as set."));
         }
 
         [Test]
@@ -53,7 +53,7 @@ namespace SphFluid.Tests
         {
             FluidSimulation tank = Tank(0.025f);
             profile.KinematicViscosity = 0.12f;
-            Assert.That(ViscosityText.Of(tank, Constants(tank)), Does.StartWith("'Tank': 0.12 m²/s acts, as set. It sets the time step of ").And.EndsWith(" ms."));
+            Assert.That(ViscosityText.Describe(tank, Constants(tank)), Does.StartWith("'Tank': 0.12 m²/s acts, as set. It sets the time step of ").And.EndsWith(" ms."));
         }
 
         [TestCase(0.5f, "'Tank': 0.5 m²/s acts, as set. It is solved implicitly, in 8 iterations a step, and does not shorten the step.")]
@@ -62,7 +62,7 @@ namespace SphFluid.Tests
         {
             FluidSimulation tank = Tank(0.025f);
             profile.KinematicViscosity = viscosity;
-            Assert.That(ViscosityText.Of(tank, Constants(tank)), Is.EqualTo(text));
+            Assert.That(ViscosityText.Describe(tank, Constants(tank)), Is.EqualTo(text));
         }
 
         [Test]

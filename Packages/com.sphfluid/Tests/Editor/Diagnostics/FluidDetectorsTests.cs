@@ -158,7 +158,7 @@ namespace SphFluid.Tests
             for (int i = 0; i < lifted.Statistics.Count; i++)
             {
                 if (i == Sick) detectors.Rebase();
-                Assert.That(detectors.Note(lifted.Statistics[i], default), Is.Empty, "a moved collider did work");
+                Assert.That(detectors.Update(lifted.Statistics[i], default), Is.Empty, "a moved collider did work");
             }
         }
 
@@ -167,7 +167,7 @@ namespace SphFluid.Tests
         {
             StatisticsSeries series = StatisticsSeries.Healthy();
             FluidDetectors detectors = series.Detectors();
-            Assert.That(detectors.Note(series.Statistics[0], default), Is.Empty);
+            Assert.That(detectors.Update(series.Statistics[0], default), Is.Empty);
             detectors.Apply(series.Step(1.4f).Settings);
             Assert.That(detectors.Check().Select(f => f.Failure), Is.EqualTo(new[] { FluidFailure.TimeStepTooLong }));
             detectors.Apply(series.Step(1f / 1.4f).Settings);

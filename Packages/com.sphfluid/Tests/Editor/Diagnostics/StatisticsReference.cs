@@ -90,7 +90,7 @@ namespace SphFluid.Tests
             foreach (FluidParticle other in all)
             {
                 double r = NearestImage((Double3)at.Position - other.Position, settings).Length;
-                if (Finite(other.Position) && (other.Id != at.Id || !FluidMethods.Of(settings.Method).OmitsOwnDensity(settings)))
+                if (Finite(other.Position) && (other.Id != at.Id || !FluidMethods.Get(settings.Method).OmitsOwnDensity(settings)))
                     density += settings.ParticleMass * ThesisReference.Poly6(r, settings.SupportRadius);
             }
             return density;

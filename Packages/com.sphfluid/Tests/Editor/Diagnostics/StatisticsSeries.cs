@@ -100,7 +100,7 @@ namespace SphFluid.Tests
         {
             FluidDetectors detectors = Detectors();
             var found = new List<IReadOnlyList<FluidFinding>>();
-            for (int i = 0; i < Statistics.Count; i++) found.Add(detectors.Note(Statistics[i], Counters[i]));
+            for (int i = 0; i < Statistics.Count; i++) found.Add(detectors.Update(Statistics[i], Counters[i]));
             return found;
         }
     }

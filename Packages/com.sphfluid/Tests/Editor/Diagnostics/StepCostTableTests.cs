@@ -5,7 +5,7 @@ namespace SphFluid.Tests
     /// <summary>Costs of steps: kept by size, read between and beyond the sizes, never made up.</summary>
     public sealed class StepCostTableTests
     {
-        static readonly StepCostKey Key = StepCostKey.Of(FluidMethodKind.Standard, 2.25, false);
+        static readonly StepCostKey Key = StepCostKey.Create(FluidMethodKind.Standard, 2.25, false);
 
         StepCostTable table;
 
@@ -18,9 +18,9 @@ namespace SphFluid.Tests
             Assert.That(table.TryFind(Key, 1000, out _), Is.False);
             Note(1000, 1.0);
             Assert.That(table.TryFind(Key, 0, out _), Is.False);
-            Assert.That(table.TryFind(StepCostKey.Of(FluidMethodKind.Thesis, 2.25, false), 1000, out _), Is.False, "another method");
-            Assert.That(table.TryFind(StepCostKey.Of(FluidMethodKind.Standard, 2.0, false), 1000, out _), Is.False, "another support radius");
-            Assert.That(table.TryFind(StepCostKey.Of(FluidMethodKind.Standard, 2.25, true), 1000, out _), Is.False, "bodies");
+            Assert.That(table.TryFind(StepCostKey.Create(FluidMethodKind.Thesis, 2.25, false), 1000, out _), Is.False, "another method");
+            Assert.That(table.TryFind(StepCostKey.Create(FluidMethodKind.Standard, 2.0, false), 1000, out _), Is.False, "another support radius");
+            Assert.That(table.TryFind(StepCostKey.Create(FluidMethodKind.Standard, 2.25, true), 1000, out _), Is.False, "bodies");
         }
 
         [TestCase(0, 1.0)]
@@ -113,7 +113,7 @@ namespace SphFluid.Tests
         }
 
         bool Note(long particles, double milliseconds, bool inPlay = true) =>
-            table.Note(Key, new StepCost { Particles = particles, Milliseconds = milliseconds, InPlay = inPlay });
+            table.Record(Key, new StepCost { Particles = particles, Milliseconds = milliseconds, InPlay = inPlay });
 
         double Found(long particles) => table.TryFind(Key, particles, out StepCost cost) ? cost.Milliseconds : double.NaN;
 

@@ -93,7 +93,7 @@ namespace SphFluid.Tests
             int layer = EmitterSites.For(nozzle, Spacing).Places.Length;
             double time = 5.5 * Spacing / 1.3;
             run.Emit(nozzle, new FluidSpec { Spacing = Spacing, Rotation = Quaternion.identity }, 0.0, time, births, new ParticleLifetimes());
-            births.Take(time, 0f, Vector3.zero);
+            births.CollectDue(time, 0f, Vector3.zero);
             Vector3[] born = births.Due.Take(6 * layer).Select(b => b.Position).ToArray();
             Assert.That(born.Length, Is.EqualTo(6 * layer));
             for (int i = 0; i < born.Length; i++)
@@ -107,13 +107,13 @@ namespace SphFluid.Tests
         {
             Mesh mesh = Made(Frame(0.05f, 0f));
             EmitterSpec nozzle = Nozzle(mesh);
-            EmitterOutline first = EmitterOutline.Of(nozzle, Spacing);
-            Assert.That(EmitterOutline.Of(nozzle, Spacing), Is.SameAs(first));
+            EmitterOutline first = EmitterOutline.Create(nozzle, Spacing);
+            Assert.That(EmitterOutline.Create(nozzle, Spacing), Is.SameAs(first));
             nozzle.Scale = new Vector3(2f, 1f, 1f);
-            Assert.That(EmitterOutline.Of(nozzle, Spacing).Places.Length, Is.EqualTo(2 * first.Places.Length));
+            Assert.That(EmitterOutline.Create(nozzle, Spacing).Places.Length, Is.EqualTo(2 * first.Places.Length));
             nozzle.Mesh = Made(Frame(0.1f, 0f));
             nozzle.Scale = Vector3.one;
-            Assert.That(EmitterOutline.Of(nozzle, Spacing).Places.Length, Is.EqualTo(4 * first.Places.Length));
+            Assert.That(EmitterOutline.Create(nozzle, Spacing).Places.Length, Is.EqualTo(4 * first.Places.Length));
         }
 
         [Test]

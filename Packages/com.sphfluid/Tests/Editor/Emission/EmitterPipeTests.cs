@@ -20,7 +20,7 @@ namespace SphFluid.Tests
         public void IsClosedAndHoldsALayerAwayFromItsWall(FluidEmitterShape shape, float x, float y)
         {
             EmitterSpec emitter = Emitter(shape, x, y);
-            EmitterPipe pipe = EmitterPipe.Of(emitter, Spacing, Reach);
+            EmitterPipe pipe = EmitterPipe.Create(emitter, Spacing, Reach);
             Assert.That(pipe.Mesh.IsClosed);
             Assert.That(pipe.Length, Is.EqualTo(Reach + 0.25f * Spacing).Within(1e-6f));
             foreach (Vector2 place in EmitterSites.For(emitter, Spacing).Places)
@@ -36,10 +36,10 @@ namespace SphFluid.Tests
         public void IsMadeOnceForASize()
         {
             EmitterSpec emitter = Emitter(FluidEmitterShape.Disc, 0.1f, 0.1f);
-            EmitterPipe pipe = EmitterPipe.Of(emitter, Spacing, Reach);
-            Assert.That(EmitterPipe.Of(emitter, Spacing, Reach), Is.SameAs(pipe));
+            EmitterPipe pipe = EmitterPipe.Create(emitter, Spacing, Reach);
+            Assert.That(EmitterPipe.Create(emitter, Spacing, Reach), Is.SameAs(pipe));
             emitter.Size = new Vector2(0.1f, 0.12f);
-            Assert.That(EmitterPipe.Of(emitter, Spacing, Reach), Is.Not.SameAs(pipe));
+            Assert.That(EmitterPipe.Create(emitter, Spacing, Reach), Is.Not.SameAs(pipe));
         }
     }
 }

@@ -65,7 +65,7 @@ namespace SphFluid.Tests
         [TestCase("SomebodysPipelineAsset", false, true)]
         public void PipelinesAreRecognisedByTheirAsset(string assetClass, bool highDefinition, bool shadows)
         {
-            DrawPipelineKind kind = DrawPipeline.Of(assetClass);
+            DrawPipelineKind kind = DrawPipeline.Identify(assetClass);
             Assert.AreEqual(highDefinition, kind == DrawPipelineKind.HighDefinition);
             Assert.AreEqual(shadows, DrawPipeline.HasShadows(kind));
             Assert.IsTrue(DrawPipeline.HasShadows(DrawPipelineKind.BuiltIn));

@@ -14,7 +14,7 @@ namespace SphFluid.Tests
         [TestCase(2, true, false, "Refraction, reflection probes and shadows are missing")]
         public void WhatIsMissingIsReportedForEachPipeline(int kind, bool hasUniversal, bool isComplete, string said)
         {
-            WaterRoute route = WaterRoute.Of((DrawPipelineKind)kind, hasUniversal);
+            WaterRoute route = WaterRoute.Choose((DrawPipelineKind)kind, hasUniversal);
             Assert.AreEqual(isComplete, route.IsComplete);
             StringAssert.Contains(said, route.Text);
         }

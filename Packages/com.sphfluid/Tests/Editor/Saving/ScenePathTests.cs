@@ -20,13 +20,13 @@ namespace SphFluid.Tests
                 barrel.transform.SetSiblingIndex(0);
                 BoxCollider first = crates[2].AddComponent<BoxCollider>(), second = crates[2].AddComponent<BoxCollider>();
                 SphereCollider ball = crates[2].AddComponent<SphereCollider>();
-                Assert.That(ScenePath.Of(first), Is.EqualTo("Crates of a test/Crate#2:BoxCollider"));
-                Assert.That(ScenePath.Of(second), Is.EqualTo("Crates of a test/Crate#2:BoxCollider#1"));
-                Assert.That(ScenePath.Of(ball), Is.EqualTo("Crates of a test/Crate#2:SphereCollider"));
-                Assert.That(ScenePath.Of(crates[0].transform), Is.EqualTo("Crates of a test/Crate:Transform"));
-                Assert.That(ScenePath.Of(barrel.transform), Is.EqualTo("Crates of a test/Barrel:Transform"));
+                Assert.That(ScenePath.GetPath(first), Is.EqualTo("Crates of a test/Crate#2:BoxCollider"));
+                Assert.That(ScenePath.GetPath(second), Is.EqualTo("Crates of a test/Crate#2:BoxCollider#1"));
+                Assert.That(ScenePath.GetPath(ball), Is.EqualTo("Crates of a test/Crate#2:SphereCollider"));
+                Assert.That(ScenePath.GetPath(crates[0].transform), Is.EqualTo("Crates of a test/Crate:Transform"));
+                Assert.That(ScenePath.GetPath(barrel.transform), Is.EqualTo("Crates of a test/Barrel:Transform"));
                 var twin = new GameObject("Crates of a test");
-                Assert.That(ScenePath.Of(twin.transform), Is.EqualTo("Crates of a test#1:Transform"));
+                Assert.That(ScenePath.GetPath(twin.transform), Is.EqualTo("Crates of a test#1:Transform"));
                 Object.DestroyImmediate(twin);
             }
             finally

@@ -13,7 +13,7 @@ namespace SphFluid.Tests
         [Test]
         public void PointsAreHalfASpacingApartOrLess()
         {
-            SensorLine line = SensorLine.Of(new Vector3(0f, -0.5f, 0f), Vector3.up, 0.8f, Domain, Spacing);
+            SensorLine line = SensorLine.Create(new Vector3(0f, -0.5f, 0f), Vector3.up, 0.8f, Domain, Spacing);
             Assert.That(line.First, Is.Zero);
             Assert.That(line.Step, Is.InRange(0.4f * Spacing, 0.5f * Spacing));
             Assert.That(line.First + (line.Count - 1) * line.Step, Is.EqualTo(0.8f).Within(1e-5f));
@@ -22,10 +22,10 @@ namespace SphFluid.Tests
         [Test]
         public void OnlyThePartInTheDomainHasPoints()
         {
-            SensorLine line = SensorLine.Of(new Vector3(0.3f, -0.8f, 0f), Vector3.up, 50f, Domain, Spacing);
+            SensorLine line = SensorLine.Create(new Vector3(0.3f, -0.8f, 0f), Vector3.up, 50f, Domain, Spacing);
             Assert.That(line.First, Is.EqualTo(0.3f).Within(1e-5f));
             Assert.That(line.First + (line.Count - 1) * line.Step, Is.EqualTo(1.3f).Within(1e-4f));
-            SensorLine slanted = SensorLine.Of(new Vector3(-1.3f, 0f, 0f), Vector3.right, 1f, Domain, Spacing);
+            SensorLine slanted = SensorLine.Create(new Vector3(-1.3f, 0f, 0f), Vector3.right, 1f, Domain, Spacing);
             Assert.That(slanted.First, Is.EqualTo(0.3f).Within(1e-5f));
         }
 
@@ -34,7 +34,7 @@ namespace SphFluid.Tests
         [TestCase(0f, -9f, 0f)]
         public void BesideTheDomainTheLevelIsZero(float x, float y, float z)
         {
-            SensorLine line = SensorLine.Of(new Vector3(x, y, z), Vector3.up, 1f, Domain, Spacing);
+            SensorLine line = SensorLine.Create(new Vector3(x, y, z), Vector3.up, 1f, Domain, Spacing);
             Assert.That(line.Step, Is.Zero);
             Assert.That(line.Level(new float[line.Count], 1000f), Is.Zero);
         }
@@ -44,7 +44,7 @@ namespace SphFluid.Tests
         [TestCase(float.NaN)]
         public void ALineOfNoLengthHasTwoPoints(float length)
         {
-            SensorLine line = SensorLine.Of(Vector3.zero, Vector3.up, length, Domain, Spacing);
+            SensorLine line = SensorLine.Create(Vector3.zero, Vector3.up, length, Domain, Spacing);
             Assert.That(line.Count, Is.EqualTo(2));
             Assert.That(line.Level(new[] { 0f, 0f }, 1000f), Is.Zero);
         }
@@ -52,7 +52,7 @@ namespace SphFluid.Tests
         [Test]
         public void AnEndlessLineHasPointsForTheDomainOnly()
         {
-            SensorLine line = SensorLine.Of(Vector3.zero, Vector3.up, float.PositiveInfinity, Domain, Spacing);
+            SensorLine line = SensorLine.Create(Vector3.zero, Vector3.up, float.PositiveInfinity, Domain, Spacing);
             Assert.That(line.Count, Is.LessThan(200));
             Assert.That(line.First + (line.Count - 1) * line.Step, Is.EqualTo(0.5f).Within(1e-5f));
         }
@@ -60,7 +60,7 @@ namespace SphFluid.Tests
         [Test]
         public void TheLevelIsWhereTheDensityFallsBelowHalf()
         {
-            SensorLine line = SensorLine.Of(new Vector3(0f, -0.5f, 0f), Vector3.up, 1f, Domain, Spacing);
+            SensorLine line = SensorLine.Create(new Vector3(0f, -0.5f, 0f), Vector3.up, 1f, Domain, Spacing);
             for (float level = 0.1f; level < 0.9f; level += 0.037f)
             {
                 float[] densities = Enumerable.Range(0, line.Count)
@@ -72,7 +72,7 @@ namespace SphFluid.Tests
         [Test]
         public void TheLowestLiquidCounts()
         {
-            SensorLine line = SensorLine.Of(new Vector3(0f, -0.5f, 0f), Vector3.up, 1f, Domain, Spacing);
+            SensorLine line = SensorLine.Create(new Vector3(0f, -0.5f, 0f), Vector3.up, 1f, Domain, Spacing);
             var densities = new float[line.Count];
             for (int i = 3; i < 9; i++) densities[i] = 1000f; // the floor's points are beside a wall that takes density away
             for (int i = 20; i < 25; i++) densities[i] = 1000f;
@@ -82,7 +82,7 @@ namespace SphFluid.Tests
         [Test]
         public void AFullLineHasItsUpperEnd()
         {
-            SensorLine line = SensorLine.Of(new Vector3(0f, -0.5f, 0f), Vector3.up, 0.5f, Domain, Spacing);
+            SensorLine line = SensorLine.Create(new Vector3(0f, -0.5f, 0f), Vector3.up, 0.5f, Domain, Spacing);
             Assert.That(line.Level(Enumerable.Repeat(1000f, line.Count).ToArray(), 1000f), Is.EqualTo(0.5f).Within(1e-5f));
         }
     }

@@ -9,10 +9,10 @@ namespace SphFluid.Tests
         public void TheFirstValueOnlyTellsTheSide()
         {
             var above = new SensorSwitch();
-            Assert.That(above.Take(0.9f, 0.5f, 0.2f), Is.Zero);
+            Assert.That(above.Update(0.9f, 0.5f, 0.2f), Is.Zero);
             Assert.That(above.IsAbove);
             var below = new SensorSwitch();
-            Assert.That(below.Take(0.1f, 0.5f, 0.2f), Is.Zero);
+            Assert.That(below.Update(0.1f, 0.5f, 0.2f), Is.Zero);
             Assert.That(below.IsAbove, Is.False);
         }
 
@@ -22,7 +22,7 @@ namespace SphFluid.Tests
             var state = new SensorSwitch();
             float[] values = { 0f, 0.55f, 0.59f, 0.61f, 0.7f, 0.45f, 0.41f, 0.65f, 0.39f, 0.55f, 0f, 1f };
             int[] told = { 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 1 };
-            for (int i = 0; i < values.Length; i++) Assert.That(state.Take(values[i], 0.5f, 0.2f), Is.EqualTo(told[i]), $"value {i}");
+            for (int i = 0; i < values.Length; i++) Assert.That(state.Update(values[i], 0.5f, 0.2f), Is.EqualTo(told[i]), $"value {i}");
         }
 
         [Test]
@@ -30,7 +30,7 @@ namespace SphFluid.Tests
         {
             var state = new SensorSwitch();
             int told = 0;
-            foreach (float value in new[] { 0f, 0.51f, 0.49f, 0.5f, 0.51f }) told += state.Take(value, 0.5f, -1f) != 0 ? 1 : 0;
+            foreach (float value in new[] { 0f, 0.51f, 0.49f, 0.5f, 0.51f }) told += state.Update(value, 0.5f, -1f) != 0 ? 1 : 0;
             Assert.That(told, Is.EqualTo(3));
         }
 
@@ -38,10 +38,10 @@ namespace SphFluid.Tests
         public void AResetForgetsTheSide()
         {
             var state = new SensorSwitch();
-            state.Take(1f, 0.5f, 0f);
+            state.Update(1f, 0.5f, 0f);
             state.Reset();
             Assert.That(state.IsAbove, Is.False);
-            Assert.That(state.Take(0f, 0.5f, 0f), Is.Zero);
+            Assert.That(state.Update(0f, 0.5f, 0f), Is.Zero);
         }
     }
 }

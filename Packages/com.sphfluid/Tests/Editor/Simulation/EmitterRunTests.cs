@@ -63,7 +63,7 @@ namespace SphFluid.Tests
             double period = EmitterSites.For(nozzle, Spacing).LayerDistance / 1.7;
             Assert.That(births.Waiting, Is.EqualTo(2 * (1 + (int)(time / period))));
             // At rest in free fall of none, a layer is where its time put it.
-            births.Take(time, 0f, Vector3.zero);
+            births.CollectDue(time, 0f, Vector3.zero);
             for (int i = 0; i < births.Due.Length && i < 2 * (int)(time / period); i++)
                 Assert.That(births.Due[i].Position.z, Is.EqualTo(1.7 * (time - i / 2 * period)).Within(1e-5), $"layer {i / 2}");
         }
@@ -97,7 +97,7 @@ namespace SphFluid.Tests
             nozzle.Position = new Vector3(0f, 0.03f, 0f);
             run.Emit(nozzle, liquid, 0.01, 0.01, births, new ParticleLifetimes()); // a frame without steps
             run.Emit(nozzle, liquid, 0.01, 0.02, births, new ParticleLifetimes());
-            births.Take(0.02, 0f, Vector3.zero);
+            births.CollectDue(0.02, 0f, Vector3.zero);
             Vector3 expected = Quaternion.Inverse(liquid.Rotation) * new Vector3(0f, 3f, 1f);
             Assert.That((births.Due[0].Velocity - expected).magnitude, Is.LessThan(1e-5f), "3 m/s upwards");
         }

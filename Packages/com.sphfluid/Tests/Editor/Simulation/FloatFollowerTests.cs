@@ -41,7 +41,7 @@ namespace SphFluid.Tests
                 rotation = Moved(new FloatingPose(place, rotation), Vector3.zero, Frame * spin).Rotation;
                 accelerations.Add(acceleration);
                 gpu.Add(new FloatMotion { Pose = new FloatingPose(place, rotation), Velocity = velocity, AngularVelocity = spin });
-                follower.Note(n, n * Frame, physics, Frame);
+                follower.Record(n, n * Frame, physics, Frame);
                 if (n < 60) continue;
                 worst = Mathf.Max(worst, (physics.Pose.Centre - place).magnitude);
                 worstTurn = Mathf.Max(worstTurn, physics.Pose.TurnFrom(gpu[n].Pose).magnitude);
@@ -60,7 +60,7 @@ namespace SphFluid.Tests
             float place = 0f;
             for (int n = 0; n < 6; n++)
             {
-                follower.Note(n, n * Frame, here, Frame); // what is known stays that of the start
+                follower.Record(n, n * Frame, here, Frame); // what is known stays that of the start
                 FloatChange change = follower.Correct(there, 0);
                 follower.Give(change);
                 place += change.Displacement.y;
@@ -76,7 +76,7 @@ namespace SphFluid.Tests
             var motion = new FloatMotion { Pose = new FloatingPose(Vector3.one, Quaternion.identity) };
             var away = new FloatMotion { Pose = new FloatingPose(Vector3.zero, Quaternion.identity) };
             Assert.That(follower.Correct(away, 0).Displacement, Is.EqualTo(Vector3.zero), "before the first");
-            for (int n = 7; n < 7 + FloatFollower.Memory + 3; n++) follower.Note(n, n * Frame, motion, Frame);
+            for (int n = 7; n < 7 + FloatFollower.Memory + 3; n++) follower.Record(n, n * Frame, motion, Frame);
             Assert.That(follower.Correct(away, 7).Displacement, Is.EqualTo(Vector3.zero), "too old");
             Assert.That(follower.Correct(away, 3).Displacement, Is.EqualTo(Vector3.zero), "never noted");
             Assert.That(follower.Correct(away, 1000).Displacement, Is.EqualTo(Vector3.zero), "of the future");

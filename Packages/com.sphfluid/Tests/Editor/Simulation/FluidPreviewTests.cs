@@ -51,9 +51,9 @@ namespace SphFluid.Tests
             double steps = 2.0 / 60.0 / SphFluid.Editor.TimeStepText.StepOf(simulation, memory.Preview.Constants);
 
             Assert.That(memory.Preview.Depth, Is.EqualTo(depth).Within(1e-4 * depth));
-            Assert.That(text["Error class"], Is.EqualTo(SphFluid.Editor.ErrorClass.Of(simulation.Method, simulation.Profile.SupportRatio, layers)));
+            Assert.That(text["Error class"], Is.EqualTo(SphFluid.Editor.ErrorClass.Describe(simulation.Method, simulation.Profile.SupportRatio, layers)));
             Assert.That(text["Half the spacing"], Does.StartWith(System.FormattableString.Invariant($"512 particles, {steps:0.#} steps a frame"))
-                .And.Contain("class " + SphFluid.Editor.ErrorClass.Of(simulation.Method, simulation.Profile.SupportRatio, 2.0 * layers)));
+                .And.Contain("class " + SphFluid.Editor.ErrorClass.Describe(simulation.Method, simulation.Profile.SupportRatio, 2.0 * layers)));
         }
 
         [Test]

@@ -82,10 +82,10 @@ namespace SphFluid.Tests
         public void ARunningLiquidSeesThatAPropertyOfItsProfileWasSet(string name)
         {
             simulation.Profile = profile;
-            FluidLiveKey before = FluidLiveKey.Of(simulation.Spec);
+            FluidLiveKey before = FluidLiveKey.Create(simulation.Spec);
             PropertyInfo property = typeof(FluidProfile).GetProperty(name);
             property.SetValue(profile, property.GetValue(profile));
-            Assert.That(FluidLiveKey.Of(simulation.Spec).Equals(before), Is.False);
+            Assert.That(FluidLiveKey.Create(simulation.Spec).Equals(before), Is.False);
         }
 
         [Test]
@@ -109,13 +109,13 @@ namespace SphFluid.Tests
         {
             object before = Value(simulation, path);
             FluidSpec spec = simulation.Spec;
-            FluidStartKey start = FluidStartKey.Of(spec);
-            FluidLiveKey live = FluidLiveKey.Of(spec);
+            FluidStartKey start = FluidStartKey.Create(spec);
+            FluidLiveKey live = FluidLiveKey.Create(spec);
             bool changes = Others(path[path.Length - 1].FieldType, before).Any(v =>
             {
                 Set(simulation, path, v);
                 FluidSpec now = simulation.Spec;
-                return !FluidStartKey.Of(now).Equals(start) || !FluidLiveKey.Of(now).Equals(live);
+                return !FluidStartKey.Create(now).Equals(start) || !FluidLiveKey.Create(now).Equals(live);
             });
             Set(simulation, path, before);
             return changes;

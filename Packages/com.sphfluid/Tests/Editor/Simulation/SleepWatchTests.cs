@@ -97,7 +97,7 @@ namespace SphFluid.Tests
             for (int frame = 0; frame < 3600; frame++)
             {
                 double time = frame * Frame;
-                watch.Note(samples[frame % 3], Frame, () => Keep(ref kept, time), () => Forget(ref kept));
+                watch.AddSample(samples[frame % 3], Frame, () => Keep(ref kept, time), () => Forget(ref kept));
                 if (watch.IsAsleep) return time;
                 samples[frame % 3] = new SpeedSample
                 {

@@ -54,7 +54,7 @@ namespace SphFluid.Tests
             counts[SpeedCounts.Heads + 300] = 200;
             counts[SpeedCounts.Heads + 400] = 2;
             counts[SpeedCounts.Fastest] = unchecked((uint)BitConverter.SingleToInt32Bits(7f));
-            SpeedSample sample = SpeedSample.Of(counts, 0);
+            SpeedSample sample = SpeedSample.Evaluate(counts, 0);
             Assert.That(sample.Head, Is.EqualTo(SpeedCounts.UpperEdge(300)));
             Assert.That(sample.Fastest, Is.EqualTo(7f));
             Assert.That(new[] { float.NaN, float.PositiveInfinity, -1f }.Select(SpeedSample.Finite), Is.All.EqualTo(float.MaxValue));

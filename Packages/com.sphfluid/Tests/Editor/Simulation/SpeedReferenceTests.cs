@@ -14,23 +14,23 @@ namespace SphFluid.Tests
             for (int frame = 0; frame < 60; frame++)
             {
                 double before = reference.Speed;
-                Assert.That(reference.Follow(1.0, Frame));
+                Assert.That(reference.Update(1.0, Frame));
                 Assert.That(reference.Speed, Is.EqualTo(before * Math.Exp(-Frame)).Within(1e-12));
             }
             Assert.That(reference.Speed, Is.EqualTo(4.0 / Math.E).Within(1e-9), "a factor e a second");
-            for (int frame = 0; frame < 60; frame++) reference.Follow(1.0, Frame);
+            for (int frame = 0; frame < 60; frame++) reference.Update(1.0, Frame);
             Assert.That(reference.Speed, Is.EqualTo(1.0));
-            Assert.That(reference.Follow(1.0, Frame), Is.False);
+            Assert.That(reference.Update(1.0, Frame), Is.False);
         }
 
         [Test]
         public void ItRisesFasterAndNeverAboveTheRule()
         {
             var reference = new SpeedReference(4.0);
-            for (int frame = 0; frame < 300; frame++) reference.Follow(1.0, Frame);
-            Assert.That(reference.Follow(100.0, Frame));
+            for (int frame = 0; frame < 300; frame++) reference.Update(1.0, Frame);
+            Assert.That(reference.Update(100.0, Frame));
             Assert.That(reference.Speed, Is.EqualTo(Math.Exp(10.0 * Frame)).Within(1e-12));
-            for (int frame = 0; frame < 300; frame++) reference.Follow(double.PositiveInfinity, Frame);
+            for (int frame = 0; frame < 300; frame++) reference.Update(double.PositiveInfinity, Frame);
             Assert.That(reference.Speed, Is.EqualTo(4.0));
         }
 
@@ -38,13 +38,13 @@ namespace SphFluid.Tests
         public void CollidersRaiseItAboveTheRuleAndAtOnceWhereNothingIsPressed()
         {
             var reference = new SpeedReference(0.1);
-            reference.Follow(0.1, Frame, 3.0);
+            reference.Update(0.1, Frame, 3.0);
             Assert.That(reference.Speed, Is.EqualTo(0.1 * Math.Exp(10.0 * Frame)).Within(1e-12), "a speed: as pressure can follow");
-            reference.Follow(0.1, Frame, 3.0, 2.0, 1000.0);
+            reference.Update(0.1, Frame, 3.0, 2.0, 1000.0);
             Assert.That(reference.Speed, Is.EqualTo(2.0), "the part by acceleration, of liquid without pressure");
-            reference.Follow(0.1, Frame, 9.0, 9.0, 1.5);
+            reference.Update(0.1, Frame, 9.0, 9.0, 1.5);
             Assert.That(reference.Speed, Is.EqualTo(3.0), "no more than its pressure allows");
-            for (int frame = 0; frame < 600; frame++) reference.Follow(100.0, Frame);
+            for (int frame = 0; frame < 600; frame++) reference.Update(100.0, Frame);
             Assert.That(reference.Speed, Is.EqualTo(0.1).Within(1e-9), "back to the rule");
         }
 
@@ -52,15 +52,15 @@ namespace SphFluid.Tests
         public void AFlickerByABinIsNoChange()
         {
             var reference = new SpeedReference(2.0);
-            for (int frame = 0; frame < 60; frame++) Assert.That(reference.Follow(frame % 2 == 0 ? 2.0 : 1.9, Frame), Is.False);
-            Assert.That(reference.Follow(1.8, Frame));
+            for (int frame = 0; frame < 60; frame++) Assert.That(reference.Update(frame % 2 == 0 ? 2.0 : 1.9, Frame), Is.False);
+            Assert.That(reference.Update(1.8, Frame));
         }
 
         [Test]
         public void AFrameThatTookLongIsNoLeap()
         {
             var reference = new SpeedReference(2.0);
-            reference.Follow(0.1, 30.0);
+            reference.Update(0.1, 30.0);
             Assert.That(reference.Speed, Is.EqualTo(2.0 * Math.Exp(-0.1)).Within(1e-12));
         }
 
@@ -68,7 +68,7 @@ namespace SphFluid.Tests
         public void AnotherRuleRaisesItAtOnceAndLimitsIt()
         {
             var reference = new SpeedReference(2.0);
-            for (int frame = 0; frame < 300; frame++) reference.Follow(1.0, Frame);
+            for (int frame = 0; frame < 300; frame++) reference.Update(1.0, Frame);
             reference.Limit(6.0);
             Assert.That(reference.Speed, Is.EqualTo(3.0).Within(1e-12), "in proportion");
             reference.Limit(2.5);

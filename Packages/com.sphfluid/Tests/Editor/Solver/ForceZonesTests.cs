@@ -44,12 +44,12 @@ namespace SphFluid.Tests
             Assert.That(Run(start), Is.EqualTo(Run(start, null)));
             using (var zones = new ForceZones())
             {
-                Assert.That(zones.Take(new ForceZone[0]), Is.False);
+                Assert.That(zones.SetZones(new ForceZone[0]), Is.False);
                 Assert.That(zones.GpuBytes, Is.Zero);
-                Assert.That(() => zones.Take(new ForceZone[ForceZone.Most + 1]), Throws.ArgumentException);
-                Assert.That(zones.Take(new[] { Zone("wind", "box") }), Is.True);
-                Assert.That(zones.Take(new[] { Zone("wind", "box") }), Is.False);
-                Assert.That(zones.Take(new[] { Zone("point", "box") }), Is.True);
+                Assert.That(() => zones.SetZones(new ForceZone[ForceZone.Most + 1]), Throws.ArgumentException);
+                Assert.That(zones.SetZones(new[] { Zone("wind", "box") }), Is.True);
+                Assert.That(zones.SetZones(new[] { Zone("wind", "box") }), Is.False);
+                Assert.That(zones.SetZones(new[] { Zone("point", "box") }), Is.True);
             }
         }
 
@@ -138,7 +138,7 @@ namespace SphFluid.Tests
             {
                 if (given != null)
                 {
-                    zones.Take(given);
+                    zones.SetZones(given);
                     solver.SetZones(zones);
                 }
                 if (mesh)

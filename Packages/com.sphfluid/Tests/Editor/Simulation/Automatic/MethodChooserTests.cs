@@ -106,8 +106,8 @@ namespace SphFluid.Tests
             foreach (float budget in new[] { 0.001f, 1f, 1000f })
             {
                 FluidMethodChoice choice = Choose(budget);
-                Assert.That(FluidMethods.Of(choice.Method).MayBePicked);
-                Assert.That(choice.Considered.All(c => FluidMethods.Of(c.Method).MayBePicked));
+                Assert.That(FluidMethods.Get(choice.Method).MayBePicked);
+                Assert.That(choice.Considered.All(c => FluidMethods.Get(c.Method).MayBePicked));
             }
         }
 
@@ -212,12 +212,12 @@ namespace SphFluid.Tests
             {
                 FluidSpec spec = simulation.Spec;
                 spec.Profile.Shaders = ScriptableObject.CreateInstance<FluidShaderSet>();
-                Assert.That(MethodObstacles.Of(spec, FluidMethods.Of(FluidMethodKind.Standard)), Does.Contain("shader set"));
+                Assert.That(MethodObstacles.Find(spec, FluidMethods.Get(FluidMethodKind.Standard)), Does.Contain("shader set"));
                 Object.DestroyImmediate(spec.Profile.Shaders);
                 spec.Profile.Shaders = without;
-                Assert.That(MethodObstacles.Of(spec, FluidMethods.Of(FluidMethodKind.Standard)), Is.Null);
+                Assert.That(MethodObstacles.Find(spec, FluidMethods.Get(FluidMethodKind.Standard)), Is.Null);
                 spec.Zones = new[] { default(ZoneSpec) };
-                Assert.That(MethodObstacles.Of(spec, FluidMethods.Of(FluidMethodKind.Thesis)), Is.EqualTo("has no force zones, which the simulation uses"));
+                Assert.That(MethodObstacles.Find(spec, FluidMethods.Get(FluidMethodKind.Thesis)), Is.EqualTo("has no force zones, which the simulation uses"));
             }
             finally
             {
@@ -229,7 +229,7 @@ namespace SphFluid.Tests
         public void AnEmptyLiquidIsNotTimed()
         {
             costs.Set(FluidMethodKind.Standard, 0.01);
-            FluidStart dry = new FluidStart(new System.Collections.Generic.List<FluidParticle>(), 0, LiquidExtent.Of(new LiquidShape[0], simulation.DomainSize), 0f);
+            FluidStart dry = new FluidStart(new System.Collections.Generic.List<FluidParticle>(), 0, LiquidExtent.Create(new LiquidShape[0], simulation.DomainSize), 0f);
             FluidMethodChoice choice = MethodChooser.Choose(simulation.Spec, dry, false, (in FluidSolverSettings settings) => throw new System.InvalidOperationException("timed"));
             Assert.That(choice.IsMeasured, Is.False);
         }
@@ -237,7 +237,7 @@ namespace SphFluid.Tests
         [Test]
         public void ADeviceThatCannotBeTimedIsEstimatedAndSaid()
         {
-            FluidStart start = new FluidStart(new System.Collections.Generic.List<FluidParticle>(), 1000, LiquidExtent.Of(new LiquidShape[0], simulation.DomainSize), 1f);
+            FluidStart start = new FluidStart(new System.Collections.Generic.List<FluidParticle>(), 1000, LiquidExtent.Create(new LiquidShape[0], simulation.DomainSize), 1f);
             FluidMethodChoice choice = MethodChooser.Choose(simulation.Spec, start, false, (in FluidSolverSettings settings) => null);
             Assert.That(choice.Pick.CostSource, Is.EqualTo(FluidCostSource.Estimated));
             // 5 ns a pass, 3 passes, 1000 particles.

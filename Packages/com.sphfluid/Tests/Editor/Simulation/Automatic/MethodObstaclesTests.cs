@@ -130,7 +130,7 @@ namespace SphFluid.Tests
             (input.SurfaceTension, input.KinematicViscosity) = (50f, 10f);
             foreach (FluidMethod method in FluidMethods.All)
                 Assert.That(method.AskedBy(input) & ~method.Features, Is.EqualTo(FluidMethodFeatures.None), $"{method.Kind} asks for what it lacks");
-            Assert.That(FluidMethods.Of(FluidMethodKind.Standard).AskedBy(input), Is.EqualTo(FluidMethodFeatures.SurfaceTension | FluidMethodFeatures.ImplicitViscosity));
+            Assert.That(FluidMethods.Get(FluidMethodKind.Standard).AskedBy(input), Is.EqualTo(FluidMethodFeatures.SurfaceTension | FluidMethodFeatures.ImplicitViscosity));
         }
 
         static string ObstacleOfRobust(FluidMethodChoice choice) => choice.Considered.Single(c => c.Method == FluidMethodKind.Robust).Obstacle;

@@ -194,7 +194,7 @@ namespace SphFluid.Tests
             Vector3 gravity = new Vector3(0f, -9.81f, 0f), velocity = new Vector3(0f, 2f, 0f);
             queue.Add(Vector3.zero, velocity, 1.0, 1);
             queue.Add(Vector3.zero, velocity, 1.02, 1);
-            Assert.That(queue.Take(1.01, 0.004f, gravity), Is.EqualTo(1));
+            Assert.That(queue.CollectDue(1.01, 0.004f, gravity), Is.EqualTo(1));
             Assert.That(queue.Due[0].Position.y, Is.EqualTo(2.0 * 0.01 - 0.5 * 9.81 * 0.01 * 0.01).Within(1e-6));
             Assert.That(queue.Due[0].Velocity.y, Is.EqualTo(2.0 - 9.81 * (0.01 - 0.002)).Within(1e-5));
             Assert.That((queue.Due[0].Id, queue.Waiting, queue.Taken), Is.EqualTo((7u, 1, 1L)));
@@ -208,10 +208,10 @@ namespace SphFluid.Tests
             var queue = new BirthQueue(0u);
             for (int i = 0; i < 5000; i++) queue.Add(Vector3.zero, Vector3.zero, 0.0, 1);
             for (int i = 0; i < 10; i++) queue.Add(Vector3.zero, Vector3.zero, 0.0, 2);
-            Assert.That((queue.Take(1.0, 0.01f, Vector3.zero), queue.HasRivals, queue.Waiting), Is.EqualTo((5000, false, 10)));
+            Assert.That((queue.CollectDue(1.0, 0.01f, Vector3.zero), queue.HasRivals, queue.Waiting), Is.EqualTo((5000, false, 10)));
             for (int i = 0; i < 5000; i++) queue.Add(Vector3.zero, Vector3.zero, 0.0, 1);
-            Assert.That((queue.Take(1.0, 0.01f, Vector3.zero), queue.HasRivals, queue.Waiting), Is.EqualTo((4096, true, 914)));
-            Assert.That((queue.Take(1.0, 0.01f, Vector3.zero), queue.HasRivals, queue.Waiting), Is.EqualTo((914, false, 0)));
+            Assert.That((queue.CollectDue(1.0, 0.01f, Vector3.zero), queue.HasRivals, queue.Waiting), Is.EqualTo((4096, true, 914)));
+            Assert.That((queue.CollectDue(1.0, 0.01f, Vector3.zero), queue.HasRivals, queue.Waiting), Is.EqualTo((914, false, 0)));
             Assert.That(queue.Taken, Is.EqualTo(10010));
         }
 

@@ -14,14 +14,14 @@ namespace SphFluid.Tests
             lifetimes.Add(15u, 2u, 0.1);
             lifetimes.Add(17u, 0u, 0.1);
             Assert.That(lifetimes.Waiting, Is.EqualTo(2), "an empty one is none");
-            Assert.That(lifetimes.Take(0.09, 100u), Is.Zero);
-            Assert.That(lifetimes.Take(0.1, 100u), Is.EqualTo(1));
+            Assert.That(lifetimes.RemoveDue(0.09, 100u), Is.Zero);
+            Assert.That(lifetimes.RemoveDue(0.1, 100u), Is.EqualTo(1));
             Assert.That((lifetimes.Due[1].First, lifetimes.Due[1].Count), Is.EqualTo((15u, 2u)));
-            Assert.That(lifetimes.Take(0.2, 100u), Is.Zero);
-            Assert.That(lifetimes.Take(0.35, 100u), Is.EqualTo(1));
+            Assert.That(lifetimes.RemoveDue(0.2, 100u), Is.Zero);
+            Assert.That(lifetimes.RemoveDue(0.35, 100u), Is.EqualTo(1));
             Assert.That(lifetimes.Due[1].First, Is.EqualTo(10u));
             Assert.That(lifetimes.Waiting, Is.Zero);
-            Assert.That(lifetimes.Take(9.0, 100u), Is.Zero);
+            Assert.That(lifetimes.RemoveDue(9.0, 100u), Is.Zero);
         }
 
         // Ids wrap: 1 is born after 0xffffffff.
@@ -33,9 +33,9 @@ namespace SphFluid.Tests
         {
             var lifetimes = new ParticleLifetimes();
             lifetimes.Add(first, 5u, 0.1);
-            Assert.That(lifetimes.Take(0.2, unborn), Is.EqualTo(taken));
+            Assert.That(lifetimes.RemoveDue(0.2, unborn), Is.EqualTo(taken));
             Assert.That(lifetimes.Waiting, Is.EqualTo(1 - taken));
-            Assert.That(lifetimes.Take(0.3, unchecked(first + 5u)), Is.EqualTo(1 - taken));
+            Assert.That(lifetimes.RemoveDue(0.3, unchecked(first + 5u)), Is.EqualTo(1 - taken));
         }
 
         [Test]
@@ -47,7 +47,7 @@ namespace SphFluid.Tests
             var seen = Enumerable.Empty<uint>();
             for (int sort = 0; sort < 3; sort++)
             {
-                int taken = lifetimes.Take(0.2, 1000u);
+                int taken = lifetimes.RemoveDue(0.2, 1000u);
                 Assert.That(taken, Is.EqualTo(sort < 2 ? ParticleLifetimes.MostDue : 3));
                 Assert.That(lifetimes.Due[0].First, Is.EqualTo(taken));
                 seen = seen.Concat(lifetimes.Due.Skip(1).Take(taken).Select(r => r.First).ToArray());

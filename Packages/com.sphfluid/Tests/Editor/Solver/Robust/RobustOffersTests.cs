@@ -6,7 +6,7 @@ namespace SphFluid.Tests
     /// <summary>What the Robust method offers Automatic: as many substeps as the budget holds.</summary>
     public sealed class RobustOffersTests
     {
-        static readonly FluidMethod Robust = FluidMethods.Of(FluidMethodKind.Robust);
+        static readonly FluidMethod Robust = FluidMethods.Get(FluidMethodKind.Robust);
 
         [TestCase(double.NaN, 4)]
         [TestCase(0.0, 4)]

@@ -97,7 +97,7 @@ namespace SphFluid.Tests
                 {
                     int now = until - (int)solver.StepCount;
                     GpuTest.Run(cmd => solver.RecordSteps(cmd, now));
-                    found.UnionWith(detectors.Note(meter.MeasureNow(), solver.ReadCountersNow()).Select(f => f.Failure));
+                    found.UnionWith(detectors.Update(meter.MeasureNow(), solver.ReadCountersNow()).Select(f => f.Failure));
                     AssertContained(GpuTest.Read<FluidParticle>(solver.Particles, solver.ParticleCount), particles.Length);
                 }
             }

@@ -91,9 +91,9 @@ namespace SphFluid.Tests
         {
             var patch = new WallPatch { Size = new Vector2(2f, 1f), Memory = 10.0 };
             Assert.That(patch.MeanPressure(1.0), Is.Zero, "there is none");
-            patch.Take(new WallSample(1.0, 1.0, 8.0));
-            patch.Take(new WallSample(2.0, 1.0, 2.0));
-            patch.Take(new WallSample(2.5, 0.5, 4.0));
+            patch.SetSample(new WallSample(1.0, 1.0, 8.0));
+            patch.SetSample(new WallSample(2.0, 1.0, 2.0));
+            patch.SetSample(new WallSample(2.5, 0.5, 4.0));
             Assert.That(patch.MeanForce(0.0), Is.EqualTo(8.0), "the last alone");
             Assert.That(patch.MeanForce(0.5), Is.EqualTo(8.0));
             Assert.That(patch.MeanForce(1.0), Is.EqualTo(5.0));
@@ -103,7 +103,7 @@ namespace SphFluid.Tests
             Assert.That(patch.PeakPressure(1.0, 1), Is.EqualTo(2.5));
             Assert.That(patch.PeakPressure(1.0, 3), Is.EqualTo(4.0), "the first alone was the strongest");
             patch.Memory = 0.4;
-            patch.Take(new WallSample(3.0, 0.5, 1.0));
+            patch.SetSample(new WallSample(3.0, 0.5, 1.0));
             Assert.That(patch.MeanForce(100.0), Is.EqualTo(2.0), "what is older is forgotten");
             Assert.That(patch.Impulse, Is.EqualTo(15.0), "but counts");
             patch.Clear();
